@@ -1,0 +1,66 @@
+package dev.eventchain.diagnostics;
+
+import java.nio.file.Path;
+import java.util.Comparator;
+
+/**
+ * Where something stands.
+ *
+ * @param file the file as people know it, with {@code /} between its parts; empty if there is none
+ * @param line the line, from 1; 0 if unknown
+ * @param column the column in characters, from 1; 0 if unknown
+ * @param element the element inside the file: a JSON pointer, or the path of a model element; empty
+ *     if there is none
+ * @param excerpt the whole source line without its line break; empty if unknown
+ */
+public record SourceLocation(String file, int line, int column, String element, String excerpt)
+    implements Comparable<SourceLocation> {
+
+  /** Nowhere in particular. */
+  public static final SourceLocation NONE = new SourceLocation("", 0, 0, "", "");
+
+  private static final Comparator<SourceLocation> ORDER =
+      Comparator.comparing(SourceLocation::file)
+          .thenComparingInt(SourceLocation::line)
+          .thenComparingInt(SourceLocation::column)
+          .thenComparing(SourceLocation::element)
+          .thenComparing(SourceLocation::excerpt);
+
+  /** A whole file. */
+  public static SourceLocation of(String file) {
+    return new SourceLocation(file, 0, 0, "", "");
+  }
+
+  /** A whole file. */
+  public static SourceLocation of(Path file) {
+    return of(nameOf(file));
+  }
+
+  /** The same place, narrowed to an element. */
+  public SourceLocation withElement(String newElement) {
+    return new SourceLocation(file, line, column, newElement, excerpt);
+  }
+
+  @Override
+  public int compareTo(SourceLocation other) {
+    return ORDER.compare(this, other);
+  }
+
+  /** {@code file:line:column}, as far as each is known; empty for {@link #NONE}. */
+  @Override
+  public String toString() {
+    StringBuilder text = new StringBuilder(file);
+    if (line > 0) {
+      text.append(':').append(line);
+      if (column > 0) {
+        text.append(':').append(column);
+      }
+    }
+    return text.toString();
+  }
+
+  /** The name under which people know a file: the same on every system. */
+  static String nameOf(Path file) {
+    return file.toString().replace('\\', '/');
+  }
+}

@@ -1,0 +1,139 @@
+package dev.eventchain.diagnostics;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.util.Arrays;
+
+/** A text and its name, which turns offsets into places. Immutable. */
+public final class SourceText {
+
+  private static final char BYTE_ORDER_MARK = '\uFEFF';
+
+  private final String name;
+  private final String text;
+  private final int[] lineStarts;
+
+  private SourceText(String name, String text) {
+    this.name = name;
+    this.text = text;
+    this.lineStarts = lineStarts(text);
+  }
+
+  /** A text that is in memory already, under the name that people know it by. */
+  public static SourceText of(String name, String text) {
+    boolean marked = !text.isEmpty() && text.charAt(0) == BYTE_ORDER_MARK;
+    return new SourceText(name, marked ? text.substring(1) : text);
+  }
+
+  /**
+   * Reads a file as UTF-8; a byte order mark is skipped.
+   *
+   * @throws DiagnosticException for a missing file ({@code file.missing}), one that cannot be read
+   *     ({@code file.unreadable}), or one that is not UTF-8 ({@code file.encoding})
+   */
+  public static SourceText read(Path file) {
+    String name = SourceLocation.nameOf(file);
+    byte[] bytes = bytesOf(file);
+    try {
+      String text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
+      return of(name, text);
+    } catch (CharacterCodingException e) {
+      throw new DiagnosticException(
+          DiagnosticException.Reason.INPUT,
+          Diagnostic.error(
+                  "file.encoding", "The file is not UTF-8 text.", encodingError(name, bytes))
+              .withHint("Save it as UTF-8."));
+    }
+  }
+
+  private static byte[] bytesOf(Path file) {
+    try {
+      return Files.readAllBytes(file);
+    } catch (NoSuchFileException e) {
+      throw unreadable("file.missing", "There is no such file.", file);
+    } catch (IOException e) {
+      String problem = Files.isDirectory(file) ? "This is a folder." : reason(e);
+      throw unreadable("file.unreadable", "The file cannot be read: " + problem, file);
+    }
+  }
+
+  private static String reason(IOException e) {
+    return e.getClass().getSimpleName() + (e.getMessage() == null ? "" : ", " + e.getMessage());
+  }
+
+  private static DiagnosticException unreadable(String id, String message, Path file) {
+    return new DiagnosticException(
+        DiagnosticException.Reason.INPUT, Diagnostic.error(id, message, SourceLocation.of(file)));
+  }
+
+  /** The line of the first byte that is not UTF-8. */
+  private static SourceLocation encodingError(String name, byte[] bytes) {
+    ByteBuffer input = ByteBuffer.wrap(bytes);
+    StandardCharsets.UTF_8
+        .newDecoder()
+        .decode(input, java.nio.CharBuffer.allocate(bytes.length + 1), true);
+    int line = 1;
+    for (int i = 0; i < input.position(); i++) {
+      if (bytes[i] == '\n') {
+        line++;
+      }
+    }
+    return new SourceLocation(name, line, 0, "", "");
+  }
+
+  /** The name that people know the text by. */
+  public String name() {
+    return name;
+  }
+
+  /** The text, without a byte order mark. */
+  public String text() {
+    return text;
+  }
+
+  /**
+   * The place of an offset.
+   *
+   * @param offset from 0 to the length of the text; anything beyond is taken for the nearest end
+   */
+  public SourceLocation at(int offset) {
+    int inside = Math.max(0, Math.min(offset, text.length()));
+    int found = Arrays.binarySearch(lineStarts, inside);
+    int index = found >= 0 ? found : -found - 2;
+    return new SourceLocation(name, index + 1, inside - lineStarts[index] + 1, "", lineText(index));
+  }
+
+  /**
+   * The place of a line and a column, both from 1; a line beyond the end is taken for the last one.
+   */
+  public SourceLocation at(int line, int column) {
+    int index = Math.max(0, Math.min(line - 1, lineStarts.length - 1));
+    return new SourceLocation(name, index + 1, Math.max(1, column), "", lineText(index));
+  }
+
+  private String lineText(int index) {
+    int end = index + 1 < lineStarts.length ? lineStarts[index + 1] : text.length();
+    int start = lineStarts[index];
+    while (end > start && (text.charAt(end - 1) == '\n' || text.charAt(end - 1) == '\r')) {
+      end--;
+    }
+    return text.substring(start, end);
+  }
+
+  private static int[] lineStarts(String text) {
+    int[] starts = new int[16];
+    int count = 1;
+    for (int i = text.indexOf('\n'); i >= 0; i = text.indexOf('\n', i + 1)) {
+      if (count == starts.length) {
+        starts = Arrays.copyOf(starts, count * 2);
+      }
+      starts[count++] = i + 1;
+    }
+    return Arrays.copyOf(starts, count);
+  }
+}
