@@ -1,0 +1,268 @@
+"""Make sure that Eventchain's own Python environment exists, and say where it is.
+
+    python3 environment.py [--development] [--print-executable | --run ARGUMENT...]
+
+The environment is a virtual environment in ``${XDG_CACHE_HOME:-~/.cache}/eventchain/python-<key>``. The key covers the
+pinned requirements beside this file and the Python that runs, so a change of either builds a new one and leaves the old
+one to its users. Two first runs at once build it once: the builder holds a lock, and the completion marker is written
+last, so a half-made environment is never used and is rebuilt.
+
+``--development`` adds the tools of the build (ruff, mypy, pytest), in an environment of its own.
+``--run ARGUMENT...`` replaces this process by the environment's Python with these arguments.
+``EVENTCHAIN_PYTHON`` names the Python to build on; without it this one is used, or a newer one of the PATH if this one
+is too old.
+
+Exit code 3: this machine lacks something; standard error then holds ``error: what`` and ``hint: what to do``.
+Only the standard library is used, and nothing newer than Python 3.7, so that an old Python can still say what is wrong.
+"""
+
+from __future__ import annotations
+
+import argparse
+import fcntl
+import hashlib
+import json
+import os
+import platform
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import NoReturn
+
+MINIMUM = (3, 10)
+NEWER_NAMES = ("python3.13", "python3.12", "python3.11", "python3.10", "python3.14")
+UNAVAILABLE = 3
+MARKER = "complete.json"
+HERE = Path(__file__).resolve().parent
+# Settings that would make pip or Python look or install elsewhere than in the new environment.
+FOREIGN_SETTINGS = (
+    "PYTHONHOME",
+    "PYTHONPATH",
+    "PYTHONSTARTUP",
+    "PIP_TARGET",
+    "PIP_PREFIX",
+    "PIP_ROOT",
+    "PIP_USER",
+    "PIP_REQUIRE_VIRTUALENV",
+    "PIP_NO_DEPS",
+    "__PYVENV_LAUNCHER__",
+)
+
+
+class UnavailableError(Exception):
+    """This machine lacks something: what, and what to do about it."""
+
+    def __init__(self, message: str, hint: str) -> None:
+        super().__init__(message)
+        self.hint = hint
+
+
+def main(arguments: list[str]) -> int:
+    """Run the command line; return the exit code."""
+    options = parse(arguments)
+    try:
+        use_suitable_python(arguments)
+        executable = ensure(options.development)
+    except UnavailableError as problem:
+        print("error: %s" % problem, file=sys.stderr)
+        print("hint: %s" % problem.hint, file=sys.stderr)
+        return UNAVAILABLE
+    if options.run is not None:
+        os.execv(str(executable), [str(executable), *options.run])
+    if options.print_executable:
+        print(executable)
+    return 0
+
+
+def parse(arguments: list[str]) -> argparse.Namespace:
+    """Read the command line."""
+    parser = argparse.ArgumentParser(description="Create Eventchain's Python environment if it is not there yet.")
+    parser.add_argument("--development", action="store_true", help="with ruff, mypy and pytest")
+    parser.add_argument("--print-executable", action="store_true", help="print the path of its Python")
+    parser.add_argument("--run", nargs=argparse.REMAINDER, help="run its Python with these arguments")
+    return parser.parse_args(arguments)
+
+
+def use_suitable_python(arguments: list[str]) -> None:
+    """Go on in the Python that the environment shall be built on, replacing this process if that is another one."""
+    chosen = os.environ.pop("EVENTCHAIN_PYTHON", "")
+    if chosen:
+        found = shutil.which(chosen)
+        if found is None:
+            raise UnavailableError(
+                "EVENTCHAIN_PYTHON names %s, which is not an executable file" % chosen,
+                "set EVENTCHAIN_PYTHON to a Python 3.10 or newer, or unset it to use python3 of the PATH",
+            )
+        replace_process(found, arguments)
+    if sys.version_info >= MINIMUM:
+        return
+    for name in NEWER_NAMES:
+        found = shutil.which(name)
+        if found is not None and runs(found):
+            replace_process(found, arguments)
+    raise UnavailableError(
+        "Python %s (%s) is too old: 3.10 or newer is needed" % (platform.python_version(), sys.executable),
+        "install a newer Python, or set EVENTCHAIN_PYTHON to one",
+    )
+
+
+def runs(executable: str) -> bool:
+    """Whether this Python starts (a pyenv shim exists for versions that are not active)."""
+    test = "import sys; sys.exit(sys.version_info < %r)" % (MINIMUM,)
+    return subprocess.run([executable, "-I", "-c", test], stderr=subprocess.DEVNULL, check=False).returncode == 0
+
+
+def replace_process(executable: str, arguments: list[str]) -> NoReturn:
+    """Run this script with another Python instead."""
+    try:
+        os.execv(executable, [executable, str(HERE / "environment.py"), *arguments])
+    except OSError as problem:
+        raise UnavailableError(
+            "%s cannot be started: %s" % (executable, problem.strerror),
+            "set EVENTCHAIN_PYTHON to a Python 3.10 or newer",
+        ) from problem
+
+
+def ensure(development: bool) -> Path:
+    """Return the Python of the environment, which is created first if it is not there."""
+    requirements = [HERE / "requirements.txt"]
+    if development:
+        requirements.append(HERE / "requirements-development.txt")
+    folder = cache_folder() / ("python-" + key(requirements))
+    if not is_complete(folder):
+        create_once(folder, requirements)
+    return executable_of(folder)
+
+
+def cache_folder() -> Path:
+    """Eventchain's folder in the user's cache (XDG Base Directory Specification)."""
+    configured = os.environ.get("XDG_CACHE_HOME", "")
+    base = Path(configured) if os.path.isabs(configured) else Path(os.path.expanduser("~")) / ".cache"
+    return base / "eventchain"
+
+
+def key(requirements: list[Path]) -> str:
+    """12 hexadecimal digits of everything the content of the environment depends on."""
+    digest = hashlib.sha256()
+    base = os.path.realpath(getattr(sys, "_base_executable", sys.executable))
+    for part in (platform.python_implementation(), platform.python_version(), platform.machine(), base):
+        digest.update(part.encode() + b"\0")
+    for file in requirements:
+        digest.update(file.read_bytes() + b"\0")
+    return digest.hexdigest()[:12]
+
+
+def executable_of(folder: Path) -> Path:
+    """The Python of an environment."""
+    return folder / "bin" / "python"
+
+
+def is_complete(folder: Path) -> bool:
+    """Whether the environment was finished and the Python below it is still installed."""
+    return (folder / MARKER).is_file() and os.access(executable_of(folder), os.X_OK)
+
+
+def create_once(folder: Path, requirements: list[Path]) -> None:
+    """Create the environment unless another process does it right now, in which case wait for it."""
+    try:
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        with open(str(folder) + ".lock", "w", encoding="utf-8") as lock:
+            wait_for(lock.fileno())
+            if not is_complete(folder):
+                shutil.rmtree(folder, ignore_errors=True)
+                create(folder, requirements)
+    except OSError as problem:
+        raise cache_not_writable(folder.parent, problem) from problem
+
+
+def cache_not_writable(folder: Path, problem: OSError) -> UnavailableError:
+    """The cache folder cannot be used."""
+    return UnavailableError(
+        "the cache folder %s cannot be written: %s" % (folder, problem.strerror or problem),
+        "make it writable, or set XDG_CACHE_HOME to a folder that is",
+    )
+
+
+def wait_for(lock: int) -> None:
+    """Take the lock; say so when that takes time. The system releases it when its holder dies."""
+    try:
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        report("waiting for another process that creates the Python environment")
+        fcntl.flock(lock, fcntl.LOCK_EX)
+
+
+def create(folder: Path, requirements: list[Path]) -> None:
+    """Create the environment in its final place (a virtual environment cannot be moved), marker last."""
+    report("creating the Python environment %s (once)" % folder)
+    pip = create_empty(folder)
+    command = [*pip, "install", "--no-deps", "--prefer-binary", "--no-input", "--quiet", "--retries", "2"]
+    for file in requirements:
+        command += ["-r", str(file)]
+    run(
+        command,
+        "the Python packages cannot be installed",
+        "allow network access once, or point pip to a mirror with PIP_INDEX_URL or PIP_FIND_LINKS",
+    )
+    facts = {"python": platform.python_version(), "executable": str(executable_of(folder))}
+    unfinished = folder / (MARKER + ".new")
+    unfinished.write_text(json.dumps(facts, indent=2) + "\n", encoding="utf-8")
+    os.replace(unfinished, folder / MARKER)
+
+
+def create_empty(folder: Path) -> list[str]:
+    """Create the virtual environment; return the pip command that installs into it."""
+    missing = "install Python's venv module and pip (Debian, Ubuntu: apt-get install python3-venv)"
+    if not has_module("venv"):
+        raise UnavailableError("%s has no venv module" % sys.executable, missing)
+    if has_module("ensurepip"):
+        run([sys.executable, "-m", "venv", str(folder)], "the virtual environment cannot be created", missing)
+        return [str(executable_of(folder)), "-m", "pip"]
+    if not has_module("pip"):
+        raise UnavailableError("%s has neither the ensurepip module nor pip" % sys.executable, missing)
+    run(
+        [sys.executable, "-m", "venv", "--without-pip", str(folder)],
+        "the virtual environment cannot be created",
+        missing,
+    )
+    return [sys.executable, "-m", "pip", "--python", str(executable_of(folder))]
+
+
+def has_module(name: str) -> bool:
+    """Whether this Python can import the module (Debian splits its standard library into packages)."""
+    command = [sys.executable, "-c", "import " + name]
+    return subprocess.run(command, env=clean_settings(), stderr=subprocess.DEVNULL, check=False).returncode == 0
+
+
+def run(command: list[str], failure: str, hint: str) -> None:
+    """Run a command; if it fails, report the end of what it wrote."""
+    done = subprocess.run(
+        command,
+        env=clean_settings(),
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        encoding="utf-8",
+        errors="replace",
+        check=False,
+    )
+    if done.returncode != 0:
+        lines = [line.strip() for line in done.stdout.splitlines() if line.strip()]
+        errors = [line for line in lines if line.startswith("ERROR")] or lines[-3:]
+        raise UnavailableError("%s: %s" % (failure, " ".join(errors) or "exit code %d" % done.returncode), hint)
+
+
+def clean_settings() -> dict[str, str]:
+    """The user's environment without what would lead pip elsewhere; proxies and mirrors stay."""
+    settings = {name: value for name, value in os.environ.items() if name not in FOREIGN_SETTINGS}
+    settings["PIP_DISABLE_PIP_VERSION_CHECK"] = "1"
+    return settings
+
+
+def report(message: str) -> None:
+    """Show progress."""
+    print(message, file=sys.stderr, flush=True)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
