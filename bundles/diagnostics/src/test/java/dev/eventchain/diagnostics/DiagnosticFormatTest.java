@@ -1,0 +1,82 @@
+package dev.eventchain.diagnostics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+
+class DiagnosticFormatTest {
+
+  private static final Diagnostic VIOLATED =
+      Diagnostic.error(
+              "ocl.violated",
+              "SoftwareNode 'TTC' has no output.",
+              new SourceLocation(
+                  "out/chain.xmi", 3, 7, "//@software.1", "\t<software name=\"TTC\"/>"))
+          .withHint("Give it an output.")
+          .withRule("SoftwareNode::HasInputAndOutputData");
+
+  @Test
+  void textShowsPlaceLineCaretElementAndHint() {
+    assertEquals(
+        """
+        out/chain.xmi:3:7: error: SoftwareNode 'TTC' has no output. [ocl.violated SoftwareNode::HasInputAndOutputData]
+            \t<software name="TTC"/>
+            \t     ^
+          at: //@software.1
+          hint: Give it an output.
+        """,
+        DiagnosticFormat.TEXT.render(List.of(VIOLATED)));
+  }
+
+  @Test
+  void textOfNothingIsEmptyAndJsonOfNothingIsAnArray() {
+    assertEquals("", DiagnosticFormat.TEXT.render(List.of()));
+    assertEquals("[ ]\n", DiagnosticFormat.JSON.render(List.of()));
+  }
+
+  @Test
+  void whatIsUnknownIsLeftOut() {
+    Diagnostic bare = Diagnostic.warning("a.b", "Odd.", SourceLocation.NONE);
+    assertEquals("warning: Odd. [a.b]\n", DiagnosticFormat.TEXT.render(List.of(bare)));
+    String json = DiagnosticFormat.JSON.render(List.of(bare));
+    assertFalse(json.contains("line"), json);
+    assertFalse(json.contains("hint"), json);
+  }
+
+  @Test
+  void jsonHoldsEverything() {
+    String json = DiagnosticFormat.JSON.render(List.of(VIOLATED));
+    for (String part :
+        List.of("ocl.violated", "error", "\"line\" : 3", "\"column\" : 7", "//@software.1")) {
+      assertTrue(json.contains(part), json);
+    }
+  }
+
+  @Test
+  void longLinesAreCutAroundTheCaret() {
+    String line = "x".repeat(5000) + "HERE" + "y".repeat(5000);
+    Diagnostic wide = Diagnostic.error("a.b", "Odd.", new SourceLocation("f", 1, 5001, "", line));
+    List<String> lines = DiagnosticFormat.TEXT.render(List.of(wide)).lines().toList();
+    assertTrue(lines.get(1).length() < 200, "excerpt of " + lines.get(1).length());
+    assertEquals('H', lines.get(1).charAt(lines.get(2).indexOf('^')));
+  }
+
+  @Test
+  void textFromModelsCannotSteerTheTerminal() {
+    Diagnostic nasty = Diagnostic.error("a.b", "\u001b[2Jgone", SourceLocation.NONE);
+    assertFalse(DiagnosticFormat.TEXT.render(List.of(nasty)).contains("\u001b"));
+  }
+
+  @Test
+  void findingsSortByPlaceThenSeverity() {
+    Diagnostic warning = Diagnostic.warning("z", "w", new SourceLocation("a", 1, 1, "", ""));
+    Diagnostic error = Diagnostic.error("z", "e", new SourceLocation("a", 1, 1, "", ""));
+    Diagnostic later = Diagnostic.error("a", "l", new SourceLocation("a", 2, 1, "", ""));
+    assertEquals(
+        List.of(error, warning, later), Stream.of(later, warning, error).sorted().toList());
+  }
+}

@@ -1,0 +1,53 @@
+package dev.eventchain.pipeline;
+
+import java.time.Duration;
+
+/** Is told how a run goes on, on the thread that runs it. */
+public interface Progress {
+
+  /** How a stage ended. */
+  enum Status {
+    DONE("done"),
+    UNCHANGED("unchanged"),
+    FAILED("failed"),
+    NOT_RUN("not run");
+
+    private final String words;
+
+    Status(String words) {
+      this.words = words;
+    }
+
+    /** The words that people read. */
+    @Override
+    public String toString() {
+      return words;
+    }
+  }
+
+  /** Hears nothing. */
+  Progress SILENT =
+      new Progress() {
+        @Override
+        public void started(Stage stage) {}
+
+        @Override
+        public void step(Stage stage, String message) {}
+
+        @Override
+        public void ended(Stage stage, Status status, Duration duration, String details) {}
+      };
+
+  /** A stage begins. */
+  void started(Stage stage);
+
+  /** Something inside of a stage begins or is worth knowing, in a few words. */
+  void step(Stage stage, String message);
+
+  /**
+   * A stage has ended.
+   *
+   * @param details what it made, in a few words; may be empty
+   */
+  void ended(Stage stage, Status status, Duration duration, String details);
+}

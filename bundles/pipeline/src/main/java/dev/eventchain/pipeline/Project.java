@@ -1,0 +1,130 @@
+package dev.eventchain.pipeline;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/** A user's folder: where its files are, and what its configuration says. */
+public final class Project {
+
+  private final Path folder;
+  private final Configuration configuration;
+
+  private Project(Path folder, Configuration configuration) {
+    this.folder = folder;
+    this.configuration = configuration;
+  }
+
+  /**
+   * Opens a project.
+   *
+   * @param folder the folder that holds {@code eventchain.yaml}
+   * @throws DiagnosticException INPUT if it is no project, or its configuration is not understood
+   */
+  public static Project open(Path folder) {
+    Path file = folder.resolve("eventchain.yaml");
+    if (!Files.isDirectory(folder)) {
+      throw new DiagnosticException(
+          DiagnosticException.Reason.INPUT,
+          Diagnostic.error(
+              "project.missing", "There is no such folder.", SourceLocation.of(folder)));
+    }
+    if (!Files.exists(file)) {
+      throw new DiagnosticException(
+          DiagnosticException.Reason.INPUT,
+          Diagnostic.error(
+                  "project.missing",
+                  "The folder is no project: it holds no eventchain.yaml.",
+                  SourceLocation.of(folder))
+              .withHint("Name the folder of a project, for example examples/aeb."));
+    }
+    return new Project(folder, Configuration.read(SourceText.read(file)));
+  }
+
+  /** The folder. */
+  public Path folder() {
+    return folder;
+  }
+
+  /** Where a run writes if it is not told otherwise. */
+  public Path defaultOutput() {
+    return folder.resolve("out");
+  }
+
+  Configuration configuration() {
+    return configuration;
+  }
+
+  Path configurationFile() {
+    return folder.resolve("eventchain.yaml");
+  }
+
+  Path requirements() {
+    return folder.resolve("requirements.md");
+  }
+
+  Path designRules() {
+    return folder.resolve("design-rules.md");
+  }
+
+  Path softwareBase() {
+    return folder.resolve("software-base");
+  }
+
+  Path recordings() {
+    return folder.resolve("recordings");
+  }
+
+  /** The chain that people edit, when there is one: then it is the source. */
+  Optional<Path> editedModel() {
+    return existing("model/chain.xmi");
+  }
+
+  /** The constraints that people wrote, when there are any. */
+  Optional<Path> ownConstraints() {
+    return existing("constraints.ocl");
+  }
+
+  /** Folders that hold {@code <package>/msg/*.msg}. */
+  List<Path> messageFolders() {
+    return existing("software-base/msg").map(List::of).orElse(List.of());
+  }
+
+  /** The scenarios, by name. */
+  List<Path> scenarios() {
+    return filesIn("scenarios", ".yaml");
+  }
+
+  /** The existing components' Python files, by name. */
+  List<Path> existingComponents() {
+    return filesIn("software-base/components", ".py");
+  }
+
+  private Optional<Path> existing(String name) {
+    return Optional.of(folder.resolve(name)).filter(Files::exists);
+  }
+
+  private List<Path> filesIn(String name, String suffix) {
+    Path parent = folder.resolve(name);
+    if (!Files.isDirectory(parent)) {
+      return List.of();
+    }
+    try (Stream<Path> files = Files.list(parent)) {
+      return files.filter(file -> file.toString().endsWith(suffix)).sorted().toList();
+    } catch (IOException e) {
+      throw new DiagnosticException(
+          DiagnosticException.Reason.INPUT,
+          Diagnostic.error(
+              "file.unreadable",
+              "The folder cannot be read: " + e.getMessage(),
+              SourceLocation.of(parent)));
+    }
+  }
+}
