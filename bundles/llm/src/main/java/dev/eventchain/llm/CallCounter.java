@@ -1,0 +1,14 @@
+package dev.eventchain.llm;
+
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+
+/** Counts the calls of a run by what they have in common. */
+final class CallCounter {
+  private final Map<String, Integer> calls = new ConcurrentHashMap<>();
+
+  /** The number of earlier calls with the same name. */
+  int next(String name) {
+    return calls.merge(name, 1, Integer::sum) - 1;
+  }
+}

@@ -1,0 +1,38 @@
+package dev.eventchain.llm;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.llm.ChatMessage.Role;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+
+/**
+ * What a model is asked.
+ *
+ * @param task the kind of work, which names the folder of its recordings; lower-case letters,
+ *     digits and hyphens
+ * @param messages the conversation so far, ending with a message of the user
+ * @param schema the JSON Schema that the answer must satisfy, when it must; the order of its
+ *     properties matters
+ * @param sampling how the model is to choose its words
+ */
+public record ChatRequest(
+    String task, List<ChatMessage> messages, Optional<JsonNode> schema, Sampling sampling) {
+  /** Checks what the parameters promise. */
+  public ChatRequest {
+    if (!task.matches("[a-z0-9][a-z0-9-]*")) {
+      throw new IllegalArgumentException("not a task name: " + task);
+    }
+    messages = List.copyOf(messages);
+    if (messages.isEmpty() || messages.get(messages.size() - 1).role() != Role.USER) {
+      throw new IllegalArgumentException("a request ends with a message of the user");
+    }
+    Objects.requireNonNull(schema);
+    Objects.requireNonNull(sampling);
+  }
+
+  /** A request without a schema and with the provider's sampling. */
+  public static ChatRequest of(String task, List<ChatMessage> messages) {
+    return new ChatRequest(task, messages, Optional.empty(), Sampling.DEFAULT);
+  }
+}

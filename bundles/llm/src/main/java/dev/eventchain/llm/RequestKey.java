@@ -1,0 +1,68 @@
+package dev.eventchain.llm;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.TextNode;
+import java.math.BigDecimal;
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HexFormat;
+import java.util.Map;
+
+/**
+ * The identity of a request: SHA-256 of its canonical JSON, which holds provider, model, messages,
+ * schema and sampling, and nothing that may change without changing the answer (address, key, time
+ * limit).
+ *
+ * @param value 64 lower-case hexadecimal digits
+ */
+record RequestKey(String value) {
+  private static final int SHORT = 12;
+
+  /** The key of a request in the form that {@link RequestJson} gives. */
+  static RequestKey of(JsonNode request) {
+    StringBuilder canonical = new StringBuilder();
+    append(canonical, request);
+    try {
+      MessageDigest digest = MessageDigest.getInstance("SHA-256");
+      byte[] hash = digest.digest(canonical.toString().getBytes(StandardCharsets.UTF_8));
+      return new RequestKey(HexFormat.of().formatHex(hash));
+    } catch (NoSuchAlgorithmException e) {
+      throw new IllegalStateException("every Java platform has SHA-256", e);
+    }
+  }
+
+  /** The part of the key that stands in file names. */
+  String abbreviated() {
+    return value.substring(0, SHORT);
+  }
+
+  // Property order is kept: inside a schema it steers what a model writes, elsewhere RequestJson
+  // fixes it.
+  private static void append(StringBuilder out, JsonNode node) {
+    if (node.isObject()) {
+      out.append('{');
+      String separator = "";
+      for (Map.Entry<String, JsonNode> property : node.properties()) {
+        out.append(separator).append(TextNode.valueOf(property.getKey())).append(':');
+        append(out, property.getValue());
+        separator = ",";
+      }
+      out.append('}');
+    } else if (node.isArray()) {
+      out.append('[');
+      String separator = "";
+      for (JsonNode item : node) {
+        out.append(separator);
+        append(out, item);
+        separator = ",";
+      }
+      out.append(']');
+    } else if (node.isNumber()) {
+      // 1, 1.0 and 1e0 are one number.
+      out.append(new BigDecimal(node.asText()).stripTrailingZeros());
+    } else {
+      out.append(node);
+    }
+  }
+}
