@@ -1,0 +1,148 @@
+package dev.eventchain.m2t;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonToken;
+import com.fasterxml.jackson.core.util.DefaultIndenter;
+import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
+import java.security.NoSuchAlgorithmException;
+import java.util.HashMap;
+import java.util.HexFormat;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+
+/**
+ * What an output folder knows of the files that it wrote: for each a hash of its content outside
+ * protected areas. A journal line goes ahead of every change, so that the files of a killed run are
+ * still known as ours, whether the change arrived or not.
+ */
+final class FileRecords {
+  private static final String RECORDS = OutputPath.RESERVED + "/files.json";
+  private static final String JOURNAL = OutputPath.RESERVED + "/files.journal";
+  private static final JsonFactory JSON = new JsonFactory();
+
+  private final OutputStorage storage;
+  private final Map<String, String> hashes = new TreeMap<>();
+  private final Map<String, Set<String>> journal = new HashMap<>();
+  private final boolean damaged;
+  private byte[] stored = {};
+
+  FileRecords(OutputStorage storage) throws IOException {
+    this.storage = storage;
+    Optional<byte[]> content = storage.read(RECORDS);
+    damaged = content.isPresent() && !parse(content.get());
+    stored = content.orElse(stored);
+    readJournal();
+  }
+
+  /** Whether the records of earlier runs could not be read; every file is a stranger then. */
+  boolean damaged() {
+    return damaged;
+  }
+
+  /** The files that earlier runs and this one wrote, sorted. */
+  Set<String> files() {
+    Set<String> files = new TreeSet<>(hashes.keySet());
+    files.addAll(journal.keySet());
+    return files;
+  }
+
+  /** Whether the content of a file is one that we gave it, apart from protected areas. */
+  boolean isOurs(String path, byte[] content) {
+    String hash = hash(content);
+    return hash.equals(hashes.get(path)) || journal.getOrDefault(path, Set.of()).contains(hash);
+  }
+
+  /** To be called before a file is given a content. */
+  void announce(String path, byte[] content) throws IOException {
+    String line = hash(content) + " " + path + "\n";
+    storage.append(JOURNAL, line.getBytes(StandardCharsets.UTF_8));
+  }
+
+  /** To be called when a file holds a content that we gave it. */
+  void put(String path, byte[] content) {
+    hashes.put(path, hash(content));
+    journal.remove(path);
+  }
+
+  /** To be called when a file is gone. */
+  void remove(String path) {
+    hashes.remove(path);
+    journal.remove(path);
+  }
+
+  /** Writes the records if they changed, and drops the journal. */
+  void save() throws IOException {
+    byte[] content = bytes();
+    if (!java.util.Arrays.equals(content, stored)) {
+      storage.replace(RECORDS, content);
+    }
+    storage.delete(JOURNAL);
+  }
+
+  private boolean parse(byte[] content) {
+    try (JsonParser parser = JSON.createParser(content)) {
+      if (parser.nextToken() != JsonToken.START_OBJECT) {
+        return false;
+      }
+      while (parser.nextToken() == JsonToken.FIELD_NAME) {
+        String path = parser.currentName();
+        if (parser.nextToken() != JsonToken.VALUE_STRING) {
+          return false;
+        }
+        if (!OutputPath.of(path).refused()) {
+          hashes.put(path, parser.getText());
+        }
+      }
+      return true;
+    } catch (IOException e) {
+      return false;
+    }
+  }
+
+  private void readJournal() throws IOException {
+    String lines = storage.read(JOURNAL).map(b -> new String(b, StandardCharsets.UTF_8)).orElse("");
+    lines
+        .lines()
+        .filter(line -> line.indexOf(' ') == 64)
+        .filter(line -> !OutputPath.of(line.substring(65)).refused())
+        .forEach(
+            line ->
+                journal
+                    .computeIfAbsent(line.substring(65), path -> new TreeSet<>())
+                    .add(line.substring(0, 64)));
+  }
+
+  private byte[] bytes() throws IOException {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    DefaultPrettyPrinter printer = new DefaultPrettyPrinter();
+    printer.indentObjectsWith(new DefaultIndenter("  ", "\n"));
+    try (JsonGenerator json = JSON.createGenerator(bytes)) {
+      json.setPrettyPrinter(printer);
+      json.writeStartObject();
+      for (Map.Entry<String, String> entry : hashes.entrySet()) {
+        json.writeStringField(entry.getKey(), entry.getValue());
+      }
+      json.writeEndObject();
+      json.writeRaw('\n');
+    }
+    return bytes.toByteArray();
+  }
+
+  private static String hash(byte[] content) {
+    try {
+      MessageDigest digest = MessageDigest.getInstance("SHA-256");
+      return HexFormat.of().formatHex(digest.digest(ProtectedAreas.withoutAreas(content)));
+    } catch (NoSuchAlgorithmException e) {
+      throw new IllegalStateException("every Java platform has SHA-256", e);
+    }
+  }
+}

@@ -1,0 +1,156 @@
+package dev.eventchain.m2t;
+
+import java.io.IOException;
+import java.nio.file.DirectoryStream;
+import java.nio.file.FileSystemException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.LinkOption;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.HashSet;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * Files below a folder. New content is written under {@code .eventchain/} and renamed into place,
+ * so that a killed run leaves every file whole. Symbolic links that lead out of the folder are not
+ * followed; links that others create while a run is writing are not defended against.
+ */
+final class FolderStorage implements OutputStorage {
+  private static final String NEW_FILE = "new-file";
+
+  private final Path shownBase;
+  private final Path base;
+  private final Path records;
+  private final FolderLock lock;
+  private final Set<Path> checkedFolders = new HashSet<>();
+
+  private FolderStorage(Path shownBase, Path base, Path records, FolderLock lock) {
+    this.shownBase = shownBase;
+    this.base = base;
+    this.records = records;
+    this.lock = lock;
+  }
+
+  static FolderStorage open(Path folder) throws IOException {
+    Files.createDirectories(folder);
+    Path base = folder.toRealPath();
+    Path records = base.resolve(OutputPath.RESERVED);
+    refuseLinkLeaving(base, records);
+    Files.createDirectories(records);
+    FolderLock lock = FolderLock.acquire(records.resolve("lock"));
+    try {
+      Files.deleteIfExists(records.resolve(NEW_FILE));
+      return new FolderStorage(folder, base, records, lock);
+    } catch (IOException e) {
+      lock.release();
+      throw e;
+    }
+  }
+
+  @Override
+  public Optional<byte[]> read(String path) throws IOException {
+    try {
+      Path file = place(path);
+      return Files.exists(file, LinkOption.NOFOLLOW_LINKS)
+          ? Optional.of(Files.readAllBytes(file))
+          : Optional.empty();
+    } catch (NoSuchFileException e) {
+      return Optional.empty();
+    }
+  }
+
+  @Override
+  public void replace(String path, byte[] content) throws IOException {
+    Path file = place(path);
+    Files.createDirectories(parentOf(file));
+    Path fresh = records.resolve(NEW_FILE);
+    Files.write(fresh, content);
+    Files.move(fresh, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+  }
+
+  @Override
+  public void append(String path, byte[] content) throws IOException {
+    Files.write(place(path), content, StandardOpenOption.CREATE, StandardOpenOption.APPEND);
+  }
+
+  @Override
+  public void delete(String path) throws IOException {
+    Path file = place(path);
+    Files.deleteIfExists(file);
+    for (Path folder = parentOf(file); !folder.equals(base) && isEmpty(folder); ) {
+      Files.delete(folder);
+      checkedFolders.remove(folder);
+      folder = parentOf(folder);
+    }
+  }
+
+  @Override
+  public String shown(String path) {
+    return shownBase.resolve(path).toString();
+  }
+
+  @Override
+  public void close() throws IOException {
+    lock.release();
+  }
+
+  private Path place(String path) throws IOException {
+    Path file;
+    try {
+      file = base.resolve(path);
+    } catch (InvalidPathException e) {
+      throw new FileSystemException(
+          path, null, "the name cannot be written in this locale's encoding (set LC_ALL=C.UTF-8)");
+    }
+    Path folder = base;
+    for (Path segment : base.relativize(file)) {
+      folder = folder.resolve(segment);
+      if (folder.equals(file) || checkedFolders.add(folder)) {
+        refuseLinkLeaving(base, folder);
+      }
+    }
+    return file;
+  }
+
+  private static void refuseLinkLeaving(Path base, Path path) throws IOException {
+    if (!Files.isSymbolicLink(path)) {
+      return;
+    }
+    boolean inside;
+    try {
+      inside = path.toRealPath().startsWith(base);
+    } catch (IOException e) {
+      inside = false;
+    }
+    if (!inside) {
+      throw new LinkLeavesFolderException(path);
+    }
+  }
+
+  private static boolean isEmpty(Path folder) throws IOException {
+    if (!Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)) {
+      return false;
+    }
+    try (DirectoryStream<Path> entries = Files.newDirectoryStream(folder)) {
+      return !entries.iterator().hasNext();
+    }
+  }
+
+  private static Path parentOf(Path file) {
+    Path parent = file.getParent();
+    return parent == null ? file : parent;
+  }
+
+  /** A symbolic link below the output folder leads out of it. */
+  static final class LinkLeavesFolderException extends FileSystemException {
+    private static final long serialVersionUID = 1L;
+
+    LinkLeavesFolderException(Path link) {
+      super(link.toString(), null, "is a symbolic link that leaves the output folder");
+    }
+  }
+}

@@ -1,0 +1,38 @@
+package dev.eventchain.m2t;
+
+import java.util.Map;
+import java.util.Optional;
+
+/** The in-memory double of a folder. The map is the disk: a test edits it as a person would. */
+record MemoryStorage(Map<String, byte[]> files) implements OutputStorage {
+  @Override
+  public Optional<byte[]> read(String path) {
+    return Optional.ofNullable(files.get(path)).map(byte[]::clone);
+  }
+
+  @Override
+  public void replace(String path, byte[] content) {
+    files.put(path, content.clone());
+  }
+
+  @Override
+  public void append(String path, byte[] content) {
+    byte[] before = files.getOrDefault(path, new byte[0]);
+    byte[] after = java.util.Arrays.copyOf(before, before.length + content.length);
+    System.arraycopy(content, 0, after, before.length, content.length);
+    files.put(path, after);
+  }
+
+  @Override
+  public void delete(String path) {
+    files.remove(path);
+  }
+
+  @Override
+  public String shown(String path) {
+    return path;
+  }
+
+  @Override
+  public void close() {}
+}

@@ -1,0 +1,302 @@
+package dev.eventchain.m2t;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+
+/**
+ * The one door through which files are written. Nothing gets outside the folder, whatever a name
+ * says; a file appears whole or not at all; a file that holds the content already is not touched;
+ * and a file that a person changed is never replaced silently. What was written is remembered in
+ * {@code .eventchain/files.json} inside the folder.
+ *
+ * <p>File names are relative, with {@code /} between their parts. Safe for use by several threads.
+ */
+public final class OutputFolder implements AutoCloseable {
+
+  /** What to do with a file that a person changed since it was written. */
+  public enum OnEdit {
+    /** Leave the person's file, and warn. */
+    KEEP,
+    /** Replace it, and say so. */
+    OVERWRITE
+  }
+
+  /** What became of a file. */
+  public enum Outcome {
+    /** It was created or replaced. */
+    WRITTEN,
+    /** It held the content already. */
+    UNCHANGED,
+    /** A person's file stands in its place. */
+    KEPT,
+    /** Its name leads out of the folder or cannot be a file's. */
+    REFUSED
+  }
+
+  /**
+   * What became of a file, and the finding that goes with it.
+   *
+   * @param finding a warning {@code eventchain.file.edited} for a person's file that was kept or
+   *     replaced, an error {@code output.path.refused} for a refused name
+   */
+  public record Written(Outcome outcome, Optional<Diagnostic> finding) {}
+
+  private final OutputStorage storage;
+  private final FileRecords records;
+  private boolean closed;
+
+  private OutputFolder(OutputStorage storage, FileRecords records) {
+    this.storage = storage;
+    this.records = records;
+  }
+
+  /**
+   * Opens a folder, creating it, and keeps other runs out until it is closed.
+   *
+   * @throws DiagnosticException reason INPUT: {@code output.unwritable}, or {@code output.locked}
+   *     naming the process that is writing there
+   */
+  public static OutputFolder open(Path base) {
+    try {
+      FolderStorage storage = FolderStorage.open(base);
+      return new OutputFolder(storage, new FileRecords(storage));
+    } catch (FolderLock.HeldException e) {
+      throw failure(
+          Diagnostic.error(
+                  "output.locked",
+                  "The output folder is in use by " + e.getMessage() + ".",
+                  SourceLocation.of(base))
+              .withHint("Wait for the other run to end, or choose another folder with -o."));
+    } catch (IOException e) {
+      throw unwritable(base.toString(), e);
+    }
+  }
+
+  /**
+   * The double of a folder for tests.
+   *
+   * @param files the content of the folder by name, read and changed in place
+   */
+  public static OutputFolder inMemory(Map<String, byte[]> files) {
+    try {
+      MemoryStorage storage = new MemoryStorage(files);
+      return new OutputFolder(storage, new FileRecords(storage));
+    } catch (IOException e) {
+      throw unwritable("memory", e);
+    }
+  }
+
+  /** As {@link #write(String, byte[], OnEdit)}, keeping a file that a person changed. */
+  public Written write(String name, byte[] content) {
+    return write(name, content, OnEdit.KEEP);
+  }
+
+  /**
+   * Makes a file hold a content.
+   *
+   * @throws DiagnosticException reason INPUT, {@code output.unwritable}, if the disk refuses
+   */
+  public synchronized Written write(String name, byte[] content, OnEdit onEdit) {
+    OutputPath path = OutputPath.of(name);
+    if (path.refused()) {
+      return new Written(Outcome.REFUSED, Optional.of(refused(name, path)));
+    }
+    try {
+      return put(path.value(), content, onEdit);
+    } catch (FolderStorage.LinkLeavesFolderException e) {
+      return new Written(Outcome.REFUSED, Optional.of(linkRefused(name, e)));
+    } catch (IOException e) {
+      throw unwritable(storage.shown(path.value()), e);
+    }
+  }
+
+  private Written put(String path, byte[] content, OnEdit onEdit) throws IOException {
+    Optional<byte[]> present = storage.read(path);
+    if (present.isPresent() && Arrays.equals(present.get(), content)) {
+      records.put(path, content);
+      return new Written(Outcome.UNCHANGED, Optional.empty());
+    }
+    Optional<Diagnostic> finding = Optional.empty();
+    if (present.isPresent() && !records.isOurs(path, present.get())) {
+      if (onEdit == OnEdit.KEEP) {
+        return new Written(Outcome.KEPT, Optional.of(kept(path)));
+      }
+      finding = Optional.of(overwritten(path));
+    }
+    records.announce(path, content);
+    storage.replace(path, content);
+    records.put(path, content);
+    return new Written(Outcome.WRITTEN, finding);
+  }
+
+  /**
+   * The content of a file.
+   *
+   * @return nothing if there is no such file or the name is refused
+   */
+  public synchronized Optional<byte[]> read(String name) {
+    OutputPath path = OutputPath.of(name);
+    if (path.refused()) {
+      return Optional.empty();
+    }
+    try {
+      return storage.read(path.value());
+    } catch (FolderStorage.LinkLeavesFolderException e) {
+      return Optional.empty();
+    } catch (IOException e) {
+      throw unwritable(storage.shown(path.value()), e);
+    }
+  }
+
+  /**
+   * Whether a file is there that is not as we wrote it: a person changed it, or put it there.
+   * Changes inside protected areas do not count, they are what the areas are for.
+   */
+  public synchronized boolean isEdited(String name) {
+    return read(name)
+        .map(content -> !records.isOurs(OutputPath.of(name).value(), content))
+        .orElse(false);
+  }
+
+  /**
+   * Accepts a file as it stands, for a run that goes on from a person's version of it.
+   *
+   * @return the warning {@code eventchain.file.edited} if a person changed it; nothing if it is as
+   *     we wrote it or does not exist
+   */
+  public synchronized Optional<Diagnostic> accept(String name) {
+    return isEdited(name) ? Optional.of(kept(OutputPath.of(name).value())) : Optional.empty();
+  }
+
+  /**
+   * Removes the files that earlier runs wrote below a folder and that are no longer produced. Files
+   * that a person changed or put there stay.
+   *
+   * @param folder the folder's name, relative to this one; "" is everything
+   * @param produced the names of all files below it that are still produced
+   * @return a warning {@code eventchain.file.edited} for each file that was left for a person's
+   *     sake
+   */
+  public synchronized List<Diagnostic> removeOthers(String folder, Collection<String> produced) {
+    Set<String> current = new TreeSet<>();
+    produced.forEach(name -> current.add(OutputPath.of(name).value()));
+    String prefix = folder.isEmpty() || folder.endsWith("/") ? folder : folder + "/";
+    List<Diagnostic> findings = new ArrayList<>();
+    for (String path : records.files()) {
+      if (path.startsWith(prefix) && !current.contains(path)) {
+        remove(path).ifPresent(findings::add);
+      }
+    }
+    return findings;
+  }
+
+  private Optional<Diagnostic> remove(String path) {
+    try {
+      Optional<byte[]> content = storage.read(path);
+      if (content.isPresent() && !records.isOurs(path, content.get())) {
+        return Optional.of(abandoned(path));
+      }
+      storage.delete(path);
+      records.remove(path);
+      return Optional.empty();
+    } catch (IOException e) {
+      throw unwritable(storage.shown(path), e);
+    }
+  }
+
+  /**
+   * Whether the records of earlier runs were unreadable, so that existing files count as people's.
+   */
+  public Optional<Diagnostic> damage() {
+    return records.damaged()
+        ? Optional.of(
+            Diagnostic.warning(
+                    "output.records.damaged",
+                    "The records of the files written earlier cannot be read.",
+                    SourceLocation.of(storage.shown(OutputPath.RESERVED + "/files.json")))
+                .withHint(
+                    "Files that differ count as edited by a person; delete them to have them"
+                        + " written again."))
+        : Optional.empty();
+  }
+
+  /** Writes the records of this folder and lets other runs in. */
+  @Override
+  public synchronized void close() {
+    if (closed) {
+      return;
+    }
+    closed = true;
+    try {
+      try {
+        records.save();
+      } finally {
+        storage.close();
+      }
+    } catch (IOException e) {
+      throw unwritable(storage.shown(OutputPath.RESERVED), e);
+    }
+  }
+
+  private Diagnostic kept(String path) {
+    return edited(path, "differs from what was written, and was kept.")
+        .withHint("Delete the file to have it written again.");
+  }
+
+  private Diagnostic overwritten(String path) {
+    return edited(path, "differed from what was written, and was replaced.");
+  }
+
+  private Diagnostic abandoned(String path) {
+    return edited(path, "is no longer produced but was changed by a person, and was kept.")
+        .withHint("Delete the file if it is not needed.");
+  }
+
+  private Diagnostic edited(String path, String what) {
+    return Diagnostic.warning(
+        "eventchain.file.edited",
+        "The file '" + path + "' " + what,
+        SourceLocation.of(storage.shown(path)));
+  }
+
+  /** The finding for a name that cannot be a file's in any output folder. */
+  static Diagnostic refused(String name, OutputPath path) {
+    return Diagnostic.error(
+            "output.path.refused",
+            "The file name '" + OutputPath.shown(name) + "' " + path.problem() + ".",
+            SourceLocation.NONE)
+        .withHint("Files are named relative to the output folder and stay below it.");
+  }
+
+  private static Diagnostic linkRefused(String name, IOException e) {
+    return Diagnostic.error(
+            "output.path.refused",
+            "The file '" + OutputPath.shown(name) + "' was not written: " + e.getMessage() + ".",
+            SourceLocation.NONE)
+        .withHint("Replace the link by a folder.");
+  }
+
+  private static DiagnosticException unwritable(String place, IOException e) {
+    return failure(
+        Diagnostic.error(
+                "output.unwritable",
+                "The output cannot be written: " + e,
+                SourceLocation.of(place.replace('\\', '/')))
+            .withHint("Check permissions and free space, or choose another folder with -o."));
+  }
+
+  private static DiagnosticException failure(Diagnostic diagnostic) {
+    return new DiagnosticException(DiagnosticException.Reason.INPUT, diagnostic);
+  }
+}

@@ -1,0 +1,96 @@
+package dev.eventchain.m2t;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Pattern;
+
+/**
+ * A file name relative to an output folder, which cannot leave it on any operating system.
+ *
+ * @param value normalised name, segments separated by {@code /}; empty when the name was refused
+ * @param problem why the name was refused, as the end of a sentence; empty when it was not
+ */
+record OutputPath(String value, String problem) {
+  /** Where an output folder keeps its own records. */
+  static final String RESERVED = ".eventchain";
+
+  private static final int LONGEST_SEGMENT = 255;
+  private static final int LONGEST_PATH = 3_000;
+  private static final Pattern DRIVE = Pattern.compile("[A-Za-z]:.*", Pattern.DOTALL);
+
+  static OutputPath of(String name) {
+    String problem = problemOfWhole(name);
+    List<String> segments = new ArrayList<>();
+    for (String segment : name.split("/", -1)) {
+      if (problem.isEmpty()) {
+        problem = problemOfSegment(segment);
+      }
+      if (!segment.isEmpty() && !segment.equals(".")) {
+        segments.add(segment);
+      }
+    }
+    if (problem.isEmpty()) {
+      problem = problemOfPlace(name, segments);
+    }
+    return problem.isEmpty()
+        ? new OutputPath(String.join("/", segments), "")
+        : new OutputPath("", problem);
+  }
+
+  boolean refused() {
+    return !problem.isEmpty();
+  }
+
+  /** The name for people: control characters shown as escapes, very long names shortened. */
+  static String shown(String name) {
+    StringBuilder shown = new StringBuilder();
+    name.codePoints()
+        .limit(120)
+        .forEach(
+            c -> {
+              if (Character.isISOControl(c)) {
+                shown.append(String.format("\\u%04x", c));
+              } else {
+                shown.appendCodePoint(c);
+              }
+            });
+    return name.length() > shown.length() && name.length() > 120 ? shown + "..." : shown.toString();
+  }
+
+  private static String problemOfWhole(String name) {
+    if (name.isBlank()) {
+      return "is empty";
+    }
+    if (name.startsWith("/") || DRIVE.matcher(name).matches()) {
+      return "is absolute";
+    }
+    if (name.indexOf('\\') >= 0) {
+      return "contains a backslash";
+    }
+    if (name.chars().anyMatch(Character::isISOControl)) {
+      return "contains a control character";
+    }
+    return bytes(name) > LONGEST_PATH ? "is longer than " + LONGEST_PATH + " bytes" : "";
+  }
+
+  private static String problemOfSegment(String segment) {
+    if (segment.equals("..")) {
+      return "contains '..'";
+    }
+    return bytes(segment) > LONGEST_SEGMENT
+        ? "has a part longer than " + LONGEST_SEGMENT + " bytes"
+        : "";
+  }
+
+  private static String problemOfPlace(String name, List<String> segments) {
+    if (segments.isEmpty() || name.endsWith("/")) {
+      return "names a folder";
+    }
+    return segments.get(0).equalsIgnoreCase(RESERVED) ? "is reserved for " + RESERVED : "";
+  }
+
+  private static int bytes(String text) {
+    return text.getBytes(StandardCharsets.UTF_8).length;
+  }
+}

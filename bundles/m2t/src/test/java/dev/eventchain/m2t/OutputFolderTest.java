@@ -1,0 +1,302 @@
+package dev.eventchain.m2t;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.m2t.OutputFolder.OnEdit;
+import dev.eventchain.m2t.OutputFolder.Outcome;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class OutputFolderTest {
+
+  @TempDir Path temporary;
+
+  private static byte[] bytes(String text) {
+    return text.getBytes(UTF_8);
+  }
+
+  private Outcome write(Path base, String name, String content) {
+    try (OutputFolder folder = OutputFolder.open(base)) {
+      return folder.write(name, bytes(content)).outcome();
+    }
+  }
+
+  @Test
+  void createsTheFolderAndTheFile() throws IOException {
+    Path base = temporary.resolve("a/b");
+    assertEquals(Outcome.WRITTEN, write(base, "x/y.txt", "hello"));
+    assertEquals("hello", Files.readString(base.resolve("x/y.txt")));
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "",
+        " ",
+        "/etc/x",
+        "../x",
+        "a/../../x",
+        "a/..",
+        "a\\b",
+        "C:x",
+        "c:/x",
+        "a\nb",
+        "a\0b",
+        "folder/",
+        ".",
+        ".eventchain/files.json",
+        "./.Eventchain/lock"
+      })
+  void refusesNamesThatLeaveTheFolderOrCannotBeFiles(String name) throws IOException {
+    Path base = temporary.resolve("out");
+    try (OutputFolder folder = OutputFolder.open(base)) {
+      OutputFolder.Written written = folder.write(name, bytes("bad"));
+      assertEquals(Outcome.REFUSED, written.outcome());
+      assertEquals("output.path.refused", written.finding().orElseThrow().id());
+      assertTrue(folder.read(name).isEmpty());
+    }
+    try (Stream<Path> all = Files.walk(temporary)) {
+      assertEquals(
+          List.of("files.json", "lock"),
+          all.filter(Files::isRegularFile).map(f -> f.getFileName().toString()).sorted().toList());
+    }
+  }
+
+  @Test
+  void refusesNamesLongerThanFileSystemsTake() {
+    try (OutputFolder folder = OutputFolder.open(temporary)) {
+      assertEquals(Outcome.REFUSED, folder.write("x".repeat(256), bytes("")).outcome());
+      assertEquals(Outcome.REFUSED, folder.write("abc/".repeat(1024) + "x", bytes("")).outcome());
+      assertEquals(Outcome.WRITTEN, folder.write("x".repeat(255), bytes("")).outcome());
+    }
+  }
+
+  @Test
+  void dropsHarmlessDetoursInNames() {
+    Map<String, byte[]> files = new HashMap<>();
+    try (OutputFolder folder = OutputFolder.inMemory(files)) {
+      folder.write("./a//b.txt", bytes("x"));
+    }
+    assertTrue(files.containsKey("a/b.txt"));
+  }
+
+  @Test
+  void doesNotFollowLinksThatLeaveTheFolder() throws IOException {
+    Path outside = Files.createDirectory(temporary.resolve("outside"));
+    Files.writeString(outside.resolve("secret"), "secret");
+    Path base = Files.createDirectory(temporary.resolve("out"));
+    Files.createSymbolicLink(base.resolve("link"), outside);
+    Files.createSymbolicLink(base.resolve("file"), outside.resolve("secret"));
+    Files.createSymbolicLink(base.resolve("dangling"), temporary.resolve("nowhere"));
+    try (OutputFolder folder = OutputFolder.open(base)) {
+      assertEquals(Outcome.REFUSED, folder.write("link/x", bytes("x")).outcome());
+      assertEquals(Outcome.REFUSED, folder.write("file", bytes("x")).outcome());
+      assertEquals(Outcome.REFUSED, folder.write("dangling", bytes("x")).outcome());
+      assertTrue(folder.read("file").isEmpty());
+    }
+    assertEquals("secret", Files.readString(outside.resolve("secret")));
+    assertFalse(Files.exists(outside.resolve("x")));
+    assertFalse(Files.exists(temporary.resolve("nowhere")));
+  }
+
+  @Test
+  void refusesAFolderWhoseRecordsAreALinkToElsewhere() throws IOException {
+    Path outside = Files.createDirectory(temporary.resolve("outside"));
+    Path base = Files.createDirectory(temporary.resolve("out"));
+    Files.createSymbolicLink(base.resolve(".eventchain"), outside);
+    DiagnosticException e =
+        assertThrows(DiagnosticException.class, () -> OutputFolder.open(base).close());
+    assertEquals("output.unwritable", e.diagnostics().get(0).id());
+    try (Stream<Path> entries = Files.list(outside)) {
+      assertEquals(0, entries.count());
+    }
+  }
+
+  @Test
+  void leavesUnchangedFilesUntouched() throws IOException {
+    write(temporary, "x", "same");
+    FileTime old = FileTime.from(1_000_000_000, TimeUnit.SECONDS);
+    Files.setLastModifiedTime(temporary.resolve("x"), old);
+    Files.setLastModifiedTime(temporary.resolve(".eventchain/files.json"), old);
+    assertEquals(Outcome.UNCHANGED, write(temporary, "x", "same"));
+    assertEquals(old, Files.getLastModifiedTime(temporary.resolve("x")));
+    assertEquals(old, Files.getLastModifiedTime(temporary.resolve(".eventchain/files.json")));
+  }
+
+  @Test
+  void replacesItsOwnFiles() throws IOException {
+    write(temporary, "x", "one");
+    assertEquals(Outcome.WRITTEN, write(temporary, "x", "two"));
+    assertEquals("two", Files.readString(temporary.resolve("x")));
+  }
+
+  @Test
+  void keepsAFileThatAPersonEditedAndSaysSo() throws IOException {
+    write(temporary, "x", "one");
+    Files.writeString(temporary.resolve("x"), "mine");
+    try (OutputFolder folder = OutputFolder.open(temporary)) {
+      assertTrue(folder.isEdited("x"));
+      OutputFolder.Written written = folder.write("x", bytes("two"));
+      assertEquals(Outcome.KEPT, written.outcome());
+      assertEquals("eventchain.file.edited", written.finding().orElseThrow().id());
+      assertEquals("mine", Files.readString(temporary.resolve("x")));
+    }
+    assertEquals(Outcome.KEPT, write(temporary, "x", "three"), "still a person's the next time");
+  }
+
+  @Test
+  void keepsAFileThatAPersonPutThere() throws IOException {
+    Files.writeString(temporary.resolve("x"), "mine");
+    assertEquals(Outcome.KEPT, write(temporary, "x", "ours"));
+  }
+
+  @Test
+  void overwritesAnEditedFileWhenToldAndSaysSo() {
+    Map<String, byte[]> files = new HashMap<>(Map.of("x", bytes("mine")));
+    try (OutputFolder folder = OutputFolder.inMemory(files)) {
+      OutputFolder.Written written = folder.write("x", bytes("ours"), OnEdit.OVERWRITE);
+      assertEquals(Outcome.WRITTEN, written.outcome());
+      assertEquals("eventchain.file.edited", written.finding().orElseThrow().id());
+    }
+    assertArrayEquals(bytes("ours"), files.get("x"));
+  }
+
+  @Test
+  void acceptsAnEditWithAWarningAndGoesOnTreatingItAsAnEdit() {
+    Map<String, byte[]> files = new HashMap<>();
+    try (OutputFolder folder = OutputFolder.inMemory(files)) {
+      folder.write("x", bytes("ours"));
+      assertTrue(folder.accept("x").isEmpty());
+      assertTrue(folder.accept("missing").isEmpty());
+      files.put("x", bytes("mine"));
+      assertEquals("eventchain.file.edited", folder.accept("x").orElseThrow().id());
+      assertEquals(Outcome.KEPT, folder.write("x", bytes("newer")).outcome());
+    }
+  }
+
+  @Test
+  void changesInsideProtectedAreasAreNoEdits() {
+    String generated = "a\n# Start of user code id\n# here\n# End of user code\nb\n";
+    Map<String, byte[]> files = new HashMap<>();
+    try (OutputFolder folder = OutputFolder.inMemory(files)) {
+      folder.write("x", bytes(generated));
+      files.put("x", bytes(generated.replace("# here", "my\ncode")));
+      assertFalse(folder.isEdited("x"));
+      files.put("x", bytes(generated.replace("b\n", "B\n")));
+      assertTrue(folder.isEdited("x"));
+    }
+  }
+
+  @Test
+  void removesItsOwnFilesThatAreNoLongerProduced() throws IOException {
+    try (OutputFolder folder = OutputFolder.open(temporary)) {
+      for (String name : List.of("ros2/p/a", "ros2/p/b", "ros2/old/c", "report.html")) {
+        folder.write(name, bytes(name));
+      }
+    }
+    Files.writeString(temporary.resolve("ros2/p/b"), "mine");
+    Files.writeString(temporary.resolve("ros2/p/d"), "mine");
+    try (OutputFolder folder = OutputFolder.open(temporary)) {
+      List<Diagnostic> findings = folder.removeOthers("ros2", List.of("ros2/p/a"));
+      assertEquals(1, findings.size());
+      assertTrue(findings.get(0).location().file().endsWith("ros2/p/b"));
+    }
+    assertTrue(Files.exists(temporary.resolve("ros2/p/a")));
+    assertTrue(Files.exists(temporary.resolve("ros2/p/b")));
+    assertTrue(Files.exists(temporary.resolve("ros2/p/d")));
+    assertTrue(Files.exists(temporary.resolve("report.html")));
+    assertFalse(Files.exists(temporary.resolve("ros2/old")));
+  }
+
+  @Test
+  void keepsASecondRunOutAndNamesTheFirst() {
+    try (OutputFolder first = OutputFolder.open(temporary)) {
+      DiagnosticException e =
+          assertThrows(DiagnosticException.class, () -> OutputFolder.open(temporary));
+      assertEquals("output.locked", e.diagnostics().get(0).id());
+      String pid = Long.toString(ProcessHandle.current().pid());
+      assertTrue(e.diagnostics().get(0).message().contains(pid));
+      assertEquals(Outcome.WRITTEN, first.write("x", bytes("x")).outcome());
+    }
+    assertEquals(Outcome.UNCHANGED, write(temporary, "x", "x"), "open again once the first ended");
+  }
+
+  @Test
+  void keepsAnotherProcessOutAndForgivesItsSuddenDeath() throws Exception {
+    write(temporary, "whole", "before");
+    Process other = KilledRun.start(temporary);
+    try {
+      DiagnosticException e =
+          assertThrows(DiagnosticException.class, () -> OutputFolder.open(temporary));
+      assertEquals("output.locked", e.diagnostics().get(0).id());
+      assertTrue(e.diagnostics().get(0).message().contains(Long.toString(other.pid())));
+    } finally {
+      other.destroyForcibly().waitFor();
+    }
+    assertEquals("killed", Files.readString(temporary.resolve("whole")));
+    assertEquals(Outcome.WRITTEN, write(temporary, "whole", "after"), "no person edited it");
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"/proc/eventchain-output", "/dev/null/out"})
+  void saysThatAFolderCannotBeWritten(String folder) {
+    DiagnosticException e =
+        assertThrows(DiagnosticException.class, () -> OutputFolder.open(Path.of(folder)).close());
+    assertEquals(DiagnosticException.Reason.INPUT, e.reason());
+    assertEquals("output.unwritable", e.diagnostics().get(0).id());
+    assertEquals(folder, e.diagnostics().get(0).location().file());
+  }
+
+  @Test
+  void saysThatAFolderStandsWhereAFileShould() throws IOException {
+    Files.createDirectories(temporary.resolve("x"));
+    DiagnosticException e =
+        assertThrows(DiagnosticException.class, () -> write(temporary, "x", "text"));
+    assertEquals("output.unwritable", e.diagnostics().get(0).id());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"", "[]", "{\"x\": 1}", "{\"x\": \"abc", "nonsense"})
+  void treatsFilesAsPeoplesWhenTheRecordsAreDamaged(String damage) {
+    Map<String, byte[]> files = new HashMap<>();
+    files.put(".eventchain/files.json", bytes(damage));
+    files.put("x", bytes("old"));
+    try (OutputFolder folder = OutputFolder.inMemory(files)) {
+      assertEquals("output.records.damaged", folder.damage().orElseThrow().id());
+      assertEquals(Outcome.KEPT, folder.write("x", bytes("new")).outcome());
+      assertEquals(Outcome.WRITTEN, folder.write("y", bytes("new")).outcome());
+    }
+    try (OutputFolder folder = OutputFolder.inMemory(files)) {
+      assertTrue(folder.damage().isEmpty());
+    }
+  }
+
+  @Test
+  void recordsNeverReachOutsideTheFolder() {
+    Map<String, byte[]> files = new HashMap<>();
+    files.put(".eventchain/files.json", bytes("{\"../x\": \"00\"}"));
+    files.put("../x", bytes(""));
+    try (OutputFolder folder = OutputFolder.inMemory(files)) {
+      assertEquals(List.of(), folder.removeOthers("", List.of()));
+    }
+    assertTrue(files.containsKey("../x"));
+  }
+}
