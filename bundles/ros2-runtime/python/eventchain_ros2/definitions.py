@@ -1,0 +1,212 @@
+"""Message definitions: the `.msg` language of ROS 2, and the catalogue of the types that can be used.
+
+The language is that of https://docs.ros.org/en/humble/Concepts/Basic/About-Interfaces.html without `wstring`.
+"""
+
+from __future__ import annotations
+
+import keyword
+import re
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+SEPARATOR = "=" * 80 + "\n"
+STANDARD_MESSAGES = Path(__file__).with_name("humble.msgs")
+
+_LITERALS = {"bool": bool, "byte": int, "char": int, "float32": float, "float64": float, "string": str}
+_LITERALS.update({f"{sign}int{bits}": int for sign in ("", "u") for bits in (8, 16, 32, 64)})
+PRIMITIVES = frozenset(_LITERALS)
+
+_TYPE = re.compile(r"(?P<base>[A-Za-z][\w/]*)(<=(?P<string>\d+))?(\[((?P<bound><=)?(?P<size>\d+))?\])?$")
+_NAME = re.compile(r"[A-Za-z]\w*$", re.ASCII)
+_FULL_NAME = re.compile(r"[a-z]\w*/msg/[A-Z]\w*$", re.ASCII)
+_ITEM = re.compile(r"'[^']*'|\"[^\"]*\"|[^,\s]+")
+
+Value = bool | int | float | str
+
+
+class MessageDefinitionError(Exception):
+    """A message definition cannot be used; `file` and `line` (1-based, 0 unknown) say where."""
+
+    def __init__(self, message: str, file: str, line: int) -> None:
+        super().__init__(message)
+        self.file = file
+        self.line = line
+
+
+class FieldType(NamedTuple):
+    """The type of a field.
+
+    `base` is a primitive type or the full name of a message (`std_msgs/msg/Header`). `kind` is `scalar`, `array` or
+    `sequence`; `size` is the length of an array and the bound of a sequence, `string_bound` that of a string (0: none).
+    """
+
+    base: str
+    kind: str
+    size: int
+    string_bound: int
+
+
+class Field(NamedTuple):
+    """A field and its default value, if the definition states one."""
+
+    name: str
+    type: FieldType
+    default: Value | list[Value] | None
+
+
+class Constant(NamedTuple):
+    """A constant of a message type."""
+
+    name: str
+    base: str
+    value: Value
+
+
+class Definition(NamedTuple):
+    """A message type; `name` is its full name (`std_msgs/msg/Header`)."""
+
+    name: str
+    fields: list[Field]
+    constants: list[Constant]
+
+
+def parse(name: str, text: str, file: str) -> Definition:
+    """Read the definition of one message type.
+
+    Raises:
+        MessageDefinitionError: the text is no message definition.
+
+    """
+    definition = Definition(name, [], [])
+    for number, line in enumerate(text.splitlines(), 1):
+        code = line.partition("#")[0].strip()
+        if code:
+            try:
+                _parse_line(definition, code)
+            except ValueError as problem:
+                raise MessageDefinitionError(f"{name}: {problem}", file, number) from None
+    return definition
+
+
+def _parse_line(definition: Definition, code: str) -> None:
+    type_text, _, rest = code.partition(" ")
+    rest = rest.strip()
+    field_type = _parse_type(type_text, definition.name.partition("/")[0])
+    constant, equals, value = rest.partition("=")
+    if equals and _NAME.match(constant.strip()):
+        _check_new(definition, constant.strip())
+        definition.constants.append(Constant(constant.strip(), field_type.base, _literal(field_type.base, value)))
+        return
+    field, _, default = rest.partition(" ")
+    _check_new(definition, field)
+    definition.fields.append(Field(field, field_type, _default(field_type, default.strip())))
+
+
+def _parse_type(text: str, package: str) -> FieldType:
+    match = _TYPE.match(text)
+    if match is None or (match["string"] and match["base"] != "string"):
+        raise ValueError(f"'{text}' is not a type")
+    base = match["base"]
+    if base not in PRIMITIVES:
+        base = _full_name(base, package)
+    kind = "scalar"
+    if text.endswith("]"):
+        kind = "array" if match["size"] and not match["bound"] else "sequence"
+    return FieldType(base, kind, int(match["size"] or 0), int(match["string"] or 0))
+
+
+def _full_name(text: str, package: str) -> str:
+    parts = text.split("/")
+    if parts == ["Header"]:
+        return "std_msgs/msg/Header"
+    if len(parts) == 1:
+        parts = [package, text]
+    if len(parts) == 2:
+        parts.insert(1, "msg")
+    name = "/".join(parts)
+    if not _FULL_NAME.match(name):
+        raise ValueError(f"'{text}' is neither a primitive type nor a message type")
+    return name
+
+
+def _check_new(definition: Definition, name: str) -> None:
+    if not _NAME.match(name) or keyword.iskeyword(name):
+        raise ValueError(f"'{name}' cannot be the name of a field or constant")
+    if name in [field.name for field in definition.fields] + [constant.name for constant in definition.constants]:
+        raise ValueError(f"'{name}' is defined twice")
+
+
+def _default(field_type: FieldType, text: str) -> Value | list[Value] | None:
+    if not text:
+        return None
+    if field_type.base not in PRIMITIVES:
+        raise ValueError(f"a field of type {field_type.base} cannot have a default value")
+    if field_type.kind == "scalar":
+        return _literal(field_type.base, text)
+    if not (text.startswith("[") and text.endswith("]")):
+        raise ValueError(f"the default value {text} of an array has to stand in brackets")
+    items = [_literal(field_type.base, item) for item in _ITEM.findall(text[1:-1])]
+    if field_type.size and (
+        len(items) > field_type.size or (field_type.kind == "array" and len(items) != field_type.size)
+    ):
+        raise ValueError(f"the default value {text} has {len(items)} elements instead of {field_type.size}")
+    return items
+
+
+def _literal(base: str, text: str) -> Value:
+    text = text.strip()
+    if base == "bool":
+        if text.lower() not in ("true", "false", "0", "1"):
+            raise ValueError(f"'{text}' is not a bool")
+        return text.lower() in ("true", "1")
+    if base == "string":
+        quoted = len(text) >= 2 and text[0] == text[-1] and text[0] in "'\""
+        return text[1:-1] if quoted else text
+    if base.startswith("float"):
+        return float(text)
+    return int(text, 0)
+
+
+class Catalog:
+    """The message types that can be used: the standard ones, and those in folders of the user's.
+
+    A folder holds `<package>/msg/<Name>.msg`. A type in a folder hides a standard one of that name.
+    """
+
+    def __init__(self, folders: Iterable[Path] = ()) -> None:
+        self._texts = dict(_standard_texts())
+        self._files: dict[str, Path] = {}
+        for folder in folders:
+            for file in sorted(folder.glob("*/msg/*.msg")):
+                name = f"{file.parent.parent.name}/msg/{file.stem}"
+                if _FULL_NAME.match(name):
+                    self._files[name] = file
+        self.packages = {name.partition("/")[0] for name in (*self._texts, *self._files)}
+
+    def names(self) -> list[str]:
+        """Full names of all types, sorted."""
+        return sorted({*self._texts, *self._files})
+
+    def find(self, name: str) -> Definition | None:
+        """The definition of the type with this full name.
+
+        Raises:
+            MessageDefinitionError: its file cannot be read or is no message definition.
+
+        """
+        file = self._files.get(name)
+        if file is not None:
+            try:
+                return parse(name, file.read_text(encoding="utf-8-sig"), str(file))
+            except (OSError, UnicodeDecodeError) as problem:
+                raise MessageDefinitionError(f"{name} cannot be read: {problem}", str(file), 0) from None
+        text = self._texts.get(name)
+        return None if text is None else parse(name, text, str(STANDARD_MESSAGES))
+
+
+def _standard_texts() -> Iterator[tuple[str, str]]:
+    for part in STANDARD_MESSAGES.read_text(encoding="utf-8").split(SEPARATOR):
+        heading, _, text = part.partition("\n")
+        yield heading.removeprefix("MSG: "), text

@@ -1,0 +1,156 @@
+"""Publishers, subscriptions and timers of nodes, as in rclpy."""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from eventchain_ros2.messages import Message, from_cdr, to_cdr, type_name
+from eventchain_ros2.qos import QoSProfile
+
+if TYPE_CHECKING:
+    from eventchain_ros2.simulation import Process, Sample, Simulation
+
+
+class Publisher:
+    """Publishes messages of one type on a topic."""
+
+    def __init__(
+        self, simulation: Simulation, process: Process, message_class: type, topic: str, qos_profile: QoSProfile
+    ) -> None:
+        self._simulation = simulation
+        self.process = process
+        self.msg_type = message_class
+        self.type_name = type_name(message_class)
+        self.topic = simulation.topic(topic)
+        self.qos_profile = qos_profile
+        self.matched: list[Subscription] = []
+        self.retained: deque[Sample] = deque(maxlen=qos_profile.capacity())
+        simulation.add_publisher(self)
+
+    @property
+    def topic_name(self) -> str:
+        """The full name of the topic."""
+        return self.topic.name
+
+    def publish(self, message: Any) -> None:
+        """Publish a message, or the CDR bytes of one.
+
+        Raises:
+            TypeError: the message is of another type.
+            AssertionError: a field holds a value of a wrong type or out of range.
+
+        """
+        if isinstance(message, Message) and type(message) is self.msg_type:
+            self._simulation.publish(self, to_cdr(message))
+        elif isinstance(message, bytes | bytearray | memoryview):
+            self._simulation.publish(self, bytes(message))
+        else:
+            raise TypeError(f"Expected {self.msg_type}, got {type(message)}")
+
+    def get_subscription_count(self) -> int:
+        """The number of subscriptions that receive what is published."""
+        return len(self.matched)
+
+    def destroy(self) -> None:
+        """Stop publishing."""
+        if self in self.topic.publishers:
+            self.topic.publishers.remove(self)
+        self.matched.clear()
+
+
+class Subscription:
+    """Calls back for each sample on a topic."""
+
+    def __init__(
+        self,
+        simulation: Simulation,
+        process: Process,
+        message_class: type,
+        topic: str,
+        callback: Callable[[Any], object],
+        qos_profile: QoSProfile,
+        *,
+        raw: bool = False,
+    ) -> None:
+        self.process = process
+        self.msg_type = message_class
+        self.type_name = type_name(message_class)
+        self.topic = simulation.topic(topic)
+        self.callback = callback
+        self.qos_profile = qos_profile
+        self.raw = raw
+        simulation.add_subscription(self)
+
+    @property
+    def topic_name(self) -> str:
+        """The full name of the topic."""
+        return self.topic.name
+
+    def receive(self, sample: Sample) -> None:
+        """Call back. Every subscription decodes for itself: callbacks may change what they get."""
+        self.callback(bytes(sample.data) if self.raw else from_cdr(self.msg_type, sample.data))
+
+    def destroy(self) -> None:
+        """Stop receiving."""
+        if self in self.topic.subscriptions:
+            self.topic.subscriptions.remove(self)
+        for publisher in self.topic.publishers:
+            if self in publisher.matched:
+                publisher.matched.remove(self)
+
+
+class Timer:
+    """Calls back periodically. Periods that have passed meanwhile are skipped, as rcl does; there is no burst."""
+
+    def __init__(self, simulation: Simulation, process: Process, period: int, callback: Callable[[], object]) -> None:
+        self._simulation = simulation
+        self.process = process
+        self.timer_period_ns = period
+        self.callback = callback
+        self.index = process.timers
+        process.timers += 1
+        self.token = 0
+        self._canceled = False
+        self.due = simulation.first_firing(process, period)
+        simulation.add_timer(self)
+
+    def advance(self, now: int) -> None:
+        """Move on to the next period that has not passed (rcl_timer_call)."""
+        self.due += self.timer_period_ns
+        if self.due < now:
+            behind = now - self.due
+            self.due += -(-behind // self.timer_period_ns) * self.timer_period_ns
+
+    def run(self, _: None) -> None:
+        """Call back."""
+        self.callback()
+
+    def cancel(self) -> None:
+        """Stop, until `reset`."""
+        self._canceled = True
+        self.token += 1
+
+    def reset(self) -> None:
+        """Start the period anew, now."""
+        self._canceled = False
+        self.token += 1
+        self.due = self._simulation.now + self.timer_period_ns
+        self._simulation.add_timer(self)
+
+    def is_canceled(self) -> bool:
+        """Whether the timer is stopped."""
+        return self._canceled
+
+    def is_ready(self) -> bool:
+        """Whether the timer is due."""
+        return not self._canceled and self.due <= self._simulation.now
+
+    def time_until_next_call(self) -> int | None:
+        """Nanoseconds until the timer is due; None when it is stopped."""
+        return None if self._canceled else self.due - self._simulation.now
+
+    def destroy(self) -> None:
+        """Stop for good."""
+        self.cancel()

@@ -1,0 +1,205 @@
+"""Message classes, made when they are first needed, and the import hook that serves them.
+
+`from sensor_msgs.msg import LaserScan` works for every type of the catalogue. The hook stands at the end of
+`sys.meta_path`, so that the packages of a sourced ROS 2 win over it.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable
+from importlib.abc import Loader, MetaPathFinder
+from importlib.machinery import ModuleSpec
+from pathlib import Path
+from struct import error as StructError  # noqa: N812
+from types import ModuleType
+from typing import Any, ClassVar
+
+from eventchain_ros2 import codec, validation
+from eventchain_ros2.definitions import Catalog, Definition, FieldType
+
+ENCAPSULATION = b"\x00\x01\x00\x00"  # plain CDR, little endian
+
+_IDL_NAMES = {"bool": "boolean", "byte": "octet", "char": "uint8", "float32": "float", "float64": "double"}
+
+
+class MalformedMessageError(ValueError):
+    """Bytes that are no CDR encoding of the expected message type."""
+
+
+class Message:
+    """Base of the generated classes; fields are attributes, and keyword arguments of the constructor."""
+
+    __slots__: ClassVar[tuple[str, ...]] = ()
+    _definition: ClassVar[Definition]
+    _read: ClassVar[Any]
+    _write: ClassVar[Any]
+
+    def __repr__(self) -> str:
+        fields = ", ".join(f"{name}={getattr(self, name)!r}" for name in self.__slots__)
+        return f"{type(self).__module__}.{type(self).__name__}({fields})"
+
+    def __eq__(self, other: object) -> bool:
+        if type(other) is not type(self):
+            return NotImplemented
+        return all(_equal(getattr(self, name), getattr(other, name)) for name in self.__slots__)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    @classmethod
+    def get_fields_and_field_types(cls) -> dict[str, str]:
+        """Names of the fields and their types, written as rosidl writes them (`sequence<float>`)."""
+        return {field.name: _idl_name(field.type) for field in cls._definition.fields}
+
+
+def type_name(message_class: type) -> str:
+    """The full name of a message class (`sensor_msgs/msg/LaserScan`).
+
+    Raises:
+        TypeError: the class is not one of this runtime's.
+
+    """
+    definition = getattr(message_class, "_definition", None)
+    if not isinstance(definition, Definition):
+        raise TypeError(
+            f"{message_class!r} is not a message class of Eventchain's runtime; "
+            "classes of a sourced ROS 2 cannot be used with it (unset PYTHONPATH)"
+        )
+    return definition.name
+
+
+def to_cdr(message: Message) -> bytearray:
+    """Encode a message, with the encapsulation header.
+
+    Raises:
+        AssertionError: a field holds a value of a wrong type or out of range.
+
+    """
+    buffer = bytearray(ENCAPSULATION)
+    try:
+        message._write(buffer)
+    except AssertionError:
+        raise
+    except Exception:
+        validation.check(message)
+        raise
+    return buffer
+
+
+def from_cdr(message_class: type, data: bytes | bytearray | memoryview) -> Any:
+    """Decode a message from bytes with an encapsulation header.
+
+    Raises:
+        MalformedMessageError: the bytes are no encoding of this type.
+
+    """
+    view = memoryview(data)
+    if view[:2] != ENCAPSULATION[:2]:
+        raise MalformedMessageError(f"{type_name(message_class)}: only little-endian plain CDR can be read")
+    try:
+        message, end = message_class._read(view[4:], 0)  # type: ignore[attr-defined]
+    except (StructError, ValueError) as problem:
+        raise MalformedMessageError(f"{type_name(message_class)}: {problem}") from problem
+    if end > len(view) - 4:
+        raise MalformedMessageError(f"{type_name(message_class)}: {end + 4 - len(view)} bytes are missing")
+    return message
+
+
+class Messages(MetaPathFinder, Loader):
+    """The classes of a catalogue, and the finder of the modules that hold them."""
+
+    def __init__(self, folders: Iterable[Path] = ()) -> None:
+        self._catalog = Catalog(folders)
+        self._classes: dict[str, type] = {}
+
+    def get(self, name: str) -> type:
+        """The class of a message type, by its full name.
+
+        Raises:
+            KeyError: no such type.
+            MessageDefinitionError: its definition, or that of a type it contains, cannot be used.
+
+        """
+        if name not in self._classes:
+            definition = self._catalog.find(name)
+            if definition is None:
+                raise KeyError(name)
+            self._classes[name] = self._make(definition)
+        return self._classes[name]
+
+    def _make(self, definition: Definition) -> type:
+        package, _, short_name = definition.name.split("/")
+        namespace: dict[str, Any] = {constant.name: _constant(constant) for constant in definition.constants}
+        namespace["__slots__"] = tuple(field.name for field in definition.fields)
+        namespace["__module__"] = f"{package}.msg"
+        namespace["_definition"] = definition
+        message_class: Any = type(short_name, (Message,), namespace)
+        functions = codec.generate(definition, message_class, self.get)
+        message_class.__init__ = functions.initialize
+        message_class._write = functions.write
+        message_class._read = staticmethod(functions.read)
+        return message_class  # type: ignore[no-any-return]
+
+    def install(self) -> None:
+        """Serve imports, instead of a catalogue that was installed before."""
+        for name, module in list(sys.modules.items()):
+            if isinstance(module, _MessageModule | _MessagePackage):
+                del sys.modules[name]
+        sys.meta_path[:] = [finder for finder in sys.meta_path if not isinstance(finder, Messages)]
+        sys.meta_path.append(self)
+
+    def find_spec(self, fullname: str, path: object, target: object = None) -> ModuleSpec | None:
+        """Find `package` and `package.msg` for each package of the catalogue."""
+        package, _, rest = fullname.partition(".")
+        if package not in self._catalog.packages or rest not in ("", "msg"):
+            return None
+        return ModuleSpec(fullname, self, is_package=not rest)
+
+    def create_module(self, spec: ModuleSpec) -> ModuleType:
+        """Make the module; its classes follow when they are asked for."""
+        return _MessageModule(spec.name, self) if "." in spec.name else _MessagePackage(spec.name)
+
+    def exec_module(self, module: ModuleType) -> None:
+        """Do nothing: there is no code to run."""
+
+
+class _MessagePackage(ModuleType):
+    pass
+
+
+class _MessageModule(ModuleType):
+    def __init__(self, name: str, messages: Messages) -> None:
+        super().__init__(name)
+        self._messages = messages
+
+    def __getattr__(self, name: str) -> type:
+        package = self.__name__.partition(".")[0]
+        try:
+            message_class = self._messages.get(f"{package}/msg/{name}")
+        except KeyError as missing:
+            text = f"module '{self.__name__}' has no message '{name}'"
+            if missing.args[0] != f"{package}/msg/{name}":
+                text = f"message '{package}/msg/{name}' contains the unknown message '{missing.args[0]}'"
+            raise AttributeError(text) from None
+        setattr(self, name, message_class)
+        return message_class
+
+
+def _constant(constant: Any) -> Any:
+    return bytes((constant.value,)) if constant.base == "byte" else constant.value
+
+
+def _equal(one: Any, other: Any) -> bool:
+    result = one == other
+    return bool(result.all()) if hasattr(result, "all") else bool(result)
+
+
+def _idl_name(field_type: FieldType) -> str:
+    name = _IDL_NAMES.get(field_type.base, field_type.base).replace("/msg/", "/")
+    if field_type.string_bound:
+        name += f"<{field_type.string_bound}>"
+    if field_type.kind == "array":
+        return f"{name}[{field_type.size}]"
+    if field_type.kind == "sequence":
+        return f"sequence<{name}, {field_type.size}>" if field_type.size else f"sequence<{name}>"
+    return name

@@ -1,0 +1,199 @@
+"""Quality of service: profiles as in `rclpy.qos`, and the rule by which an offer satisfies a request."""
+
+from __future__ import annotations
+
+from enum import Enum, IntEnum
+from typing import TYPE_CHECKING, Any
+
+from eventchain_ros2.clock import Duration
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+
+class HistoryPolicy(IntEnum):
+    """How many samples are kept for a reader that is busy."""
+
+    SYSTEM_DEFAULT = 0
+    KEEP_LAST = 1
+    KEEP_ALL = 2
+    UNKNOWN = 3
+
+
+class ReliabilityPolicy(IntEnum):
+    """Whether lost samples are sent again."""
+
+    SYSTEM_DEFAULT = 0
+    RELIABLE = 1
+    BEST_EFFORT = 2
+    UNKNOWN = 3
+
+
+class DurabilityPolicy(IntEnum):
+    """Whether readers that join late get earlier samples."""
+
+    SYSTEM_DEFAULT = 0
+    TRANSIENT_LOCAL = 1
+    VOLATILE = 2
+    UNKNOWN = 3
+
+
+class LivelinessPolicy(IntEnum):
+    """How a writer shows that it is alive."""
+
+    SYSTEM_DEFAULT = 0
+    AUTOMATIC = 1
+    MANUAL_BY_TOPIC = 3
+    UNKNOWN = 4
+
+
+class InvalidQoSProfileException(Exception):  # noqa: N818 - rclpy's name
+    """The arguments of a profile contradict each other."""
+
+    def __init__(self, *arguments: object) -> None:
+        super().__init__("Invalid QoSProfile", *arguments)
+
+
+class QoSProfile:
+    """A quality of service profile; `depth` or `history` has to be given, all arguments by keyword."""
+
+    __slots__ = (
+        "avoid_ros_namespace_conventions",
+        "deadline",
+        "depth",
+        "durability",
+        "history",
+        "lifespan",
+        "liveliness",
+        "liveliness_lease_duration",
+        "reliability",
+    )
+
+    def __init__(self, **policies: Any) -> None:
+        unknown = set(policies) - set(self.__slots__)
+        if unknown:
+            raise AssertionError(f"Invalid arguments passed to constructor: {', '.join(sorted(unknown))}")
+        if "history" not in policies:
+            if "depth" not in policies:
+                raise InvalidQoSProfileException("History and/or depth settings are required.")
+            policies["history"] = HistoryPolicy.KEEP_LAST
+        if policies["history"] == HistoryPolicy.KEEP_LAST and "depth" not in policies:
+            raise InvalidQoSProfileException("History set to KEEP_LAST without a depth setting.")
+        self.history = HistoryPolicy(policies["history"])
+        self.depth = _depth(policies.get("depth", 0))
+        self.reliability = ReliabilityPolicy(policies.get("reliability", ReliabilityPolicy.RELIABLE))
+        self.durability = DurabilityPolicy(policies.get("durability", DurabilityPolicy.VOLATILE))
+        self.liveliness = LivelinessPolicy(policies.get("liveliness", LivelinessPolicy.SYSTEM_DEFAULT))
+        self.deadline = _duration(policies.get("deadline"))
+        self.lifespan = _duration(policies.get("lifespan"))
+        self.liveliness_lease_duration = _duration(policies.get("liveliness_lease_duration"))
+        self.avoid_ros_namespace_conventions = bool(policies.get("avoid_ros_namespace_conventions", False))
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, QoSProfile):
+            return NotImplemented
+        return all(getattr(self, name) == getattr(other, name) for name in self.__slots__)
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return f"QoSProfile({', '.join(f'{name}={getattr(self, name)!s}' for name in self.__slots__)})"
+
+    def capacity(self) -> int | None:
+        """How many samples a reader of this profile keeps while it is busy; None: all."""
+        return None if self.history == HistoryPolicy.KEEP_ALL else max(self.depth, 1)
+
+
+def as_profile(value: QoSProfile | int) -> QoSProfile:
+    """The profile that a `qos_profile` argument means: a profile, or the depth of the default one."""
+    if isinstance(value, QoSProfile):
+        return value
+    if isinstance(value, int):
+        return QoSProfile(depth=value)
+    raise TypeError(f"Expected QoSProfile or int, but received {type(value)!r}")
+
+
+def _depth(value: object) -> int:
+    if not isinstance(value, int):
+        raise AssertionError(f"depth must be an int, not {value!r}")
+    if value < 0:
+        raise ValueError("depth must be greater than or equal to zero")
+    return value
+
+
+def _duration(value: object) -> Duration:
+    if value is None:
+        return Duration()
+    if not isinstance(value, Duration):
+        raise AssertionError(f"{value!r} is not a Duration")
+    return value
+
+
+def incompatible_policies(offered: QoSProfile, requested: QoSProfile) -> Iterator[str]:
+    """Names of the policies for which the offer does not satisfy the request (DDS 1.4, section 2.2.3)."""
+    if requested.reliability != ReliabilityPolicy.BEST_EFFORT and offered.reliability == ReliabilityPolicy.BEST_EFFORT:
+        yield "RELIABILITY"
+    if (
+        requested.durability == DurabilityPolicy.TRANSIENT_LOCAL
+        and offered.durability != DurabilityPolicy.TRANSIENT_LOCAL
+    ):
+        yield "DURABILITY"
+    if _longer(offered.deadline, requested.deadline):
+        yield "DEADLINE"
+    manual = LivelinessPolicy.MANUAL_BY_TOPIC
+    weaker = requested.liveliness == manual and offered.liveliness != manual
+    if weaker or _longer(offered.liveliness_lease_duration, requested.liveliness_lease_duration):
+        yield "LIVELINESS"
+
+
+def _longer(offered: Duration, requested: Duration) -> bool:
+    """Whether the offered period is longer than the requested one; zero stands for infinity."""
+    if not requested.nanoseconds:
+        return False
+    return not offered.nanoseconds or offered.nanoseconds > requested.nanoseconds
+
+
+class QoSCompatibility(IntEnum):
+    """Result of `qos_check_compatible`."""
+
+    OK = 0
+    WARNING = 1
+    ERROR = 2
+
+
+def qos_check_compatible(publisher_qos: QoSProfile, subscription_qos: QoSProfile) -> tuple[QoSCompatibility, str]:
+    """Whether samples flow between a publisher and a subscription, and if not, why."""
+    policies = list(incompatible_policies(publisher_qos, subscription_qos))
+    if not policies:
+        return QoSCompatibility.OK, ""
+    return QoSCompatibility.ERROR, "; ".join(f"ERROR: incompatible {policy}" for policy in policies)
+
+
+qos_profile_default = QoSProfile(depth=10)
+qos_profile_system_default = QoSProfile(
+    history=HistoryPolicy.SYSTEM_DEFAULT,
+    reliability=ReliabilityPolicy.SYSTEM_DEFAULT,
+    durability=DurabilityPolicy.SYSTEM_DEFAULT,
+)
+qos_profile_sensor_data = QoSProfile(depth=5, reliability=ReliabilityPolicy.BEST_EFFORT)
+qos_profile_services_default = QoSProfile(depth=10)
+qos_profile_parameters = QoSProfile(depth=1000)
+qos_profile_parameter_events = QoSProfile(depth=1000)
+qos_profile_action_status_default = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+
+
+class QoSPresetProfiles(Enum):
+    """The profiles that have a name."""
+
+    DEFAULT = qos_profile_default
+    SYSTEM_DEFAULT = qos_profile_system_default
+    SENSOR_DATA = qos_profile_sensor_data
+    SERVICES_DEFAULT = qos_profile_services_default
+    PARAMETERS = qos_profile_parameters
+    PARAMETER_EVENTS = qos_profile_parameter_events
+    ACTION_STATUS_DEFAULT = qos_profile_action_status_default
+
+    @classmethod
+    def get_from_short_key(cls, name: str) -> QoSProfile:
+        """The profile of a name such as `sensor_data`."""
+        return cls[name.upper()].value

@@ -1,0 +1,256 @@
+"""The ROS graph in simulated time: topics, processes with one single-threaded executor each, and the order of events.
+
+An activation (a timer's callback, or a subscription's that publishes) starts at t and takes the execution time E of its
+process: it reads what was received until t, its publications can be seen from t + E on, and the process does nothing
+else until then. At one instant, samples come before timers, and timers in the order of their processes.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from heapq import heappop, heappush
+from time import perf_counter_ns
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from eventchain_ros2.qos import DurabilityPolicy, incompatible_policies
+
+if TYPE_CHECKING:
+    from eventchain_ros2.endpoints import Publisher, Subscription, Timer
+
+_SAMPLE, _TIMER = 0, 1  # rank of events at one instant
+
+
+class Sample(NamedTuple):
+    """A message on the wire; `time` is when it can be seen, `sequence` counts the publications on the topic."""
+
+    topic: str
+    sequence: int
+    time: int
+    data: bytes | bytearray | memoryview
+
+
+class Activation(NamedTuple):
+    """One run of a callback: simulated start and end, host time spent, all in ns, and `(topic, sequence)` of samples.
+
+    `reads` has the last sample received on each topic that the process subscribes to.
+    """
+
+    start: int
+    end: int
+    host: int
+    reads: list[tuple[str, int]]
+    writes: list[tuple[str, int]]
+
+
+class Warned(NamedTuple):
+    """A connection that was not made: no sample flows."""
+
+    id: str
+    topic: str
+    message: str
+
+
+class Topic:
+    """The publishers and subscriptions of a topic, and the `(sequence, time)` of everything published."""
+
+    def __init__(self, name: str) -> None:
+        self.name = name
+        self.publications: list[tuple[int, int]] = []
+        self.publishers: list[Publisher] = []
+        self.subscriptions: list[Subscription] = []
+
+
+class Process:
+    """A process that runs the callbacks of its nodes one after the other."""
+
+    def __init__(self, name: str, index: int, execution_time: int, phase: int) -> None:
+        self.name = name
+        self.index = index
+        self.execution_time = execution_time
+        self.phase = phase
+        self.timers = 0
+        self.busy_until = 0
+        self.inbox: list[tuple[Subscription, Sample]] = []
+        self.latest: dict[str, int] = {}
+        self.writes: list[tuple[str, int]] | None = None  # of the callback that runs
+        self.activations: list[Activation] = []
+
+    def keep(self, subscription: Subscription, sample: Sample) -> None:
+        """Keep a sample for later, dropping the oldest one beyond the subscription's history."""
+        self.inbox.append((subscription, sample))
+        capacity = subscription.qos_profile.capacity()
+        mine = [index for index, (receiver, _) in enumerate(self.inbox) if receiver is subscription]
+        if capacity is not None and len(mine) > capacity:
+            del self.inbox[mine[0]]
+
+
+class Simulation:
+    """All processes and topics, and the simulated time `now` in nanoseconds."""
+
+    def __init__(self) -> None:
+        self.now = 0
+        self.running = True
+        self.processes: list[Process] = []
+        self.topics: dict[str, Topic] = {}
+        self.warnings: list[Warned] = []
+        self.current: Process | None = None  # whose code ran last
+        self._events: list[tuple[int, int, int, int, int, Callable[[Any], None], Any]] = []
+        self._count = 0
+        self._starting: Process | None = None
+
+    def add_process(self, name: str, execution_time: int = 0, phase: int = 0) -> Process:
+        """Add a process.
+
+        Args:
+            name: name in the records.
+            execution_time: of each activation, in ns.
+            phase: when its timers fire first, in ns after the start; 0: after their period.
+
+        """
+        process = Process(name, len(self.processes), execution_time, phase)
+        self.processes.append(process)
+        return process
+
+    @contextmanager
+    def starting(self, process: Process) -> Iterator[None]:
+        """Nodes made in this block belong to the process."""
+        self._starting = self.current = process
+        try:
+            yield
+        finally:
+            self._starting = None
+
+    def process_of_new_node(self, name: str) -> Process:
+        """The process that a node made now belongs to; its own one outside a `starting` block."""
+        return self._starting or self.add_process(name)
+
+    def first_firing(self, process: Process, period: int) -> int:
+        """When a timer made now fires first."""
+        return self.now + (process.phase if process is self._starting and process.phase else period)
+
+    def topic(self, name: str) -> Topic:
+        """The topic of this name."""
+        if name not in self.topics:
+            self.topics[name] = Topic(name)
+        return self.topics[name]
+
+    def add_publisher(self, publisher: Publisher) -> None:
+        """Connect a publisher with the subscriptions of its topic."""
+        publisher.topic.publishers.append(publisher)
+        for subscription in publisher.topic.subscriptions:
+            self._connect(publisher, subscription)
+
+    def add_subscription(self, subscription: Subscription) -> None:
+        """Connect a subscription with the publishers of its topic."""
+        subscription.topic.subscriptions.append(subscription)
+        for publisher in subscription.topic.publishers:
+            self._connect(publisher, subscription)
+
+    def _connect(self, publisher: Publisher, subscription: Subscription) -> None:
+        topic = publisher.topic.name
+        if publisher.type_name != subscription.type_name:
+            types = f"{subscription.type_name} is subscribed and {publisher.type_name} published"
+            self._warn("topic.type.mismatch", topic, f"On topic '{topic}', {types}. No messages will be received.")
+            return
+        policies = ", ".join(incompatible_policies(publisher.qos_profile, subscription.qos_profile))
+        if policies:
+            text = (
+                f"New publisher discovered on topic '{topic}', offering incompatible QoS. No messages will be received "
+            )
+            self._warn("qos.incompatible", topic, f"{text}from it. Last incompatible policy: {policies}")
+            return
+        publisher.matched.append(subscription)
+        if subscription.qos_profile.durability == DurabilityPolicy.TRANSIENT_LOCAL:
+            for sample in publisher.retained:
+                self._schedule(self.now, self._hand_over, (subscription, sample))
+
+    def _warn(self, identifier: str, topic: str, message: str) -> None:
+        self.warnings.append(Warned(identifier, topic, message))
+        print(f"[WARN] {message}", file=sys.stderr)
+
+    def publish(self, publisher: Publisher, data: bytes | bytearray | memoryview) -> None:
+        """Send a sample; it can be seen when the activation that publishes it has ended."""
+        topic, process = publisher.topic, publisher.process
+        sequence, time = len(topic.publications), self.now
+        if process.writes is not None:
+            time += process.execution_time
+            process.writes.append((topic.name, sequence))
+        topic.publications.append((sequence, time))
+        self._schedule(time, self._deliver, (publisher, Sample(topic.name, sequence, time, data)))
+
+    def add_timer(self, timer: Timer) -> None:
+        """Fire the timer at its `due` time, unless its `token` has changed by then."""
+        process = timer.process
+        self._count += 1
+        time = max(timer.due, process.busy_until)
+        event = (time, _TIMER, process.index, timer.index, self._count, self._fire, (timer, timer.token))
+        heappush(self._events, event)
+
+    def advance(self, until: int) -> None:
+        """Let time pass. What is due exactly at `until` happens in the next call, after the samples published then."""
+        events = self._events
+        while events and events[0][0] < until and self.running:
+            self.now, _, _, _, _, action, argument = heappop(events)
+            action(argument)
+        self.now = until
+
+    def _schedule(self, time: int, action: Callable[[Any], None], argument: object) -> None:
+        self._count += 1
+        heappush(self._events, (time, _SAMPLE, self._count, 0, 0, action, argument))
+
+    def _deliver(self, published: tuple[Publisher, Sample]) -> None:
+        publisher, sample = published
+        if publisher.qos_profile.durability == DurabilityPolicy.TRANSIENT_LOCAL:
+            publisher.retained.append(sample)
+        for subscription in publisher.matched:
+            self._hand_over((subscription, sample))
+
+    def _hand_over(self, received: tuple[Subscription, Sample]) -> None:
+        subscription, sample = received
+        process = subscription.process
+        if process.inbox:
+            process.keep(subscription, sample)
+        elif self.now < process.busy_until:
+            process.keep(subscription, sample)
+            self._schedule(process.busy_until, self._wake, process)
+        else:
+            self._receive(process, subscription, sample)
+
+    def _wake(self, process: Process) -> None:
+        while process.inbox and self.now >= process.busy_until:
+            subscription, sample = process.inbox.pop(0)
+            self._receive(process, subscription, sample)
+        if process.inbox:
+            self._schedule(process.busy_until, self._wake, process)
+
+    def _receive(self, process: Process, subscription: Subscription, sample: Sample) -> None:
+        process.latest[sample.topic] = sample.sequence
+        self._activate(process, subscription.receive, sample, timed=False)
+
+    def _fire(self, scheduled: tuple[Timer, int]) -> None:
+        timer, token = scheduled
+        if timer.token != token:
+            return
+        process = timer.process
+        if self.now >= process.busy_until:
+            timer.advance(self.now)
+            self._activate(process, timer.run, None, timed=True)
+            if timer.token != token:  # cancelled or reset by its own callback
+                return
+        self.add_timer(timer)
+
+    def _activate(self, process: Process, callback: Callable[[Any], None], argument: Any, *, timed: bool) -> None:
+        """Run a callback; one of a timer always takes its time, another one only if it publishes."""
+        self.current = process
+        writes: list[tuple[str, int]] = []
+        process.writes = writes
+        started = perf_counter_ns()
+        callback(argument)
+        host = perf_counter_ns() - started
+        process.writes = None
+        if timed or writes:
+            process.busy_until = self.now + process.execution_time
+            reads = list(process.latest.items())
+            process.activations.append(Activation(self.now, process.busy_until, host, reads, writes))

@@ -1,0 +1,54 @@
+"""The API of ROS 2's `rclpy`, as far as Eventchain's runtime has it; everything comes from `eventchain_ros2`.
+
+This package stands on `sys.path` only within the lock-step host. Nodes that use it run unchanged under ROS 2.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NoReturn
+
+from eventchain_ros2 import context as _context
+from eventchain_ros2.node import Node as _Node
+
+
+def init(*, args: list[str] | None = None, context: Any = None, domain_id: int | None = None, **_: Any) -> None:
+    """Make it possible to create nodes."""
+    _context.init()
+
+
+def ok(*, context: Any = None) -> bool:
+    """Whether nodes can be made and run."""
+    return _context.ok()
+
+
+def shutdown(*, context: Any = None, uninstall_handlers: bool | None = None) -> None:
+    """Stop all callbacks."""
+    _context.shutdown()
+
+
+def try_shutdown(*, context: Any = None, uninstall_handlers: bool | None = None) -> None:
+    """Stop all callbacks, if they run."""
+    if _context.ok():
+        _context.shutdown()
+
+
+def create_node(node_name: str, **options: Any) -> _Node:
+    """Create a node without a class of its own."""
+    return _Node(node_name, **options)
+
+
+def spin(node: _Node, executor: Any = None) -> NoReturn:
+    """Refuse: the lock-step host runs the nodes."""
+    raise NotImplementedError(_context.NO_EXECUTOR)
+
+
+def spin_once(node: _Node, *, executor: Any = None, timeout_sec: float | None = None) -> NoReturn:
+    """Refuse: the lock-step host runs the nodes."""
+    raise NotImplementedError(_context.NO_EXECUTOR)
+
+
+def spin_until_future_complete(
+    node: _Node, future: Any, executor: Any = None, timeout_sec: float | None = None
+) -> NoReturn:
+    """Refuse: the lock-step host runs the nodes."""
+    raise NotImplementedError(_context.NO_EXECUTOR)

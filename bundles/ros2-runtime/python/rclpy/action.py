@@ -1,0 +1,3 @@
+"""Actions are not part of this runtime."""
+
+raise ImportError("rclpy.action: actions are not part of Eventchain's runtime")

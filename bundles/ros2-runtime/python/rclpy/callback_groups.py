@@ -1,0 +1,16 @@
+"""As `rclpy.callback_groups`; each process runs one callback at a time, whatever the group."""
+
+
+class CallbackGroup:
+    """A group of callbacks."""
+
+
+class MutuallyExclusiveCallbackGroup(CallbackGroup):
+    """One callback at a time."""
+
+
+class ReentrantCallbackGroup(CallbackGroup):
+    """Callbacks that may run at the same time; here they do not."""
+
+
+__all__ = ["CallbackGroup", "MutuallyExclusiveCallbackGroup", "ReentrantCallbackGroup"]

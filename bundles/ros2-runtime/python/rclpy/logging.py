@@ -1,0 +1,13 @@
+"""As `rclpy.logging`."""
+
+from eventchain_ros2 import context as _context
+from eventchain_ros2.logger import Logger, LoggingSeverity
+
+
+def get_logger(name: str) -> Logger:
+    """A logger that belongs to no node."""
+    simulation = _context.current()
+    return Logger(name, lambda: simulation.now)
+
+
+__all__ = ["Logger", "LoggingSeverity", "get_logger"]

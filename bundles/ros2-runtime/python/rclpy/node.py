@@ -1,0 +1,6 @@
+"""As `rclpy.node`."""
+
+from eventchain_ros2.node import Node
+from eventchain_ros2.parameters import Parameter
+
+__all__ = ["Node", "Parameter"]

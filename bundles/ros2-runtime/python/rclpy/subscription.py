@@ -1,0 +1,5 @@
+"""As `rclpy.subscription`."""
+
+from eventchain_ros2.endpoints import Subscription
+
+__all__ = ["Subscription"]

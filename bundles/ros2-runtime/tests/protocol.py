@@ -1,0 +1,93 @@
+"""The other end of the lock-step protocol, for tests and benchmarks."""
+
+from __future__ import annotations
+
+import json
+import os
+import struct
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+SOURCES = Path(__file__).parents[1] / "python"
+CONFIGURE, READY, STEP, STEPPED, FINISH, FINISHED, FAILED, RESET = range(1, 9)
+MILLISECOND = 1_000_000
+
+
+class Failed(Exception):
+    """The host answered with a FAILED frame."""
+
+    def __init__(self, details: dict[str, Any]) -> None:
+        super().__init__(f"{details['id']}: {details['message']}")
+        self.details = details
+
+
+class HostProcess:
+    """A lock-step host in a process of its own, talked to over real pipes."""
+
+    def __init__(self, stderr: int | None = subprocess.PIPE, folder: Path | None = None) -> None:
+        environment = {"PATH": os.environ["PATH"], "PYTHONPATH": str(SOURCES)}
+        command = [sys.executable, "-m", "eventchain_ros2.lockstep"]
+        pipe = subprocess.PIPE
+        self.process = subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=stderr, env=environment, cwd=folder)
+
+    def __enter__(self) -> HostProcess:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.communicate()
+
+    def send(self, kind: int, payload: bytes = b"") -> None:
+        assert self.process.stdin is not None
+        self.process.stdin.write(struct.pack("<IB", len(payload) + 1, kind) + payload)
+        self.process.stdin.flush()
+
+    def receive(self, expected: int) -> bytes:
+        assert self.process.stdout is not None
+        length, kind = struct.unpack("<IB", self.process.stdout.read(5))
+        payload = self.process.stdout.read(length - 1)
+        if kind == FAILED:
+            raise Failed(json.loads(payload))
+        assert kind == expected, f"expected a frame of kind {expected}, got {kind}"
+        return payload
+
+    def configure(self, configuration: dict[str, Any], kind: int = CONFIGURE) -> Any:
+        self.send(kind, json.dumps(configuration).encode())
+        return json.loads(self.receive(READY))
+
+    def step(self, until: int, *samples: tuple[int, bytes]) -> list[tuple[int, int, bytes]]:
+        """Publish `(topic index, CDR bytes)` and let time pass; returns `(time, topic index, CDR bytes)`."""
+        parts = [struct.pack("<qH", until, len(samples))]
+        for index, data in samples:
+            parts += (struct.pack("<HI", index, len(data)), data)
+        self.send(STEP, b"".join(parts))
+        return _samples(self.receive(STEPPED))
+
+    def finish(self) -> Any:
+        self.send(FINISH)
+        return json.loads(self.receive(FINISHED))
+
+    def close(self) -> tuple[int, str]:
+        """End the input; returns exit code and standard error."""
+        _, errors = self.process.communicate()
+        return self.process.returncode, (errors or b"").decode()
+
+
+def _samples(payload: bytes) -> list[tuple[int, int, bytes]]:
+    (count,) = struct.unpack_from("<H", payload)
+    position, samples = 2, []
+    for _ in range(count):
+        time, index, length = struct.unpack_from("<qHI", payload, position)
+        position += 14
+        samples.append((time, index, payload[position : position + length]))
+        position += length
+    assert position == len(payload)
+    return samples
+
+
+def float32(value: float) -> bytes:
+    """CDR bytes of a std_msgs/msg/Float32."""
+    return b"\x00\x01\x00\x00" + struct.pack("<f", value)

@@ -1,0 +1,33 @@
+"""Write `python/eventchain_ros2/humble.msgs`, the standard message definitions of ROS 2 Humble.
+
+The definitions come from the type store of `rosbags`; importing that store at run time would cost 45 ms of every start.
+Run it after raising the pinned version of rosbags: `python tools/extract_standard_messages.py`.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from rosbags.typesys import Stores, get_typestore
+
+TARGET = Path(__file__).parents[1] / "python" / "eventchain_ros2" / "humble.msgs"
+SEPARATOR = "=" * 80
+
+# The type store drops the default values of fields. Quaternion has the only ones that are not zero (common_interfaces).
+DEFAULTS = {"geometry_msgs/msg/Quaternion": {"float64 w": "float64 w 1"}}
+
+
+def definitions() -> str:
+    """Return all definitions, sorted by name, each under a `MSG: package/msg/Name` line."""
+    store = get_typestore(Stores.ROS2_HUMBLE)
+    parts = []
+    for name in sorted(store.fielddefs):
+        text = store.generate_msgdef(name, ros_version=2)[0].split(SEPARATOR)[0].strip()
+        for field, replacement in DEFAULTS.get(name, {}).items():
+            text = text.replace(field, replacement)
+        parts.append(f"MSG: {name}\n{text}".strip() + "\n")
+    return f"{SEPARATOR}\n".join(parts)
+
+
+if __name__ == "__main__":
+    TARGET.write_text(definitions(), encoding="utf-8", newline="\n")
