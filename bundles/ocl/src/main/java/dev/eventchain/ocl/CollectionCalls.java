@@ -1,0 +1,74 @@
+package dev.eventchain.ocl;
+
+import java.util.Collection;
+import java.util.List;
+import org.eclipse.ocl.utilities.PredefinedType;
+
+/** Which calls of the standard library make a set or a bag, and what they make. */
+final class CollectionCalls {
+
+  private CollectionCalls() {}
+
+  /** Whether this operation on a collection may make a set or a bag. */
+  static boolean makesCollection(int code) {
+    return switch (code) {
+      case PredefinedType.AS_SET,
+          PredefinedType.AS_BAG,
+          PredefinedType.FLATTEN,
+          PredefinedType.UNION,
+          PredefinedType.INTERSECTION,
+          PredefinedType.MINUS,
+          PredefinedType.SYMMETRIC_DIFFERENCE,
+          PredefinedType.INCLUDING,
+          PredefinedType.EXCLUDING,
+          PredefinedType.PRODUCT,
+          PredefinedType.SELECT_BY_KIND,
+          PredefinedType.SELECT_BY_TYPE ->
+          true;
+      default -> false;
+    };
+  }
+
+  /** Whether this iterator may make a set or a bag. */
+  static boolean makesCollectionByIterating(int code) {
+    return switch (code) {
+      case PredefinedType.SELECT,
+          PredefinedType.REJECT,
+          PredefinedType.COLLECT,
+          PredefinedType.COLLECT_NESTED,
+          PredefinedType.CLOSURE ->
+          true;
+      default -> false;
+    };
+  }
+
+  static Collection<?> unary(int code, Collection<?> source) {
+    return switch (code) {
+      case PredefinedType.AS_SET ->
+          source instanceof InsertionOrderedSet<?> ? source : new InsertionOrderedSet<>(source);
+      case PredefinedType.AS_BAG ->
+          source instanceof InsertionOrderedBag<?> ? source : new InsertionOrderedBag<>(source);
+      case PredefinedType.FLATTEN -> CollectionOperations.flatten(source);
+      default -> throw new IllegalArgumentException("operation " + code);
+    };
+  }
+
+  static Collection<Object> binary(int code, Collection<?> source, Collection<?> argument) {
+    return switch (code) {
+      case PredefinedType.UNION -> CollectionOperations.union(source, argument);
+      case PredefinedType.INTERSECTION -> CollectionOperations.intersection(source, argument);
+      case PredefinedType.MINUS -> CollectionOperations.minus(source, argument);
+      case PredefinedType.SYMMETRIC_DIFFERENCE ->
+          CollectionOperations.symmetricDifference(source, argument);
+      default -> throw new IllegalArgumentException("operation " + code);
+    };
+  }
+
+  /** One step of a closure: some elements, one, or none. */
+  static Collection<?> elementsOf(Object value) {
+    if (value == null) {
+      return List.of();
+    }
+    return value instanceof Collection<?> elements ? elements : List.of(value);
+  }
+}

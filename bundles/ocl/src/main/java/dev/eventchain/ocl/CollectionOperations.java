@@ -1,0 +1,168 @@
+package dev.eventchain.ocl;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.eclipse.ocl.expressions.CollectionKind;
+import org.eclipse.ocl.types.BagType;
+import org.eclipse.ocl.types.CollectionType;
+import org.eclipse.ocl.types.SequenceType;
+import org.eclipse.ocl.types.SetType;
+import org.eclipse.ocl.util.Bag;
+
+/**
+ * The collection operations of Eclipse OCL that make sets or bags, with the results it gives (see
+ * its {@code CollectionUtil}) except that sets and bags keep the order of insertion, so that
+ * nothing that is printed depends on hash codes.
+ */
+final class CollectionOperations {
+
+  private CollectionOperations() {}
+
+  static Collection<Object> create(CollectionKind kind) {
+    return switch (kind) {
+      case SET_LITERAL -> new InsertionOrderedSet<>();
+      case ORDERED_SET_LITERAL -> new LinkedHashSet<>();
+      case BAG_LITERAL -> new InsertionOrderedBag<>();
+      case SEQUENCE_LITERAL, COLLECTION_LITERAL -> new ArrayList<>();
+    };
+  }
+
+  /** A collection of this kind with these elements; never the given collection itself. */
+  static Collection<Object> create(CollectionKind kind, Collection<?> elements) {
+    return switch (kind) {
+      case SET_LITERAL -> new InsertionOrderedSet<>(elements);
+      case ORDERED_SET_LITERAL -> new LinkedHashSet<>(elements);
+      case BAG_LITERAL -> new InsertionOrderedBag<>(elements);
+      case SEQUENCE_LITERAL, COLLECTION_LITERAL -> new ArrayList<>(elements);
+    };
+  }
+
+  /** What {@code select} and {@code reject} make of a source of this static type. */
+  static CollectionKind kindOfSelection(Object sourceType) {
+    if (sourceType instanceof SetType<?, ?>) {
+      return CollectionKind.SET_LITERAL;
+    } else if (sourceType instanceof BagType<?, ?>) {
+      return CollectionKind.BAG_LITERAL;
+    } else if (sourceType instanceof SequenceType<?, ?>) {
+      return CollectionKind.SEQUENCE_LITERAL;
+    }
+    return CollectionKind.ORDERED_SET_LITERAL;
+  }
+
+  /** What {@code collect} makes of a source of this static type. */
+  static CollectionKind kindOfCollection(Object sourceType) {
+    boolean unordered = sourceType instanceof SetType<?, ?> || sourceType instanceof BagType<?, ?>;
+    return unordered ? CollectionKind.BAG_LITERAL : CollectionKind.SEQUENCE_LITERAL;
+  }
+
+  /** A value of a collection type as OCL expects it, which Java code may have made otherwise. */
+  static Object conform(Object value, Object type) {
+    if (!(type instanceof CollectionType<?, ?> collectionType)
+        || !(value instanceof Collection<?> elements)) {
+      return value;
+    }
+    CollectionKind kind = collectionType.getKind();
+    boolean conforms =
+        switch (kind) {
+          case SET_LITERAL -> elements instanceof InsertionOrderedSet<?>;
+          case ORDERED_SET_LITERAL -> elements instanceof LinkedHashSet<?>;
+          case BAG_LITERAL -> elements instanceof Bag<?>;
+          case SEQUENCE_LITERAL -> elements instanceof List<?>;
+          case COLLECTION_LITERAL -> true;
+        };
+    return conforms ? value : create(kind, elements);
+  }
+
+  static Collection<Object> union(Collection<?> first, Collection<?> second) {
+    CollectionKind kind;
+    if (first instanceof Bag<?> || second instanceof Bag<?>) {
+      kind = CollectionKind.BAG_LITERAL;
+    } else if (first.isEmpty()) {
+      kind = kindOf(second);
+    } else if (second.isEmpty()) {
+      kind = kindOf(first);
+    } else if (first instanceof List<?> || second instanceof List<?>) {
+      kind = CollectionKind.SEQUENCE_LITERAL;
+    } else {
+      kind = CollectionKind.SET_LITERAL;
+    }
+    Collection<Object> result = create(kind, first);
+    result.addAll(second);
+    return result;
+  }
+
+  static Collection<Object> intersection(Collection<?> first, Collection<?> second) {
+    boolean set = first instanceof Set<?> || second instanceof Set<?>;
+    Collection<Object> result =
+        create(set ? CollectionKind.SET_LITERAL : CollectionKind.BAG_LITERAL);
+    boolean firstIsLarger = first.size() > second.size();
+    Collection<?> larger = firstIsLarger ? first : second;
+    for (Object element : firstIsLarger ? second : first) {
+      if (larger.contains(element)) {
+        result.add(element);
+      }
+    }
+    return result;
+  }
+
+  static Collection<Object> minus(Collection<?> first, Collection<?> second) {
+    Collection<Object> result = new InsertionOrderedSet<>();
+    for (Object element : first) {
+      if (!second.contains(element)) {
+        result.add(element);
+      }
+    }
+    return result;
+  }
+
+  static Collection<Object> symmetricDifference(Collection<?> first, Collection<?> second) {
+    Collection<Object> result = minus(first, second);
+    result.addAll(minus(second, first));
+    return result;
+  }
+
+  static Collection<Object> including(Collection<?> source, Object element) {
+    Collection<Object> result = create(kindOf(source), source);
+    result.add(element);
+    return result;
+  }
+
+  static Collection<Object> excluding(Collection<?> source, Object element) {
+    Collection<Object> result = create(kindOf(source), source);
+    if (result instanceof List<?>) {
+      result.removeIf(each -> java.util.Objects.equals(each, element));
+    } else {
+      result.remove(element);
+    }
+    return result;
+  }
+
+  /** Flattens for as long as the first element is a collection, as Eclipse OCL does. */
+  static Collection<?> flatten(Collection<?> source) {
+    Collection<?> result = source;
+    while (!result.isEmpty() && result.iterator().next() instanceof Collection<?>) {
+      CollectionKind kind = kindOf(result);
+      Collection<Object> flatter =
+          create(kind == CollectionKind.ORDERED_SET_LITERAL ? CollectionKind.SET_LITERAL : kind);
+      for (Object element : result) {
+        flatter.addAll((Collection<?>) element);
+      }
+      result = flatter;
+    }
+    return result;
+  }
+
+  static CollectionKind kindOf(Collection<?> collection) {
+    if (collection instanceof Bag<?>) {
+      return CollectionKind.BAG_LITERAL;
+    } else if (collection instanceof LinkedHashSet<?>) {
+      return CollectionKind.ORDERED_SET_LITERAL;
+    } else if (collection instanceof Set<?>) {
+      return CollectionKind.SET_LITERAL;
+    }
+    return CollectionKind.SEQUENCE_LITERAL;
+  }
+}

@@ -1,0 +1,163 @@
+package dev.eventchain.ocl;
+
+import java.time.Duration;
+import java.util.Collection;
+import java.util.Set;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.ocl.EvaluationHaltedException;
+
+/**
+ * The state of a run that evaluates expressions on a model: the values of the variables, the
+ * extents of the classes, limits. For one thread; {@link #fork()} makes another for another thread,
+ * which shares the extents. The model must not change meanwhile.
+ */
+public final class Evaluation {
+
+  /** Deep enough for definitions that follow a chain of a thousand elements. */
+  private static final int DEEPEST_RECURSION = 2000;
+
+  private static final int STEPS_BETWEEN_LOOKS_AT_THE_CLOCK = 1024;
+
+  private final Extents extents;
+  private final ValueStack values = new ValueStack();
+  private Object attachment;
+  private Duration timeLimit = Duration.ofDays(1);
+  private long deadline;
+  private int steps;
+  private int running;
+  private int depth;
+  private InvalidOrigin origin;
+  private String note = "";
+
+  private Evaluation(Extents extents) {
+    this.extents = extents;
+  }
+
+  /**
+   * An evaluation on the models that these objects belong to.
+   *
+   * @param objects some objects of each model; the extent of a class covers the whole resource set
+   *     of each, or the tree it is in if it has no resource
+   */
+  public static Evaluation over(Collection<? extends EObject> objects) {
+    return new Evaluation(new Extents(objects));
+  }
+
+  /** A new evaluation on the same model, with no variables, for another thread. */
+  public Evaluation fork() {
+    Evaluation fork = new Evaluation(extents);
+    fork.timeLimit = timeLimit;
+    fork.attachment = attachment;
+    return fork;
+  }
+
+  /**
+   * Sets how long one {@link Expression#evaluate} may take before it becomes {@link Invalid}.
+   * Evaluations that a library starts inside another one count as part of that.
+   */
+  public Evaluation withTimeLimit(Duration limit) {
+    timeLimit = limit;
+    return this;
+  }
+
+  /** Gives a variable a value until {@link #unbind}; hides any earlier value. */
+  public void bind(String name, Object value) {
+    values.push(name, value);
+  }
+
+  /** Takes back the latest value of a variable. */
+  public void unbind(String name) {
+    values.remove(name);
+  }
+
+  /** Keeps an object for the libraries' use, such as an engine's own state. */
+  public Evaluation attach(Object state) {
+    attachment = state;
+    return this;
+  }
+
+  /**
+   * The object given to {@link #attach}.
+   *
+   * @throws ClassCastException if it is not of this type
+   */
+  public <T> T attachment(Class<T> type) {
+    return type.cast(attachment);
+  }
+
+  /** All instances of a class and its subclasses, in the order of the model. Not to be changed. */
+  public Set<EObject> allInstances(EClass type) {
+    return extents.get(type);
+  }
+
+  Extents extents() {
+    return extents;
+  }
+
+  ValueStack values() {
+    return values;
+  }
+
+  /** Starts an evaluation and says whether it is not inside another one. */
+  boolean begin() {
+    boolean outermost = running++ == 0;
+    if (outermost) {
+      deadline = System.nanoTime() + timeLimit.toNanos();
+      depth = 0;
+    }
+    origin = null;
+    return outermost;
+  }
+
+  void end() {
+    running--;
+  }
+
+  /** Notes that one more node of an expression is about to be evaluated. */
+  void step() {
+    if (++steps >= STEPS_BETWEEN_LOOKS_AT_THE_CLOCK) {
+      steps = 0;
+      if (System.nanoTime() - deadline > 0) {
+        throw new EvaluationHaltedException("it takes longer than " + text(timeLimit));
+      }
+    }
+  }
+
+  /** Notes that a definition is about to be evaluated. */
+  void enterDefinition() {
+    if (++depth > DEEPEST_RECURSION) {
+      throw new EvaluationHaltedException(
+          "it recurses without end, or more than " + DEEPEST_RECURSION + " calls deep");
+    }
+  }
+
+  void leaveDefinition() {
+    depth--;
+  }
+
+  InvalidOrigin origin() {
+    return origin;
+  }
+
+  void setOrigin(InvalidOrigin origin) {
+    this.origin = origin;
+  }
+
+  /** Keeps what Java said of a failure until {@link #takeNote}. */
+  void note(String text) {
+    note = text;
+  }
+
+  String takeNote() {
+    String taken = note;
+    note = "";
+    return taken;
+  }
+
+  private static String text(Duration duration) {
+    return duration.toMillis() % 1000 == 0
+        ? duration.toSeconds() + " s"
+        : duration.toMillis() + " ms";
+  }
+}

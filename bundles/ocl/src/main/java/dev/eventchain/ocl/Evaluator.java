@@ -1,0 +1,448 @@
+package dev.eventchain.ocl;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Supplier;
+import org.eclipse.emf.ecore.EAnnotation;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EEnum;
+import org.eclipse.emf.ecore.EModelElement;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EOperation;
+import org.eclipse.emf.ecore.EParameter;
+import org.eclipse.emf.ecore.EStructuralFeature;
+import org.eclipse.ocl.EvaluationHaltedException;
+import org.eclipse.ocl.ecore.EvaluationVisitorImpl;
+import org.eclipse.ocl.expressions.CollectionItem;
+import org.eclipse.ocl.expressions.CollectionKind;
+import org.eclipse.ocl.expressions.CollectionLiteralExp;
+import org.eclipse.ocl.expressions.CollectionLiteralPart;
+import org.eclipse.ocl.expressions.CollectionRange;
+import org.eclipse.ocl.expressions.IfExp;
+import org.eclipse.ocl.expressions.InvalidLiteralExp;
+import org.eclipse.ocl.expressions.IterateExp;
+import org.eclipse.ocl.expressions.IteratorExp;
+import org.eclipse.ocl.expressions.OCLExpression;
+import org.eclipse.ocl.expressions.OperationCallExp;
+import org.eclipse.ocl.expressions.PropertyCallExp;
+import org.eclipse.ocl.parser.AbstractOCLAnalyzer;
+import org.eclipse.ocl.types.CollectionType;
+import org.eclipse.ocl.types.OrderedSetType;
+import org.eclipse.ocl.util.OCLStandardLibraryUtil;
+import org.eclipse.ocl.utilities.PredefinedType;
+
+/**
+ * Eclipse OCL's evaluator with the same results, except that sets and bags keep their order. It
+ * also calls library operations, remembers what made a value invalid, and stops what does not end.
+ */
+final class Evaluator extends EvaluationVisitorImpl {
+
+  private final Evaluation run;
+
+  Evaluator(
+      OclEnvironment environment,
+      ValueEnvironment values,
+      Map<? extends EClass, ? extends Set<? extends EObject>> extents) {
+    super(environment, values, extents);
+    this.run = values.run();
+  }
+
+  @Override
+  public Object visitExpression(OCLExpression<EClassifier> expression) {
+    return safeVisitExpression(expression);
+  }
+
+  /** Evaluates; an exception makes the value invalid and is remembered as the reason. */
+  @Override
+  protected Object safeVisitExpression(OCLExpression<EClassifier> expression) {
+    try {
+      return expression.accept(getVisitor());
+    } catch (EvaluationHaltedException e) {
+      throw e;
+    } catch (RuntimeException e) {
+      if (run.origin() == null) {
+        run.setOrigin(new InvalidOrigin(expression, null, messageOf(e)));
+      }
+      return getInvalid();
+    }
+  }
+
+  static String messageOf(RuntimeException e) {
+    return e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
+  }
+
+  /**
+   * Evaluates a node, and if it is the innermost one that is invalid, remembers it.
+   *
+   * @param subject what the node is applied to, only evaluated again if so
+   */
+  private Object tracked(
+      OCLExpression<EClassifier> node,
+      Supplier<Object> evaluation,
+      OCLExpression<EClassifier> subject) {
+    run.step();
+    InvalidOrigin before = run.origin();
+    run.setOrigin(null);
+    Object result;
+    String detail = "";
+    try {
+      result = evaluation.get();
+    } catch (EvaluationHaltedException e) {
+      throw e;
+    } catch (RuntimeException e) {
+      result = getInvalid();
+      detail = messageOf(e);
+    }
+    if (result != getInvalid()) {
+      run.setOrigin(before);
+    } else if (run.origin() == null) {
+      Object source = subject == null ? null : safeVisitExpression(subject);
+      String note = run.takeNote();
+      run.setOrigin(new InvalidOrigin(node, source, detail.isEmpty() ? note : detail));
+    }
+    return result;
+  }
+
+  @Override
+  public Object visitOperationCallExp(OperationCallExp<EClassifier, EOperation> call) {
+    return tracked(call, () -> operation(call), call.getSource());
+  }
+
+  @Override
+  public Object visitPropertyCallExp(PropertyCallExp<EClassifier, EStructuralFeature> call) {
+    return tracked(call, () -> super.visitPropertyCallExp(call), call.getSource());
+  }
+
+  @Override
+  public Object visitIteratorExp(IteratorExp<EClassifier, EParameter> loop) {
+    return tracked(loop, () -> iterator(loop), loop.getSource());
+  }
+
+  @Override
+  public Object visitIterateExp(IterateExp<EClassifier, EParameter> loop) {
+    return tracked(loop, () -> super.visitIterateExp(loop), loop.getSource());
+  }
+
+  @Override
+  public Object visitIfExp(IfExp<EClassifier> choice) {
+    return tracked(choice, () -> super.visitIfExp(choice), choice.getCondition());
+  }
+
+  @Override
+  public Object visitInvalidLiteralExp(InvalidLiteralExp<EClassifier> literal) {
+    return tracked(literal, () -> super.visitInvalidLiteralExp(literal), null);
+  }
+
+  private Object operation(OperationCallExp<EClassifier, EOperation> call) {
+    if (call.getReferredOperation() instanceof Libraries.LibraryOperation operation) {
+      return libraryOperation(call, operation);
+    }
+    int code = call.getOperationCode();
+    if (code == PredefinedType.OCL_AS_SET) {
+      return asSet(safeVisitExpression(call.getSource()));
+    } else if (code == PredefinedType.ALL_INSTANCES
+        && call.getSource().accept(getVisitor()) instanceof EEnum enumeration) {
+      return new InsertionOrderedSet<Object>(enumeration.getELiterals());
+    } else if (call.getSource().getType() instanceof CollectionType<?, ?>
+        && CollectionCalls.makesCollection(code)) {
+      return collectionOperation(call, code);
+    }
+    return super.visitOperationCallExp(call);
+  }
+
+  private Object asSet(Object source) {
+    if (source == getInvalid()) {
+      return source;
+    }
+    Set<Object> result = new InsertionOrderedSet<>();
+    if (source != null) {
+      result.add(source);
+    }
+    return result;
+  }
+
+  private Object libraryOperation(
+      OperationCallExp<EClassifier, EOperation> call, Libraries.LibraryOperation operation) {
+    Object source = safeVisitExpression(call.getSource());
+    if (source == getInvalid()) {
+      return source;
+    }
+    List<Object> arguments = new ArrayList<>(call.getArgument().size());
+    for (OCLExpression<EClassifier> argument : call.getArgument()) {
+      Object value = safeVisitExpression(argument);
+      if (value == getInvalid()) {
+        return value;
+      }
+      arguments.add(value);
+    }
+    // What the library evaluates on the way must not pass for the reason of this result.
+    Object result = operation.implementation().call(source, arguments, run);
+    run.setOrigin(null);
+    if (result instanceof Invalid invalid) {
+      run.setOrigin(new InvalidOrigin(call, source, invalid.reason()));
+      return getInvalid();
+    }
+    return CollectionOperations.conform(result, call.getType());
+  }
+
+  private Object collectionOperation(OperationCallExp<EClassifier, EOperation> call, int code) {
+    Object source = safeVisitExpression(call.getSource());
+    if (isUndefined(source)) {
+      return getInvalid();
+    }
+    if (call.getArgument().isEmpty()) {
+      return CollectionCalls.unary(code, (Collection<?>) source);
+    }
+    Object argument = safeVisitExpression(call.getArgument().get(0));
+    if (argument == getInvalid()) {
+      return argument;
+    }
+    Collection<?> elements = (Collection<?>) source;
+    return switch (code) {
+      case PredefinedType.PRODUCT ->
+          argument == null ? getInvalid() : product(call, elements, (Collection<?>) argument);
+      case PredefinedType.SELECT_BY_KIND -> selectByType(elements, argument, false);
+      case PredefinedType.SELECT_BY_TYPE -> selectByType(elements, argument, true);
+      case PredefinedType.INCLUDING -> CollectionOperations.including(elements, argument);
+      case PredefinedType.EXCLUDING -> CollectionOperations.excluding(elements, argument);
+      default ->
+          argument == null
+              ? getInvalid()
+              : CollectionCalls.binary(code, elements, (Collection<?>) argument);
+    };
+  }
+
+  private Object product(
+      OperationCallExp<EClassifier, EOperation> call, Collection<?> first, Collection<?> second) {
+    EClassifier tupleType =
+        ((org.eclipse.ocl.ecore.CollectionType) call.getType()).getElementType();
+    EStructuralFeature firstPart =
+        getEnvironment().lookupProperty(tupleType, OCLStandardLibraryUtil.PRODUCT_FIRST);
+    EStructuralFeature secondPart =
+        getEnvironment().lookupProperty(tupleType, OCLStandardLibraryUtil.PRODUCT_SECOND);
+    Collection<Object> result = new InsertionOrderedSet<>();
+    for (Object left : first) {
+      for (Object right : second) {
+        run.step();
+        Map<EStructuralFeature, Object> values = new java.util.HashMap<>();
+        values.put(firstPart, left);
+        values.put(secondPart, right);
+        result.add(getEvaluationEnvironment().createTuple(tupleType, values));
+      }
+    }
+    return result;
+  }
+
+  private Object selectByType(Collection<?> elements, Object type, boolean exactly) {
+    Collection<Object> result = CollectionOperations.create(CollectionOperations.kindOf(elements));
+    for (Object element : elements) {
+      Boolean matches =
+          exactly
+              ? oclIsTypeOf(element, type)
+              : Boolean.valueOf(element != null && oclIsKindOf(element, type));
+      if (Boolean.TRUE.equals(matches)) {
+        result.add(element);
+      }
+    }
+    return result;
+  }
+
+  private Object iterator(IteratorExp<EClassifier, EParameter> loop) {
+    int code = OCLStandardLibraryUtil.getOperationCode(loop.getName());
+    if (!CollectionCalls.makesCollectionByIterating(code) || loop.getIterator().size() != 1) {
+      return super.visitIteratorExp(loop);
+    }
+    Object source = loop.getSource().accept(getVisitor());
+    if (isUndefined(source)) {
+      return getInvalid();
+    }
+    Collection<?> elements = (Collection<?>) source;
+    Object sourceType = loop.getSource().getType();
+    CollectionKind selected = CollectionOperations.kindOfSelection(sourceType);
+    CollectionKind collected = CollectionOperations.kindOfCollection(sourceType);
+    return switch (code) {
+      case PredefinedType.SELECT -> select(loop, elements, selected, true);
+      case PredefinedType.REJECT -> select(loop, elements, selected, false);
+      case PredefinedType.COLLECT -> collect(loop, elements, collected, true);
+      case PredefinedType.COLLECT_NESTED -> collect(loop, elements, collected, false);
+      default -> closure(loop, elements);
+    };
+  }
+
+  private Object select(
+      IteratorExp<EClassifier, EParameter> loop,
+      Collection<?> elements,
+      CollectionKind kind,
+      boolean wanted) {
+    Collection<Object> result = CollectionOperations.create(kind);
+    String variable = loop.getIterator().get(0).getName();
+    getEvaluationEnvironment().add(variable, null);
+    try {
+      for (Object element : elements) {
+        Object value = body(loop, variable, element);
+        if (isUndefined(value)) {
+          return getInvalid();
+        }
+        if ((Boolean) value == wanted) {
+          result.add(element);
+        }
+      }
+    } finally {
+      getEvaluationEnvironment().remove(variable);
+    }
+    return result;
+  }
+
+  private Object collect(
+      IteratorExp<EClassifier, EParameter> loop,
+      Collection<?> elements,
+      CollectionKind kind,
+      boolean flatten) {
+    Collection<Object> result = CollectionOperations.create(kind);
+    String variable = loop.getIterator().get(0).getName();
+    getEvaluationEnvironment().add(variable, null);
+    try {
+      for (Object element : elements) {
+        Object value = body(loop, variable, element);
+        if (value == getInvalid()) {
+          return value;
+        }
+        if (flatten && value instanceof Collection<?> several) {
+          result.addAll(CollectionOperations.flatten(several));
+        } else {
+          result.add(value);
+        }
+      }
+    } finally {
+      getEvaluationEnvironment().remove(variable);
+    }
+    return result;
+  }
+
+  /**
+   * Depth first, like Eclipse OCL, but with a stack of its own, so that a long chain of elements
+   * does not need a deep Java stack. As there, the sources themselves are left out unless they are
+   * reached again.
+   */
+  private Object closure(IteratorExp<EClassifier, EParameter> loop, Collection<?> sources) {
+    Collection<Object> result =
+        loop.getType() instanceof OrderedSetType<?, ?>
+            ? new LinkedHashSet<>()
+            : new InsertionOrderedSet<>();
+    String variable = loop.getIterator().get(0).getName();
+    getEvaluationEnvironment().add(variable, null);
+    try {
+      for (Object source : sources) {
+        Object next = body(loop, variable, source);
+        if (next == getInvalid() || !addReachable(loop, variable, next, result)) {
+          return getInvalid();
+        }
+      }
+    } finally {
+      getEvaluationEnvironment().remove(variable);
+    }
+    return result;
+  }
+
+  /** Adds what can be reached from one step; false if a step is invalid. */
+  private boolean addReachable(
+      IteratorExp<EClassifier, EParameter> loop,
+      String variable,
+      Object first,
+      Collection<Object> result) {
+    java.util.Deque<java.util.Iterator<?>> open = new java.util.ArrayDeque<>();
+    open.push(CollectionCalls.elementsOf(first).iterator());
+    while (!open.isEmpty()) {
+      if (!open.peek().hasNext()) {
+        open.pop();
+        continue;
+      }
+      Object element = open.peek().next();
+      if (result.add(element)) {
+        Object next = body(loop, variable, element);
+        if (next == getInvalid()) {
+          return false;
+        }
+        open.push(CollectionCalls.elementsOf(next).iterator());
+      }
+    }
+    return true;
+  }
+
+  private Object body(IteratorExp<EClassifier, EParameter> loop, String variable, Object element) {
+    getEvaluationEnvironment().replace(variable, element);
+    return safeVisitExpression(loop.getBody());
+  }
+
+  @Override
+  public Object visitCollectionLiteralExp(CollectionLiteralExp<EClassifier> literal) {
+    CollectionKind kind = literal.getKind();
+    if (kind != CollectionKind.SET_LITERAL && kind != CollectionKind.BAG_LITERAL) {
+      return super.visitCollectionLiteralExp(literal);
+    }
+    Collection<Object> result = CollectionOperations.create(kind);
+    for (CollectionLiteralPart<EClassifier> part : literal.getPart()) {
+      if (part instanceof CollectionItem<EClassifier> item) {
+        Object value = item.getItem().accept(getVisitor());
+        if (value == getInvalid()) {
+          return value;
+        }
+        if (value != null || literal.getPart().size() > 1 || !isImplicit(literal)) {
+          result.add(value);
+        }
+      } else {
+        addRange((CollectionRange<EClassifier>) part, result);
+      }
+    }
+    return result;
+  }
+
+  private void addRange(CollectionRange<EClassifier> range, Collection<Object> result) {
+    Integer first = (Integer) range.getFirst().accept(getVisitor());
+    Integer last = (Integer) range.getLast().accept(getVisitor());
+    if (first != null && last != null) {
+      for (int i = first; i <= last; i++) {
+        run.step();
+        result.add(i);
+      }
+    }
+  }
+
+  /** Whether the set was made because an arrow follows a single value. */
+  private static boolean isImplicit(CollectionLiteralExp<EClassifier> literal) {
+    EAnnotation annotation =
+        literal instanceof EModelElement element
+            ? element.getEAnnotation(AbstractOCLAnalyzer.OCL_ANNOTATIONS_URI)
+            : null;
+    return annotation != null
+        && Boolean.parseBoolean(
+            annotation.getDetails().get(AbstractOCLAnalyzer.IMPLICIT_SET_CONVERSION));
+  }
+
+  @Override
+  protected Object call(
+      EOperation operation, OCLExpression<EClassifier> body, Object target, Object[] args) {
+    run.enterDefinition();
+    try {
+      return super.call(operation, body, target, args);
+    } finally {
+      run.leaveDefinition();
+    }
+  }
+
+  @Override
+  protected Object navigate(
+      EStructuralFeature property, OCLExpression<EClassifier> derivation, Object target) {
+    run.enterDefinition();
+    try {
+      return super.navigate(property, derivation, target);
+    } finally {
+      run.leaveDefinition();
+    }
+  }
+}

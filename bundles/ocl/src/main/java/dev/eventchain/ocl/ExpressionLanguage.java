@@ -1,0 +1,242 @@
+package dev.eventchain.ocl;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceText;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EcorePackage;
+import org.eclipse.ocl.Environment;
+import org.eclipse.ocl.ecore.Constraint;
+import org.eclipse.ocl.ecore.TypeType;
+import org.eclipse.ocl.expressions.CollectionKind;
+import org.eclipse.ocl.expressions.LetExp;
+import org.eclipse.ocl.expressions.OCLExpression;
+import org.eclipse.ocl.parser.ValidationVisitor;
+import org.eclipse.ocl.types.CollectionType;
+import org.eclipse.ocl.util.TypeUtil;
+
+/**
+ * OCL over some metamodels, with operations of its own. Parses expressions; those that it parsed
+ * can be evaluated by several threads while another thread parses on.
+ *
+ * <p>Simple names of types are looked for in the packages in the given order, nested packages
+ * included, and at last in Ecore itself; {@code package::Type} works, too. Every object has the
+ * operations of EObject. Values and types are those of classic Eclipse OCL, in particular: {@code
+ * closure} leaves its source out, and a quote in a string is written {@code \'}.
+ */
+public final class ExpressionLanguage {
+
+  private static final String EXPRESSION_PREFIX = "inv:\n";
+  private static final String TYPE_PREFIX = "inv:\nlet type : ";
+  private static final String TYPE_SUFFIX = " = null in true";
+
+  private final OclEnvironmentFactory factory;
+  private final OclEnvironment root;
+
+  private ExpressionLanguage(OclEnvironmentFactory factory) {
+    this.factory = factory;
+    this.root = factory.root();
+  }
+
+  /** The language over these packages, with the operations of these libraries, tried in order. */
+  public static ExpressionLanguage of(
+      Collection<EPackage> packages, OperationLibrary... libraries) {
+    return new ExpressionLanguage(
+        new OclEnvironmentFactory(new PackageIndex(packages), new Libraries(List.of(libraries))));
+  }
+
+  /** The scope without variables. */
+  public Scope root() {
+    return Scope.EMPTY;
+  }
+
+  /**
+   * Parses and checks an expression.
+   *
+   * @param text the text that holds the expression
+   * @param start the offset of its first character
+   * @param end the offset after its last character
+   * @param problems takes all errors and warnings, at their places in the text
+   * @return empty if there is an error
+   */
+  public Optional<Expression> parse(
+      SourceText text, int start, int end, Scope scope, List<Diagnostic> problems) {
+    return parse(text, start, end, scope, null, problems);
+  }
+
+  /** As the public one, with a package whose types come first. */
+  synchronized Optional<Expression> parse(
+      SourceText text,
+      int start,
+      int end,
+      Scope scope,
+      EPackage contextPackage,
+      List<Diagnostic> problems) {
+    if (text.text().substring(start, end).isBlank()) {
+      problems.add(
+          Diagnostic.error("ocl.syntax", "An expression is missing here.", text.at(start)));
+      return Optional.empty();
+    }
+    StringLiterals.check(text, start, end, problems);
+    return parseConstraint(
+            text, start, end, EXPRESSION_PREFIX, "", environment(scope, contextPackage), problems)
+        .map(constraint -> new Expression(this, constraint));
+  }
+
+  private Optional<OCLExpression<EClassifier>> parseConstraint(
+      SourceText text,
+      int start,
+      int end,
+      String prefix,
+      String suffix,
+      OclEnvironment environment,
+      List<Diagnostic> problems) {
+    ProblemCollector collector = new ProblemCollector(text, start, end, prefix.length(), problems);
+    environment.setProblemHandler(collector);
+    try {
+      OclAnalyzer analyzer =
+          new OclAnalyzer(environment, prefix + text.text().substring(start, end) + suffix);
+      analyzer.setCharacterOffset(start - prefix.length());
+      Constraint constraint = analyzer.parseInvOrDefCS();
+      if (collector.failed() || constraint == null) {
+        return Optional.empty();
+      }
+      OCLExpression<EClassifier> body = constraint.getSpecification().getBodyExpression();
+      body.accept(ValidationVisitor.getInstance(environment));
+      body.eAdapters().add(new InvalidOrigin.Source(text));
+      return collector.failed() ? Optional.empty() : Optional.of(body);
+    } catch (RuntimeException e) {
+      collector.add("ocl.syntax", true, "The expression cannot be read: " + e.getMessage(), 0);
+      return Optional.empty();
+    } finally {
+      root.clean();
+    }
+  }
+
+  private OclEnvironment environment(Scope scope, EPackage contextPackage) {
+    OclEnvironment environment = factory.createEnvironment(root);
+    if (contextPackage != null) {
+      environment.setPackage(contextPackage);
+    }
+    Set<String> seen = new HashSet<>();
+    for (Scope each = scope; each.parent() != null; each = each.parent()) {
+      if (seen.add(each.name())) {
+        environment.addVariable(each.name(), each.type());
+      }
+    }
+    if (!seen.contains(Environment.SELF_VARIABLE_NAME)) {
+      environment.hideSelf();
+    }
+    return environment;
+  }
+
+  /**
+   * Parses the name of a type: {@code String}, {@code Node}, {@code pkg::Node}, {@code
+   * Sequence(Node)}, a tuple type.
+   *
+   * @return empty if there is an error
+   */
+  public synchronized Optional<EClassifier> type(
+      SourceText text, int start, int end, List<Diagnostic> problems) {
+    return parseConstraint(
+            text, start, end, TYPE_PREFIX, TYPE_SUFFIX, environment(Scope.EMPTY, null), problems)
+        .map(let -> ((LetExp<?, ?>) let).getVariable().getType())
+        .map(EClassifier.class::cast);
+  }
+
+  /**
+   * The type of a name that is known to be right.
+   *
+   * @throws IllegalArgumentException if it is not
+   */
+  public EClassifier type(String name) {
+    List<Diagnostic> problems = new ArrayList<>();
+    return type(SourceText.of("", name), 0, name.length(), problems)
+        .orElseThrow(() -> new IllegalArgumentException(name + ": " + problems));
+  }
+
+  /** The type under which OCL knows a classifier: its own Integer for EInt, for instance. */
+  public EClassifier type(EClassifier classifier) {
+    return root.getUMLReflection().asOCLType(classifier);
+  }
+
+  /** The type of sequences of this type of elements. */
+  public EClassifier sequenceOf(EClassifier elementType) {
+    return collectionOf(CollectionKind.SEQUENCE_LITERAL, elementType);
+  }
+
+  /** The type of sets of this type of elements. */
+  public EClassifier setOf(EClassifier elementType) {
+    return collectionOf(CollectionKind.SET_LITERAL, elementType);
+  }
+
+  /** The type of ordered sets of this type of elements. */
+  public EClassifier orderedSetOf(EClassifier elementType) {
+    return collectionOf(CollectionKind.ORDERED_SET_LITERAL, elementType);
+  }
+
+  /** A collection type of the same kind as another one, for other elements. */
+  public EClassifier collectionLike(EClassifier collectionType, EClassifier elementType) {
+    return collectionOf(((CollectionType<?, ?>) collectionType).getKind(), elementType);
+  }
+
+  private synchronized EClassifier collectionOf(CollectionKind kind, EClassifier elementType) {
+    return (EClassifier) root.getTypeResolver().resolveCollectionType(kind, type(elementType));
+  }
+
+  /** The type of the elements of a collection type; empty for any other type. */
+  public Optional<EClassifier> elementType(EClassifier type) {
+    return type instanceof CollectionType<?, ?> collection
+        ? Optional.of((EClassifier) collection.getElementType())
+        : Optional.empty();
+  }
+
+  /** The type that a type literal names, given the type of the literal; empty for other types. */
+  public Optional<EClassifier> referredType(EClassifier type) {
+    return type instanceof TypeType literal
+        ? Optional.ofNullable(literal.getReferredType())
+        : Optional.empty();
+  }
+
+  /** Whether every value of a type can stand where the other type is asked for. */
+  public synchronized boolean conforms(EClassifier type, EClassifier required) {
+    return TypeUtil.compatibleTypeMatch(root, type(type), type(required));
+  }
+
+  /** Whether a value is an instance of a type. */
+  public boolean isInstance(Object value, EClassifier type) {
+    return new ValueEnvironment(factory, Evaluation.over(List.of())).isKindOf(value, type);
+  }
+
+  /** The type of everything but collections. */
+  public EClassifier any() {
+    return root.getOCLStandardLibrary().getOclAny();
+  }
+
+  /** The type of objects of any class. */
+  public EClassifier anyObject() {
+    return EcorePackage.Literals.EOBJECT;
+  }
+
+  OclEnvironment environment() {
+    return root;
+  }
+
+  PackageIndex packages() {
+    return factory.packages();
+  }
+
+  Evaluator evaluator(Evaluation run) {
+    return new Evaluator(root, new ValueEnvironment(factory, run), run.extents());
+  }
+
+  boolean isInvalid(Object value) {
+    return value == root.getOCLStandardLibrary().getInvalid();
+  }
+}

@@ -1,0 +1,13 @@
+package dev.eventchain.ocl;
+
+import dev.eventchain.diagnostics.SourceLocation;
+
+/**
+ * The value of an expression that has none: OCL's {@code invalid}, which is not {@code null}.
+ *
+ * @param reason why: the innermost operation that failed and the value it failed on
+ * @param location the place of that operation in the source of the expression, or in the source of
+ *     a definition it calls
+ * @param limit whether the evaluation was stopped because it recursed too deeply or took too long
+ */
+public record Invalid(String reason, SourceLocation location, boolean limit) {}

@@ -1,0 +1,100 @@
+package dev.eventchain.ocl;
+
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import java.util.Collection;
+import org.eclipse.emf.common.notify.Adapter;
+import org.eclipse.emf.common.notify.impl.AdapterImpl;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.util.EcoreUtil;
+import org.eclipse.ocl.expressions.IfExp;
+import org.eclipse.ocl.expressions.InvalidLiteralExp;
+import org.eclipse.ocl.expressions.LoopExp;
+import org.eclipse.ocl.expressions.OCLExpression;
+import org.eclipse.ocl.expressions.OperationCallExp;
+import org.eclipse.ocl.expressions.PropertyCallExp;
+
+/**
+ * The innermost expression that made a value invalid.
+ *
+ * @param node the expression
+ * @param source what it was applied to; {@code null} also if that is not known
+ * @param detail what a library or Java said; empty if nothing
+ */
+record InvalidOrigin(OCLExpression<EClassifier> node, Object source, String detail) {
+
+  /** Notes on the root of an expression which text it was parsed from. */
+  static final class Source extends AdapterImpl {
+    private final SourceText text;
+
+    Source(SourceText text) {
+      this.text = text;
+    }
+
+    @Override
+    public boolean isAdapterForType(Object type) {
+      return type == Source.class;
+    }
+
+    SourceText text() {
+      return text;
+    }
+  }
+
+  Invalid toInvalid() {
+    return new Invalid(reason(), locationOf(node), false);
+  }
+
+  static SourceLocation locationOf(OCLExpression<EClassifier> node) {
+    for (EObject each = node; each != null; each = each.eContainer()) {
+      Adapter source = EcoreUtil.getExistingAdapter(each, Source.class);
+      if (source != null) {
+        return ((Source) source).text().at(node.getStartPosition());
+      }
+    }
+    return SourceLocation.NONE;
+  }
+
+  private String reason() {
+    if (node instanceof OperationCallExp<?, ?> call && call.getReferredOperation() != null) {
+      String name = String.valueOf(Names.of(call.getReferredOperation()));
+      return operationReason(name);
+    } else if (node instanceof PropertyCallExp<?, ?> call) {
+      return "'" + Names.of(call.getReferredProperty()) + "' is asked of " + described(source);
+    } else if (node instanceof LoopExp<?, ?> loop) {
+      return source == null
+          ? "'" + loop.getName() + "' is applied to null"
+          : "the body of '" + loop.getName() + "' is null for an element" + suffix();
+    } else if (node instanceof IfExp<?> && source == null) {
+      return "the condition of an 'if' is null";
+    } else if (node instanceof InvalidLiteralExp<?>) {
+      return "'invalid' is written here";
+    }
+    return detail.isEmpty() ? "it has no value" : detail;
+  }
+
+  private String operationReason(String name) {
+    if (source == null && detail.isEmpty()) {
+      return "'" + name + "' is applied to null";
+    }
+    boolean empty = source instanceof Collection<?> collection && collection.isEmpty();
+    String subject = empty ? "an empty collection" : described(source);
+    return "'" + name + "' has no result for " + subject + suffix();
+  }
+
+  private String suffix() {
+    return detail.isEmpty() ? "" : " (" + detail + ")";
+  }
+
+  private static String described(Object value) {
+    if (value instanceof EObject object) {
+      return Names.label(object);
+    } else if (value instanceof Collection<?> collection) {
+      return "a collection of " + collection.size();
+    } else if (value instanceof String text) {
+      return "'" + (text.length() > 40 ? text.substring(0, 40) + "..." : text) + "'";
+    }
+    return String.valueOf(value);
+  }
+}

@@ -1,0 +1,59 @@
+package dev.eventchain.ocl;
+
+/** Finds the tokens of OCL text as far as it takes to tell code from comments and strings. */
+final class Lexer {
+
+  private Lexer() {}
+
+  /**
+   * The end of what starts at an offset: a comment, a string, a name, a number, a run of white
+   * space, an arrow or a double colon, or else one character.
+   */
+  static int end(String text, int start, int limit) {
+    char c = text.charAt(start);
+    if (text.startsWith("--", start)) {
+      int end = text.indexOf('\n', start);
+      return end < 0 ? limit : Math.min(end, limit);
+    } else if (text.startsWith("/*", start)) {
+      int end = text.indexOf("*/", start + 2);
+      return end < 0 ? limit : Math.min(end + 2, limit);
+    } else if (c == '\'' || c == '"') {
+      return endOfString(text, start, limit, c);
+    } else if (Character.isJavaIdentifierPart(c)) {
+      return endOfRun(text, start, limit, Character::isJavaIdentifierPart);
+    } else if (Character.isWhitespace(c)) {
+      return endOfRun(text, start, limit, Character::isWhitespace);
+    } else if (text.startsWith("->", start) || text.startsWith("::", start)) {
+      return Math.min(start + 2, limit);
+    }
+    return start + 1;
+  }
+
+  private static int endOfString(String text, int start, int limit, char quote) {
+    for (int i = start + 1; i < limit; i++) {
+      char c = text.charAt(i);
+      if (c == '\\') {
+        i++;
+      } else if (c == quote) {
+        return i + 1;
+      }
+    }
+    return limit;
+  }
+
+  private static int endOfRun(
+      String text, int start, int limit, java.util.function.IntPredicate part) {
+    int end = start + 1;
+    while (end < limit && part.test(text.charAt(end))) {
+      end++;
+    }
+    return end;
+  }
+
+  /** Whether what starts at an offset is white space or a comment. */
+  static boolean isBlank(String text, int start) {
+    return Character.isWhitespace(text.charAt(start))
+        || text.startsWith("--", start)
+        || text.startsWith("/*", start);
+  }
+}

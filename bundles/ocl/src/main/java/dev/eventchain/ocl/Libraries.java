@@ -1,0 +1,91 @@
+package dev.eventchain.ocl;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EParameter;
+import org.eclipse.emf.ecore.EcoreFactory;
+import org.eclipse.emf.ecore.impl.EOperationImpl;
+import org.eclipse.ocl.utilities.TypedElement;
+
+/** The operation libraries of an expression language, as Eclipse OCL sees them. */
+final class Libraries {
+
+  /** Stands for the source of a call that has none. */
+  static final String NO_SOURCE = "(no source)";
+
+  private record Call(EClassifier source, String name, List<EClassifier> argumentTypes) {}
+
+  private final List<OperationLibrary> libraries;
+  private final Map<Call, Optional<LibraryOperation>> known = new HashMap<>();
+  private final EClass owner = EcoreFactory.eINSTANCE.createEClass();
+  private final EClass functions = EcoreFactory.eINSTANCE.createEClass();
+
+  Libraries(List<OperationLibrary> libraries) {
+    this.libraries = List.copyOf(libraries);
+    owner.setName("Library");
+    functions.setName(NO_SOURCE);
+  }
+
+  /** The type of the variable that stands for the source of a call that has none. */
+  EClass functions() {
+    return functions;
+  }
+
+  /** The operation that a call means; {@code null} if no library has it. */
+  LibraryOperation lookup(
+      EClassifier source, String name, List<? extends TypedElement<EClassifier>> arguments) {
+    if (libraries.isEmpty()) {
+      return null;
+    }
+    List<EClassifier> types = new ArrayList<>();
+    if (arguments != null) {
+      for (TypedElement<EClassifier> argument : arguments) {
+        if (argument == null || argument.getType() == null) {
+          return null;
+        }
+        types.add(argument.getType());
+      }
+    }
+    EClassifier given = source == functions ? null : source;
+    return known.computeIfAbsent(new Call(given, name, types), this::ask).orElse(null);
+  }
+
+  private Optional<LibraryOperation> ask(Call call) {
+    for (OperationLibrary library : libraries) {
+      Optional<OperationLibrary.Operation> found =
+          library.lookup(call.source(), call.name(), call.argumentTypes());
+      if (found.isPresent()) {
+        LibraryOperation operation = new LibraryOperation(call, found.get());
+        owner.getEOperations().add(operation);
+        return Optional.of(operation);
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** An operation of a library in the shape that Eclipse OCL can refer to. */
+  static final class LibraryOperation extends EOperationImpl {
+    private final OperationLibrary.Implementation implementation;
+
+    private LibraryOperation(Call call, OperationLibrary.Operation operation) {
+      implementation = operation.implementation();
+      setName(operation.name());
+      setEType(operation.resultType());
+      for (int i = 0; i < call.argumentTypes().size(); i++) {
+        EParameter parameter = EcoreFactory.eINSTANCE.createEParameter();
+        parameter.setName("argument" + (i + 1));
+        parameter.setEType(call.argumentTypes().get(i));
+        getEParameters().add(parameter);
+      }
+    }
+
+    OperationLibrary.Implementation implementation() {
+      return implementation;
+    }
+  }
+}

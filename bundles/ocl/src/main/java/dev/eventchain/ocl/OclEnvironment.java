@@ -1,0 +1,105 @@
+package dev.eventchain.ocl;
+
+import java.util.List;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EOperation;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EParameter;
+import org.eclipse.emf.ecore.EcorePackage;
+import org.eclipse.ocl.ecore.EcoreEnvironment;
+import org.eclipse.ocl.expressions.Variable;
+import org.eclipse.ocl.options.ParsingOptions;
+import org.eclipse.ocl.utilities.TypedElement;
+
+/**
+ * The names that an expression can use while it is parsed. Differs from what it extends in that
+ * types are found in all packages, operations in the libraries, too, and that errors anywhere in a
+ * parse know the place of their node.
+ */
+final class OclEnvironment extends EcoreEnvironment {
+
+  private final OclEnvironmentFactory factory;
+
+  OclEnvironment(OclEnvironmentFactory factory) {
+    super(factory, null);
+    this.factory = factory;
+    setOption(ParsingOptions.implicitRootClass(this), EcorePackage.Literals.EOBJECT);
+  }
+
+  OclEnvironment(OclEnvironment parent) {
+    super(parent);
+    this.factory = parent.factory;
+    if (parent.getInternalParent() != null) {
+      // All environments of one parse share what node stands where.
+      setASTNodeToCSTNodeMap(parent.getASTNodeToCSTNodeMap());
+    }
+  }
+
+  /** Sets the package in which simple names are looked for first. */
+  void setPackage(EPackage contextPackage) {
+    setContextPackage(contextPackage);
+  }
+
+  /** Names a variable; {@code self} is the source of calls and navigations that have none. */
+  void addVariable(String name, EClassifier type) {
+    Variable<EClassifier, EParameter> variable = getOCLFactory().createVariable();
+    getUMLReflection().setName(variable, name);
+    getUMLReflection().setType(variable, getUMLReflection().asOCLType(type));
+    if (addElement(name, variable, true) && name.equals(SELF_VARIABLE_NAME)) {
+      setSelfVariable(variable);
+    }
+  }
+
+  /** Gives the analyzer the context that it needs, for an expression that has no {@code self}. */
+  void hideSelf() {
+    Variable<EClassifier, EParameter> hidden = getOCLFactory().createVariable();
+    getUMLReflection().setName(hidden, Libraries.NO_SOURCE);
+    getUMLReflection().setType(hidden, factory.libraries().functions());
+    setSelfVariable(hidden);
+  }
+
+  /** Forgets what a parse left behind, which each later parse would have to search. */
+  void clean() {
+    getTypeResolver().getResource().getContents().removeIf(root -> !(root instanceof EPackage));
+  }
+
+  /** How many roots the type resolver holds. */
+  int roots() {
+    return getTypeResolver().getResource().getContents().size();
+  }
+
+  @Override
+  public EClassifier lookupClassifier(List<String> names) {
+    EClassifier found = super.lookupClassifier(names);
+    if (found != null) {
+      return found;
+    }
+    List<EClassifier> candidates = factory.packages().classifiers(names);
+    return candidates.isEmpty() ? null : candidates.get(0);
+  }
+
+  @Override
+  public EOperation lookupOperation(
+      EClassifier owner, String name, List<? extends TypedElement<EClassifier>> args) {
+    if (owner != null) {
+      EOperation found = factory.libraries().lookup(owner, name, args);
+      if (found != null) {
+        return found;
+      }
+    }
+    return super.lookupOperation(owner, name, args);
+  }
+
+  @Override
+  public Variable<EClassifier, EParameter> lookupImplicitSourceForOperation(
+      String name, List<? extends TypedElement<EClassifier>> args) {
+    Libraries libraries = factory.libraries();
+    if (libraries.lookup(libraries.functions(), name, args) != null) {
+      Variable<EClassifier, EParameter> none = getOCLFactory().createVariable();
+      getUMLReflection().setName(none, Libraries.NO_SOURCE);
+      getUMLReflection().setType(none, libraries.functions());
+      return none;
+    }
+    return super.lookupImplicitSourceForOperation(name, args);
+  }
+}

@@ -1,0 +1,139 @@
+package dev.eventchain.ocl;
+
+import java.util.Map;
+import java.util.Set;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EEnumLiteral;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EOperation;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EParameter;
+import org.eclipse.emf.ecore.EStructuralFeature;
+import org.eclipse.emf.ecore.ETypedElement;
+import org.eclipse.ocl.Environment;
+import org.eclipse.ocl.EvaluationEnvironment;
+import org.eclipse.ocl.EvaluationVisitor;
+import org.eclipse.ocl.ecore.CallOperationAction;
+import org.eclipse.ocl.ecore.Constraint;
+import org.eclipse.ocl.ecore.EcoreEnvironmentFactory;
+import org.eclipse.ocl.ecore.SendSignalAction;
+import org.eclipse.ocl.expressions.CollectionKind;
+
+/** Makes Eclipse OCL use our environments, analyzer and evaluator. */
+final class OclEnvironmentFactory extends EcoreEnvironmentFactory {
+
+  private final PackageIndex packages;
+  private final Libraries libraries;
+  private final OclEnvironment root;
+  private final ValueEnvironment.Kinds kinds;
+
+  OclEnvironmentFactory(PackageIndex packages, Libraries libraries) {
+    super(packages.registry());
+    this.packages = packages;
+    this.libraries = libraries;
+    this.root = new OclEnvironment(this);
+    this.kinds = new ValueEnvironment.Kinds(element -> root.getUMLReflection().getOCLType(element));
+  }
+
+  PackageIndex packages() {
+    return packages;
+  }
+
+  Libraries libraries() {
+    return libraries;
+  }
+
+  OclEnvironment root() {
+    return root;
+  }
+
+  CollectionKind kindOf(ETypedElement element) {
+    return kinds.of(element);
+  }
+
+  @Override
+  public OclEnvironment createEnvironment() {
+    return new OclEnvironment(this);
+  }
+
+  @Override
+  public OclEnvironment createEnvironment(
+      Environment<
+              EPackage,
+              EClassifier,
+              EOperation,
+              EStructuralFeature,
+              EEnumLiteral,
+              EParameter,
+              EObject,
+              CallOperationAction,
+              SendSignalAction,
+              Constraint,
+              EClass,
+              EObject>
+          parent) {
+    return new OclEnvironment((OclEnvironment) parent);
+  }
+
+  @Override
+  public OclAnalyzer createOCLAnalyzer(
+      Environment<
+              EPackage,
+              EClassifier,
+              EOperation,
+              EStructuralFeature,
+              EEnumLiteral,
+              EParameter,
+              EObject,
+              CallOperationAction,
+              SendSignalAction,
+              Constraint,
+              EClass,
+              EObject>
+          environment,
+      String input) {
+    return new OclAnalyzer((OclEnvironment) environment, input);
+  }
+
+  @Override
+  public ValueEnvironment createEvaluationEnvironment(
+      EvaluationEnvironment<EClassifier, EOperation, EStructuralFeature, EClass, EObject> parent) {
+    return new ValueEnvironment(parent);
+  }
+
+  @Override
+  public EvaluationVisitor<
+          EPackage,
+          EClassifier,
+          EOperation,
+          EStructuralFeature,
+          EEnumLiteral,
+          EParameter,
+          EObject,
+          CallOperationAction,
+          SendSignalAction,
+          Constraint,
+          EClass,
+          EObject>
+      createEvaluationVisitor(
+          Environment<
+                  EPackage,
+                  EClassifier,
+                  EOperation,
+                  EStructuralFeature,
+                  EEnumLiteral,
+                  EParameter,
+                  EObject,
+                  CallOperationAction,
+                  SendSignalAction,
+                  Constraint,
+                  EClass,
+                  EObject>
+              environment,
+          EvaluationEnvironment<EClassifier, EOperation, EStructuralFeature, EClass, EObject>
+              values,
+          Map<? extends EClass, ? extends Set<? extends EObject>> extents) {
+    return new Evaluator((OclEnvironment) environment, (ValueEnvironment) values, extents);
+  }
+}

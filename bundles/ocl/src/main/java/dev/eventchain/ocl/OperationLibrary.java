@@ -1,0 +1,57 @@
+package dev.eventchain.ocl;
+
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.emf.ecore.EClassifier;
+
+/**
+ * Operations that an expression language has besides those of OCL and of the metamodels. A library
+ * is asked at parse time for each call, before the standard operations, with the types at hand;
+ * hence the type of a result can depend on the types of the arguments, as that of {@code
+ * filter(T)}.
+ *
+ * <p>A type literal given as argument has a type of its own; {@link
+ * ExpressionLanguage#referredType(EClassifier)} gives the type that it names, and at run time the
+ * argument is that {@link EClassifier} itself.
+ */
+@FunctionalInterface
+public interface OperationLibrary {
+
+  /**
+   * Finds the operation that a call means. The same arguments must always give the same answer.
+   *
+   * @param source the static type before the arrow or the dot; for a dot after a collection the
+   *     type of its elements, for they are called one by one; {@code null} for a call with nothing
+   *     before it, {@code f(x)}, which is tried before {@code self} is taken as the source
+   * @param name the name of the operation; an infix operator is one, too
+   * @param argumentTypes the static types of the arguments
+   * @return empty if the library has no such operation
+   */
+  Optional<Operation> lookup(EClassifier source, String name, List<EClassifier> argumentTypes);
+
+  /**
+   * An operation of a library.
+   *
+   * @param name its name
+   * @param resultType the static type of the result of this call
+   * @param implementation what it does
+   */
+  record Operation(String name, EClassifier resultType, Implementation implementation) {}
+
+  /** What an operation does. Must be safe for threads. */
+  @FunctionalInterface
+  interface Implementation {
+
+    /**
+     * Computes the result. An invalid source or argument never gets here: it makes the result
+     * invalid. An exception makes the result invalid, too, with its message as the reason.
+     *
+     * @param source the source, which may be {@code null}; always {@code null} for a call without
+     * @param arguments the arguments, each of which may be {@code null}
+     * @param run the evaluation at work; further expressions may be evaluated in it
+     * @return a value of the result type, {@code null}, or an {@link Invalid}; any {@link
+     *     java.util.Collection} will do for a collection type
+     */
+    Object call(Object source, List<Object> arguments, Evaluation run);
+  }
+}

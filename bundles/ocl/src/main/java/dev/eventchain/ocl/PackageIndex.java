@@ -1,0 +1,98 @@
+package dev.eventchain.ocl;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EcorePackage;
+import org.eclipse.emf.ecore.impl.EPackageRegistryImpl;
+import org.eclipse.ocl.ecore.internal.EcoreForeignMethods;
+
+/** The packages that expressions can name, with all that are nested in them. */
+final class PackageIndex {
+
+  private final Set<EPackage> packages = new LinkedHashSet<>();
+  private final Collection<EPackage> given;
+
+  PackageIndex(Collection<EPackage> given) {
+    this.given = List.copyOf(given);
+    given.forEach(this::add);
+  }
+
+  private void add(EPackage each) {
+    if (packages.add(each)) {
+      each.getESubpackages().forEach(this::add);
+    }
+  }
+
+  /** The packages that were given, without those nested in them. */
+  Collection<EPackage> given() {
+    return given;
+  }
+
+  /** All packages, those that were given and those nested in them. */
+  Set<EPackage> all() {
+    return packages;
+  }
+
+  /** A registry of these packages and no others. */
+  EPackage.Registry registry() {
+    EPackage.Registry registry = new EPackageRegistryImpl();
+    for (EPackage each : packages) {
+      if (each.getNsURI() != null) {
+        registry.put(each.getNsURI(), each);
+      }
+    }
+    return registry;
+  }
+
+  /** The packages whose qualified name ends with this path. */
+  List<EPackage> packages(List<String> path) {
+    List<EPackage> found = new ArrayList<>();
+    for (EPackage each : packages) {
+      if (endsWith(each, path)) {
+        found.add(each);
+      }
+    }
+    return found;
+  }
+
+  /**
+   * The classifiers of this simple or qualified name; those of Ecore only if there are no others.
+   */
+  List<EClassifier> classifiers(List<String> path) {
+    List<EClassifier> found = new ArrayList<>();
+    for (EPackage each : packages) {
+      addClassifier(each, path, found);
+    }
+    if (found.isEmpty()) {
+      addClassifier(EcorePackage.eINSTANCE, path, found);
+    }
+    return found;
+  }
+
+  private static void addClassifier(
+      EPackage candidate, List<String> path, List<EClassifier> found) {
+    int last = path.size() - 1;
+    if (endsWith(candidate, path.subList(0, last))) {
+      EClassifier classifier = EcoreForeignMethods.getEClassifier(candidate, path.get(last));
+      if (classifier != null) {
+        found.add(classifier);
+      }
+    }
+  }
+
+  private static boolean endsWith(EPackage candidate, List<String> path) {
+    EPackage each = candidate;
+    for (int i = path.size() - 1; i >= 0; i--) {
+      if (each == null || !EcoreForeignMethods.isNamed(path.get(i), each)) {
+        return false;
+      }
+      each = each.getESuperPackage();
+    }
+    return true;
+  }
+}

@@ -1,0 +1,30 @@
+package dev.eventchain.ocl;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceText;
+import java.util.List;
+
+/** Warns of string literals that do not mean what they seem to. */
+final class StringLiterals {
+
+  private StringLiterals() {}
+
+  /** Looks for two literals without a space between: {@code 'it''s'} is {@code its}. */
+  static void check(SourceText source, int start, int end, List<Diagnostic> problems) {
+    String text = source.text();
+    int i = start;
+    while (i < end) {
+      int next = Lexer.end(text, i, end);
+      boolean literal = text.charAt(i) == '\'' && next - i > 1;
+      if (literal && next < end && text.charAt(next) == '\'') {
+        problems.add(
+            Diagnostic.warning(
+                    "ocl.string.quote",
+                    "Two quotes do not make a quote: the two strings are joined.",
+                    source.at(next - 1))
+                .withHint("Write \\' for a quote inside a string."));
+      }
+      i = next;
+    }
+  }
+}

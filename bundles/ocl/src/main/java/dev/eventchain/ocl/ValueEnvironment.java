@@ -1,0 +1,163 @@
+package dev.eventchain.ocl;
+
+import java.lang.reflect.InvocationTargetException;
+import java.util.Collection;
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import org.eclipse.emf.common.util.ECollections;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EOperation;
+import org.eclipse.emf.ecore.EStructuralFeature;
+import org.eclipse.emf.ecore.ETypedElement;
+import org.eclipse.ocl.EvaluationEnvironment;
+import org.eclipse.ocl.ecore.CollectionType;
+import org.eclipse.ocl.ecore.EcoreEvaluationEnvironment;
+import org.eclipse.ocl.expressions.CollectionKind;
+
+/**
+ * The variables and the access to the model while an expression is evaluated. Differs from what it
+ * extends in that a variable may hide another of the same name, that collections keep their order,
+ * that the kind of each feature is found out once, and that operations of objects without generated
+ * code are called, too.
+ */
+final class ValueEnvironment extends EcoreEvaluationEnvironment {
+
+  private final OclEnvironmentFactory factory;
+  private final Evaluation run;
+  private final ValueStack values;
+
+  ValueEnvironment(OclEnvironmentFactory factory, Evaluation run) {
+    super(factory);
+    this.factory = factory;
+    this.run = run;
+    this.values = run.values();
+  }
+
+  /** The variables of a definition's body, which sees none of its caller's. */
+  ValueEnvironment(
+      EvaluationEnvironment<EClassifier, EOperation, EStructuralFeature, EClass, EObject> parent) {
+    super(parent);
+    ValueEnvironment caller = (ValueEnvironment) parent;
+    this.factory = caller.factory;
+    this.run = caller.run;
+    this.values = new ValueStack();
+  }
+
+  Evaluation run() {
+    return run;
+  }
+
+  @Override
+  public Object getValueOf(String name) {
+    return values.get(name);
+  }
+
+  @Override
+  public void replace(String name, Object value) {
+    values.replace(name, value);
+  }
+
+  @Override
+  public void add(String name, Object value) {
+    values.push(name, value);
+  }
+
+  @Override
+  public Object remove(String name) {
+    return values.remove(name);
+  }
+
+  @Override
+  public void clear() {
+    values.truncate(0);
+  }
+
+  @Override
+  public String toString() {
+    return "values of " + values.size() + " variables";
+  }
+
+  @Override
+  public Map<EClass, Set<EObject>> createExtentMap(Object object) {
+    return run.extents();
+  }
+
+  @Override
+  public Object navigateProperty(
+      EStructuralFeature property, java.util.List<?> qualifiers, Object target) {
+    if (target instanceof EObject object
+        && object.eClass().getFeatureID(property) >= 0
+        && !(property.getEType() instanceof org.eclipse.ocl.ecore.VoidType)) {
+      return coerceValue(property, object.eGet(property), true);
+    }
+    return super.navigateProperty(property, qualifiers, target);
+  }
+
+  /** Makes of what Java returns the collection that the type says, or the single value. */
+  @Override
+  protected Object coerceValue(ETypedElement element, Object value, boolean copy) {
+    CollectionKind kind = factory.kindOf(element);
+    if (kind == null) {
+      if (!(value instanceof Collection<?> collection)) {
+        return value;
+      }
+      return collection.isEmpty() ? null : collection.iterator().next();
+    } else if (value instanceof Collection<?> elements) {
+      return CollectionOperations.create(kind, elements);
+    }
+    Collection<Object> single = CollectionOperations.create(kind);
+    single.add(value);
+    return single;
+  }
+
+  /** Calls an operation of the metamodel. */
+  @Override
+  public Object callOperation(EOperation operation, int opcode, Object source, Object[] args) {
+    if (source instanceof EObject object && declares(object, operation)) {
+      try {
+        Object result = object.eInvoke(operation, ECollections.asEList(args));
+        return coerceValue(operation, result, true);
+      } catch (InvocationTargetException | UnsupportedOperationException e) {
+        if (operation.getEContainingClass().getInstanceClass() == null) {
+          throw new IllegalStateException(
+              "the operation '" + operation.getName() + "' has no implementation", e);
+        }
+      }
+    }
+    try {
+      return super.callOperation(operation, opcode, source, args);
+    } catch (IllegalArgumentException e) {
+      run.note("it cannot be called");
+      throw e;
+    }
+  }
+
+  private static boolean declares(EObject object, EOperation operation) {
+    return operation.getEContainingClass() != null
+        && object.eClass().getOperationID(operation) >= 0;
+  }
+
+  /** Which kind of collection a typed element holds, found out once for each. */
+  static final class Kinds {
+    private static final Object NONE = new Object();
+    private final Map<ETypedElement, Object> kinds = new ConcurrentHashMap<>();
+    private final java.util.function.Function<ETypedElement, EClassifier> typeOf;
+
+    Kinds(java.util.function.Function<ETypedElement, EClassifier> typeOf) {
+      this.typeOf = typeOf;
+    }
+
+    /** The kind of collection; {@code null} for a single value. */
+    CollectionKind of(ETypedElement element) {
+      Object known = kinds.get(element);
+      if (known == null) {
+        known = typeOf.apply(element) instanceof CollectionType type ? type.getKind() : NONE;
+        kinds.put(element, known);
+      }
+      return known == NONE ? null : (CollectionKind) known;
+    }
+  }
+}

@@ -1,0 +1,74 @@
+package dev.eventchain.ocl;
+
+import java.util.Arrays;
+
+/** Names and their values; the latest value of a name hides the earlier ones. */
+final class ValueStack {
+
+  private String[] names = new String[16];
+  private Object[] values = new Object[16];
+  private int size;
+
+  int size() {
+    return size;
+  }
+
+  void push(String name, Object value) {
+    if (size == names.length) {
+      names = Arrays.copyOf(names, size * 2);
+      values = Arrays.copyOf(values, size * 2);
+    }
+    names[size] = name;
+    values[size++] = value;
+  }
+
+  /** The latest value of a name; {@code null} if it has none. */
+  Object get(String name) {
+    int index = find(name);
+    return index < 0 ? null : values[index];
+  }
+
+  /** Replaces the latest value of a name, or gives it its first one. */
+  void replace(String name, Object value) {
+    int index = find(name);
+    if (index < 0) {
+      push(name, value);
+    } else {
+      values[index] = value;
+    }
+  }
+
+  /** Removes the latest value of a name and returns it. */
+  Object remove(String name) {
+    int index = find(name);
+    if (index < 0) {
+      return null;
+    }
+    Object removed = values[index];
+    int after = size - index - 1;
+    System.arraycopy(names, index + 1, names, index, after);
+    System.arraycopy(values, index + 1, values, index, after);
+    size--;
+    names[size] = null;
+    values[size] = null;
+    return removed;
+  }
+
+  /** Forgets everything above a height that {@link #size()} gave. */
+  void truncate(int height) {
+    while (size > height) {
+      size--;
+      names[size] = null;
+      values[size] = null;
+    }
+  }
+
+  private int find(String name) {
+    for (int i = size - 1; i >= 0; i--) {
+      if (names[i].equals(name)) {
+        return i;
+      }
+    }
+    return -1;
+  }
+}

@@ -1,0 +1,74 @@
+package dev.eventchain.ocl;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.Map;
+import org.eclipse.emf.common.util.URI;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EcorePackage;
+import org.eclipse.emf.ecore.resource.Resource;
+import org.eclipse.emf.ecore.resource.ResourceSet;
+import org.eclipse.emf.ecore.resource.impl.ResourceSetImpl;
+import org.eclipse.emf.ecore.xmi.impl.EcoreResourceFactoryImpl;
+import org.eclipse.emf.ecore.xmi.impl.XMIResourceFactoryImpl;
+
+/** Reads the metamodels and models of the tests, in a resource set of their own. */
+final class TestModels {
+
+  private final Path folder;
+  private final ResourceSet metamodels = newResourceSet();
+  private final ResourceSet models = newResourceSet();
+
+  /** The files of {@code src/test/resources/metamodels/NAME}. */
+  TestModels(String name) {
+    this(Path.of("src", "test", "resources", "metamodels", name));
+  }
+
+  TestModels(Path folder) {
+    this.folder = folder;
+  }
+
+  private static ResourceSet newResourceSet() {
+    ResourceSet resourceSet = new ResourceSetImpl();
+    Map<String, Object> factories =
+        resourceSet.getResourceFactoryRegistry().getExtensionToFactoryMap();
+    factories.put("ecore", new EcoreResourceFactoryImpl());
+    factories.put("xmi", new XMIResourceFactoryImpl());
+    resourceSet.getPackageRegistry().put(EcorePackage.eNS_URI, EcorePackage.eINSTANCE);
+    return resourceSet;
+  }
+
+  /** The metamodel in {@code metamodel.ecore}. */
+  EPackage metamodel() {
+    return metamodel(folder.resolve("metamodel.ecore"));
+  }
+
+  EPackage metamodel(Path file) {
+    EPackage metamodel = (EPackage) read(metamodels, file);
+    register(metamodel);
+    return metamodel;
+  }
+
+  private void register(EPackage metamodel) {
+    models.getPackageRegistry().put(metamodel.getNsURI(), metamodel);
+    metamodel.getESubpackages().forEach(this::register);
+  }
+
+  /** The root of a model file in the folder. */
+  EObject load(String file) {
+    return read(models, folder.resolve(file));
+  }
+
+  private static EObject read(ResourceSet resourceSet, Path file) {
+    Resource resource =
+        resourceSet.createResource(URI.createFileURI(file.toAbsolutePath().toString()));
+    try {
+      resource.load(Map.of());
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    return resource.getContents().get(0);
+  }
+}
