@@ -2,9 +2,9 @@
 
     python3 environment.py [--development] [--print-executable | --run ARGUMENT...]
 
-The environment is a virtual environment in ``${XDG_CACHE_HOME:-~/.cache}/eventchain/python-<key>``. The key covers the
-pinned requirements beside this file and the Python that runs, so a change of either builds a new one and leaves the old
-one to its users. Two first runs at once build it once: the builder holds a lock, and the completion marker is written
+The environment is a virtual environment in ``${XDG_CACHE_HOME:-~/.cache}/eventchain/python-<key>``. The key covers this
+file, the pinned requirements beside it and the Python that runs, so a change of these builds a new one and leaves the
+old one to its users. Two first runs at once build it once: the builder holds a lock, and the completion marker is written
 last, so a half-made environment is never used and is rebuilt.
 
 ``--development`` adds the tools of the build (ruff, mypy, pytest), in an environment of its own.
@@ -21,7 +21,6 @@ from __future__ import annotations
 import argparse
 import fcntl
 import hashlib
-import json
 import os
 import platform
 import shutil
@@ -33,7 +32,7 @@ from typing import NoReturn
 MINIMUM = (3, 10)
 NEWER_NAMES = ("python3.13", "python3.12", "python3.11", "python3.10", "python3.14")
 UNAVAILABLE = 3
-MARKER = "complete.json"
+MARKER = "complete.txt"
 HERE = Path(__file__).resolve().parent
 # Settings that would make pip or Python look or install elsewhere than in the new environment.
 FOREIGN_SETTINGS = (
@@ -148,7 +147,7 @@ def key(requirements: list[Path]) -> str:
     base = os.path.realpath(getattr(sys, "_base_executable", sys.executable))
     for part in (platform.python_implementation(), platform.python_version(), platform.machine(), base):
         digest.update(part.encode() + b"\0")
-    for file in requirements:
+    for file in (HERE / "environment.py", *requirements):
         digest.update(file.read_bytes() + b"\0")
     return digest.hexdigest()[:12]
 
@@ -205,9 +204,9 @@ def create(folder: Path, requirements: list[Path]) -> None:
         "the Python packages cannot be installed",
         "allow network access once, or point pip to a mirror with PIP_INDEX_URL or PIP_FIND_LINKS",
     )
-    facts = {"python": platform.python_version(), "executable": str(executable_of(folder))}
+    facts = (("version", platform.python_version()), ("prefix", sys.base_prefix), ("libraries", sys.base_exec_prefix))
     unfinished = folder / (MARKER + ".new")
-    unfinished.write_text(json.dumps(facts, indent=2) + "\n", encoding="utf-8")
+    unfinished.write_text("".join("%s=%s\n" % fact for fact in facts), encoding="utf-8")
     os.replace(unfinished, folder / MARKER)
 
 

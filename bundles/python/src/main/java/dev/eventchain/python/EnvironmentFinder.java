@@ -1,0 +1,210 @@
+package dev.eventchain.python;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.security.MessageDigest;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+
+/**
+ * Finds the environment that {@code environment.py} makes. Which environment belongs to which
+ * Python is remembered in the cache, so that usually no Python has to be started to find it.
+ */
+final class EnvironmentFinder {
+
+  private static final String RESOURCES = "dev/eventchain/python";
+  private static final List<String> CONTENT = List.of("environment.py", "requirements.txt");
+  private static final List<String> NAMES =
+      List.of("python3", "python3.13", "python3.12", "python3.11", "python3.10", "python3.14");
+  private static final String MARKER = "complete.txt";
+
+  private final Map<String, String> settings;
+  private final Consumer<String> progress;
+
+  EnvironmentFinder(Map<String, String> settings, Consumer<String> progress) {
+    this.settings = settings;
+    this.progress = progress;
+  }
+
+  PythonEnvironment find() {
+    Path python = python();
+    Path remembered = CacheFolder.of(settings).resolve("python-of-" + key(python));
+    return recall(remembered).orElseGet(() -> create(python, remembered));
+  }
+
+  private Path python() {
+    String chosen = settings.getOrDefault("EVENTCHAIN_PYTHON", "");
+    List<String> names = chosen.isEmpty() ? NAMES : List.of(chosen);
+    for (String name : names) {
+      for (String folder : settings.getOrDefault("PATH", "").split(":", -1)) {
+        Path candidate = Path.of(folder).resolve(name);
+        if (Files.isRegularFile(candidate) && Files.isExecutable(candidate)) {
+          return candidate.toAbsolutePath();
+        }
+      }
+    }
+    if (!chosen.isEmpty()) {
+      throw unavailable(
+          "EVENTCHAIN_PYTHON names " + chosen + ", which is not an executable file.",
+          "Set it to a Python 3.10 or newer, or unset it to use python3 of the PATH.");
+    }
+    throw unavailable(
+        "There is no python3 on the PATH.",
+        "Install Python 3.10 or newer, or set EVENTCHAIN_PYTHON to one.");
+  }
+
+  /** Changes when the pins or the installed Python change. */
+  private String key(Path python) {
+    MessageDigest digest = Digests.sha256();
+    try {
+      for (String name : CONTENT) {
+        try (InputStream input = getClass().getResourceAsStream(name)) {
+          digest.update(input.readAllBytes());
+        }
+      }
+      Path real = python.toRealPath();
+      String facts =
+          String.join(
+              "\0",
+              python.toString(),
+              real.toString(),
+              Long.toString(Files.size(real)),
+              Files.getLastModifiedTime(real).toString(),
+              settings.getOrDefault("PYENV_VERSION", ""));
+      digest.update(facts.getBytes(StandardCharsets.UTF_8));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    return Digests.key(digest);
+  }
+
+  private static Optional<PythonEnvironment> recall(Path remembered) {
+    try {
+      return Optional.of(open(Path.of(Files.readString(remembered).strip())));
+    } catch (IOException e) {
+      return Optional.empty();
+    }
+  }
+
+  private static PythonEnvironment open(Path folder) throws IOException {
+    Path executable = folder.resolve("bin/python");
+    String version = "";
+    Set<Path> installation = new LinkedHashSet<>();
+    for (String line : Files.readAllLines(folder.resolve(MARKER))) {
+      String value = line.substring(line.indexOf('=') + 1);
+      if (line.startsWith("version=")) {
+        version = value;
+      } else {
+        installation.add(Path.of(value));
+      }
+    }
+    if (!Files.isExecutable(executable)) {
+      throw new IOException("the Python below the environment is gone");
+    }
+    installation.add(folder);
+    installation.addAll(links(executable));
+    return new PythonEnvironment(folder, version, List.copyOf(installation));
+  }
+
+  /** The symbolic links between the environment's Python and the file that is run. */
+  private static List<Path> links(Path executable) throws IOException {
+    List<Path> links = new ArrayList<>();
+    Path current = executable;
+    while (Files.isSymbolicLink(current)) {
+      current = current.resolveSibling(Files.readSymbolicLink(current)).normalize();
+      links.add(current);
+    }
+    return links;
+  }
+
+  private PythonEnvironment create(Path python, Path remembered) {
+    Path script =
+        PythonSources.unpack(getClass().getClassLoader(), RESOURCES).resolve(CONTENT.get(0));
+    Path executable = Path.of(run(python, script));
+    try {
+      PythonEnvironment found = open(executable.getParent().getParent());
+      remember(remembered, executable.getParent().getParent());
+      return found;
+    } catch (IOException e) {
+      throw unavailable("The Python environment cannot be read: " + e, "Remove " + executable);
+    }
+  }
+
+  private static void remember(Path remembered, Path folder) throws IOException {
+    Path unfinished = Files.createTempFile(remembered.getParent(), "python-of-", ".new");
+    Files.writeString(unfinished, folder + "\n");
+    Files.move(unfinished, remembered, StandardCopyOption.ATOMIC_MOVE);
+  }
+
+  private String run(Path python, Path script) {
+    ProcessBuilder builder =
+        new ProcessBuilder(python.toString(), script.toString(), "--print-executable");
+    builder.environment().clear();
+    builder.environment().putAll(settings);
+    builder.redirectErrorStream(true);
+    Answer answer = new Answer();
+    int exitCode;
+    try {
+      Process process = builder.start();
+      process.getOutputStream().close();
+      try (BufferedReader lines = process.inputReader(StandardCharsets.UTF_8)) {
+        lines.lines().forEach(answer::take);
+      }
+      exitCode = process.waitFor();
+    } catch (IOException | UncheckedIOException e) {
+      throw unavailable(
+          python + " cannot be started: " + e.getMessage(), "Check EVENTCHAIN_PYTHON.");
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw unavailable("Creating the Python environment was interrupted.", "");
+    }
+    if (exitCode != 0) {
+      throw unavailable(answer.problem(exitCode), answer.hint);
+    }
+    return answer.last;
+  }
+
+  /** What {@code environment.py} says: progress, problem and hint, and at last the executable. */
+  private final class Answer {
+    private String error = "";
+    private String hint = "";
+    private String last = "";
+
+    private void take(String line) {
+      if (line.startsWith("error: ")) {
+        error = line.substring("error: ".length());
+      } else if (line.startsWith("hint: ")) {
+        hint = line.substring("hint: ".length());
+      } else if (line.startsWith("/")) {
+        last = line;
+      } else {
+        last = line;
+        progress.accept(line);
+      }
+    }
+
+    private String problem(int exitCode) {
+      return error.isEmpty() ? "environment.py ended with " + exitCode + ": " + last : error;
+    }
+  }
+
+  private static DiagnosticException unavailable(String message, String hint) {
+    return new DiagnosticException(
+        DiagnosticException.Reason.UNAVAILABLE,
+        Diagnostic.error("python.unavailable", message, SourceLocation.NONE).withHint(hint));
+  }
+}

@@ -1,0 +1,53 @@
+package dev.eventchain.python;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.function.Consumer;
+
+/**
+ * Eventchain's own Python: a virtual environment with pinned packages (NumPy, rosbags), in the
+ * user's cache, built on the Python 3.10 or newer of this machine.
+ */
+public final class PythonEnvironment {
+
+  private final Path folder;
+  private final String version;
+  private final List<Path> installation;
+
+  PythonEnvironment(Path folder, String version, List<Path> installation) {
+    this.folder = folder;
+    this.version = version;
+    this.installation = List.copyOf(installation);
+  }
+
+  /**
+   * Finds the environment, and creates it if it is not there yet (about ten seconds and the network
+   * once; a few milliseconds after that). Safe when several processes do it at once.
+   *
+   * <p>The Python to build on is {@code EVENTCHAIN_PYTHON} if that is set, else {@code python3} of
+   * the {@code PATH}.
+   *
+   * @param progress gets lines for people while the environment is made
+   * @throws dev.eventchain.diagnostics.DiagnosticException {@code python.unavailable} with the
+   *     reason UNAVAILABLE: there is no Python 3.10 or newer, it lacks its venv module, the
+   *     packages cannot be had, or the cache cannot be written
+   */
+  public static PythonEnvironment ensure(Consumer<String> progress) {
+    return new EnvironmentFinder(System.getenv(), progress).find();
+  }
+
+  /** The Python of the environment. */
+  public Path executable() {
+    return folder.resolve("bin").resolve("python");
+  }
+
+  /** The version of Python, such as {@code 3.11.7}. */
+  public String version() {
+    return version;
+  }
+
+  /** What a process has to be able to read to run this Python, besides the system's libraries. */
+  List<Path> installation() {
+    return installation;
+  }
+}

@@ -1,0 +1,147 @@
+package dev.eventchain.python;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+
+class ConfinedProcessTest {
+
+  @TempDir Path folder;
+
+  @ParameterizedTest
+  @EnumSource(Confinement.class)
+  void programReadsItsPathsWritesItsFolderAndUsesNumPy(Confinement confinement) throws IOException {
+    Path data = Files.writeString(folder.resolve("data.txt"), "7");
+    String output =
+        run(
+            confinement,
+            """
+            import os, pathlib, sys, tempfile, threading
+            import numpy
+            from helper import twice
+            value = twice(int(numpy.sum(numpy.array([int(open(sys.argv[1]).read())]))))
+            pathlib.Path("result.txt").write_text(str(value))
+            pathlib.Path("folder").mkdir()
+            with tempfile.TemporaryFile() as file:
+                file.write(b"x")
+            thread = threading.Thread(target=lambda: print(value))
+            thread.start()
+            thread.join()
+            print(os.getcwd() == str(pathlib.Path.home()), sys.stdin.read())
+            """,
+            data);
+    assertEquals("14\nTrue hello\n", output);
+    assertEquals("14", Files.readString(folder.resolve("work/result.txt")));
+    assertTrue(Files.isDirectory(folder.resolve("work/folder")));
+  }
+
+  private String run(Confinement confinement, String program, Path data) throws IOException {
+    Path script = Files.writeString(folder.resolve("program.py"), program);
+    Path library = Files.createDirectory(folder.resolve("library"));
+    Files.writeString(library.resolve("helper.py"), "def twice(x):\n    return 2 * x\n");
+    try (ConfinedProcess process =
+        ConfinedProcess.on(TestEnvironment.PYTHON)
+            .script(script)
+            .arguments(data.toString())
+            .readable(data)
+            .pythonPath(library)
+            .workFolder(Files.createDirectory(folder.resolve("work")))
+            .confinement(confinement)
+            .start()) {
+      process.stdin().write("hello".getBytes(StandardCharsets.UTF_8));
+      process.stdin().close();
+      String output = new String(process.stdout().readAllBytes(), StandardCharsets.UTF_8);
+      assertEquals(
+          new ConfinedProcess.Termination(ConfinedProcess.Cause.EXITED, 0),
+          process.await(),
+          process.standardError());
+      return output;
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource(Confinement.class)
+  void processorTimeIsLimited(Confinement confinement) throws IOException {
+    ConfinedProcess.Limits limits =
+        new ConfinedProcess.Limits(Duration.ofSeconds(20), Duration.ofSeconds(1), 256);
+    try (ConfinedProcess process = start(confinement, "while True: pass", limits)) {
+      assertEquals(ConfinedProcess.Cause.CPU_TIME, process.await().cause());
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource(Confinement.class)
+  void exitCodeAndErrorOutputAreReported(Confinement confinement) throws IOException {
+    String program = "import sys; print('broken', file=sys.stderr); sys.exit(42)";
+    try (ConfinedProcess process = start(confinement, program, standard())) {
+      assertEquals(42, process.await().exitCode());
+      assertEquals("broken\n", process.standardError());
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource(Confinement.class)
+  void closingEndsTheProcess(Confinement confinement) throws IOException {
+    ConfinedProcess process = start(confinement, "import time; time.sleep(60)", standard());
+    process.close();
+    assertFalse(process.isAlive());
+    assertEquals(ConfinedProcess.Cause.CLOSED, process.await().cause());
+  }
+
+  @ParameterizedTest
+  @EnumSource(Confinement.class)
+  void processSurvivesTheThreadThatStartedIt(Confinement confinement) throws Exception {
+    var process = new java.util.concurrent.atomic.AtomicReference<ConfinedProcess>();
+    Thread starter =
+        new Thread(() -> process.set(startUnchecked(confinement, "input(); print('still here')")));
+    starter.start();
+    starter.join();
+    try (ConfinedProcess running = process.get()) {
+      running.stdin().write('\n');
+      running.stdin().close();
+      byte[] output = running.stdout().readAllBytes();
+      assertEquals("still here\n", new String(output, StandardCharsets.UTF_8));
+    }
+  }
+
+  private ConfinedProcess startUnchecked(Confinement confinement, String program) {
+    try {
+      return start(confinement, program, standard());
+    } catch (IOException e) {
+      throw new java.io.UncheckedIOException(e);
+    }
+  }
+
+  @Test
+  void bubblewrapIsNotUsedWhenForbiddenOrAbsent() {
+    var forced =
+        java.util.Map.of("PATH", System.getenv("PATH"), "EVENTCHAIN_CONFINEMENT", "audit-hooks");
+    assertEquals(Confinement.AUDIT_HOOKS, Confinement.detect(forced));
+    assertEquals(Confinement.AUDIT_HOOKS, Confinement.detect(java.util.Map.of("PATH", "/nowhere")));
+  }
+
+  private static ConfinedProcess.Limits standard() {
+    return new ConfinedProcess.Limits(Duration.ofSeconds(20), Duration.ofSeconds(10), 256);
+  }
+
+  private ConfinedProcess start(
+      Confinement confinement, String program, ConfinedProcess.Limits limits) throws IOException {
+    Path script = Files.writeString(folder.resolve("program.py"), program);
+    return ConfinedProcess.on(TestEnvironment.PYTHON)
+        .script(script)
+        .workFolder(Files.createDirectories(folder.resolve("work")))
+        .limits(limits)
+        .confinement(confinement)
+        .start();
+  }
+}

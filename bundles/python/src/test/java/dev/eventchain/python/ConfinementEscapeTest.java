@@ -1,0 +1,139 @@
+package dev.eventchain.python;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * Each file of {@code escapes} tries one thing; it got out if it says ESCAPED or changed the folder
+ * that it is given.
+ */
+class ConfinementEscapeTest {
+
+  private static final Path ESCAPES = Path.of("src/test/resources/escapes");
+  private static final Path BOMBS = Path.of("src/test/resources/bombs");
+  private static final ConfinedProcess.Limits LIMITS =
+      new ConfinedProcess.Limits(Duration.ofSeconds(20), Duration.ofSeconds(10), 512);
+
+  /** What holds the process; the last is only what audit hooks do on a kernel that does nothing. */
+  private enum Layer {
+    BUBBLEWRAP,
+    AUDIT_HOOKS,
+    AUDIT_HOOKS_ALONE
+  }
+
+  @TempDir Path folder;
+
+  static Stream<Arguments> escapes() throws IOException {
+    return combine(ESCAPES, layers());
+  }
+
+  static Stream<Arguments> bombs() throws IOException {
+    return combine(BOMBS, layers());
+  }
+
+  /** Bubblewrap's tests need bubblewrap; where it does not work the product does not use it. */
+  private static List<Layer> layers() {
+    boolean bubblewrap = Confinement.detect(System.getenv()) == Confinement.BUBBLEWRAP;
+    return bubblewrap
+        ? List.of(Layer.values())
+        : List.of(Layer.AUDIT_HOOKS, Layer.AUDIT_HOOKS_ALONE);
+  }
+
+  private static Stream<Arguments> combine(Path programs, List<Layer> layers) throws IOException {
+    List<Arguments> cases = new ArrayList<>();
+    try (Stream<Path> files = Files.list(programs)) {
+      for (Path program : files.sorted().toList()) {
+        boolean hooksFail = Files.readString(program).startsWith("# audit-hooks-alone: escapes");
+        for (Layer layer : layers) {
+          if (layer != Layer.AUDIT_HOOKS_ALONE || !hooksFail) {
+            cases.add(Arguments.of(program.getFileName().toString(), layer));
+          }
+        }
+      }
+    }
+    return cases.stream();
+  }
+
+  @ParameterizedTest(name = "{0} in {1}")
+  @MethodSource("escapes")
+  void attemptIsRefused(String program, Layer layer) throws IOException {
+    Path outside = outside();
+    Map<String, String> before = state(outside);
+    String output;
+    try (ConfinedProcess process =
+        builder(ESCAPES.resolve(program), layer)
+            .arguments(outside.toString())
+            .limits(LIMITS)
+            .start()) {
+      output = new String(process.stdout().readAllBytes(), StandardCharsets.UTF_8);
+      assertEquals(ConfinedProcess.Cause.EXITED, process.await().cause());
+      assertFalse(output.contains("ESCAPED"), output);
+      assertTrue(started(process), process.standardError());
+    }
+    assertEquals(before, state(outside));
+  }
+
+  /** An attempt that failed in the harness, before it began, would prove nothing. */
+  private static boolean started(ConfinedProcess process) {
+    String error = process.standardError();
+    return error.isEmpty() || error.contains("resources/escapes/");
+  }
+
+  @ParameterizedTest(name = "{0} in {1}")
+  @MethodSource("bombs")
+  void bombIsEndedWithinItsTime(String program, Layer layer) throws IOException {
+    ConfinedProcess.Limits limits =
+        new ConfinedProcess.Limits(Duration.ofMillis(1500), Duration.ofSeconds(60), 256);
+    long start = System.nanoTime();
+    try (ConfinedProcess process = builder(BOMBS.resolve(program), layer).limits(limits).start()) {
+      ConfinedProcess.Termination end = process.await();
+      assertEquals(ConfinedProcess.Cause.WALL_TIME, end.cause(), process.standardError());
+      assertTrue(process.standardError().length() < 70_000);
+    }
+    assertTrue(Duration.ofNanos(System.nanoTime() - start).toSeconds() < 10);
+  }
+
+  private ConfinedProcess.Builder builder(Path program, Layer layer) throws IOException {
+    ConfinedProcess.Builder builder =
+        ConfinedProcess.on(TestEnvironment.PYTHON)
+            .script(program)
+            .workFolder(Files.createDirectory(folder.resolve("work")))
+            .confinement(
+                layer == Layer.BUBBLEWRAP ? Confinement.BUBBLEWRAP : Confinement.AUDIT_HOOKS);
+    return layer == Layer.AUDIT_HOOKS_ALONE ? builder.withoutKernel() : builder;
+  }
+
+  private Path outside() throws IOException {
+    Path outside = Files.createDirectory(folder.resolve("outside"));
+    Files.writeString(outside.resolve("canary.txt"), "alive");
+    return outside;
+  }
+
+  private static Map<String, String> state(Path outside) throws IOException {
+    Map<String, String> state = new java.util.TreeMap<>();
+    try (Stream<Path> files = Files.list(outside)) {
+      for (Path file : files.toList()) {
+        String mode = PosixFilePermissions.toString(Files.getPosixFilePermissions(file));
+        String content = Files.isRegularFile(file) ? Files.readString(file) : "no regular file";
+        state.put(file.getFileName().toString(), mode + " " + content);
+      }
+    }
+    return state;
+  }
+}

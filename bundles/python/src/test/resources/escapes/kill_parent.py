@@ -1,0 +1,3 @@
+import os, signal
+os.kill(os.getppid(), 0)
+print("ESCAPED")

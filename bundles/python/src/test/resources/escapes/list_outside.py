@@ -1,0 +1,2 @@
+import os, sys
+print("ESCAPED", os.listdir(sys.argv[1]))

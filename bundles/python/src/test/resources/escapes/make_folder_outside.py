@@ -1,0 +1,2 @@
+import os, sys
+os.mkdir(sys.argv[1] + "/written")

@@ -1,0 +1,2 @@
+import os, sys
+os.mkfifo(sys.argv[1] + "/written")

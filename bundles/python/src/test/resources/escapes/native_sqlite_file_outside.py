@@ -1,0 +1,2 @@
+import apsw, sys
+apsw.Connection(sys.argv[1] + "/written").execute("create table t (x)")

@@ -1,0 +1,2 @@
+memory = open("/proc/self/mem", "r+b", buffering=0)
+print("ESCAPED")

@@ -1,0 +1,2 @@
+import sys
+print("ESCAPED", open(sys.argv[1] + "/canary.txt").read())

@@ -1,0 +1,9 @@
+import sys
+for name in list(sys.modules):
+    if "ctypes" in name:
+        del sys.modules[name]
+import importlib.machinery, importlib.util, os
+path = [p for p in sys.path if p.endswith("lib-dynload")][0]
+file = [n for n in os.listdir(path) if n.startswith("_ctypes.")][0]
+spec = importlib.util.spec_from_file_location("_ctypes", f"{path}/{file}")
+print("ESCAPED", importlib.util.module_from_spec(spec).dlopen)

@@ -1,0 +1,2 @@
+import os, sys
+os.remove(sys.argv[1] + "/canary.txt")

@@ -1,0 +1,3 @@
+import os, sys
+open("mine", "w").write("x")
+os.rename("mine", sys.argv[1] + "/written")

@@ -1,0 +1,4 @@
+import sqlite3, sys
+database = sqlite3.connect(sys.argv[1] + "/written")
+database.execute("create table t (x)")
+database.commit()

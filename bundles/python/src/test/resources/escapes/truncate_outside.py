@@ -1,0 +1,2 @@
+import os, sys
+os.truncate(sys.argv[1] + "/canary.txt", 0)

@@ -1,0 +1,3 @@
+import os, sys
+os.chdir(sys.argv[1])
+open("written", "w").write("x")

@@ -1,0 +1,3 @@
+import sys
+open(sys.argv[0], "a").write("#")
+print("ESCAPED")
