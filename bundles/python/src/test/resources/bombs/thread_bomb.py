@@ -2,5 +2,5 @@ import threading, time
 while True:
     try:
         threading.Thread(target=time.sleep, args=(60,), daemon=True).start()
-    except RuntimeError:
+    except (RuntimeError, MemoryError):
         pass

@@ -7,7 +7,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.TreeSet;
 
 /**
@@ -39,12 +41,26 @@ final class Bubblewrap {
             Comparator.comparingInt(Path::getNameCount).thenComparing(Comparator.naturalOrder()));
     ordered.addAll(readable);
     ordered.add(workFolder);
+    Set<Path> shown = new HashSet<>();
+    LIBRARIES.forEach(library -> shown.add(Path.of(library)));
     for (Path path : ordered) {
-      String kind = path.equals(workFolder) ? "--bind" : "--ro-bind-try";
-      line.addAll(List.of(kind, path.toString(), path.toString()));
+      boolean isWork = path.equals(workFolder);
+      Path around = nearest(path, shown);
+      if (isWork || around == null || around.equals(workFolder)) {
+        line.addAll(List.of(isWork ? "--bind" : "--ro-bind-try", path.toString(), path.toString()));
+        shown.add(path);
+      }
     }
     line.addAll(List.of("--remount-ro", "/", "--chdir", workFolder.toString(), "--"));
     return line;
+  }
+
+  private static Path nearest(Path path, Set<Path> shown) {
+    Path around = path;
+    while (around != null && !shown.contains(around)) {
+      around = around.getParent();
+    }
+    return around;
   }
 
   private static void show(List<String> line, Path path) {

@@ -12,7 +12,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.security.MessageDigest;
+import java.util.Collections;
 import java.util.Enumeration;
+import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.jar.JarEntry;
@@ -36,18 +38,36 @@ public final class PythonSources {
    * @throws IllegalArgumentException if there is no such folder
    */
   public static Path unpack(ClassLoader loader, String resourceRoot) {
-    URL root = loader.getResource(resourceRoot);
-    if (root == null) {
-      throw new IllegalArgumentException("no resource folder " + resourceRoot);
-    }
     try {
-      if (root.getProtocol().equals("file")) {
-        return Path.of(URI.create(root.toString()));
+      for (URL root : Collections.list(loader.getResources(resourceRoot))) {
+        Optional<Path> found = unpack(root, resourceRoot);
+        if (found.isPresent()) {
+          return found.get();
+        }
       }
-      return copy(contents((JarURLConnection) root.openConnection(), resourceRoot + "/"));
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
+    throw new IllegalArgumentException("no resource folder with Python files: " + resourceRoot);
+  }
+
+  /** Empty if the folder has no Python files, as that of a test's classes in the same package. */
+  private static Optional<Path> unpack(URL root, String resourceRoot) throws IOException {
+    if (root.getProtocol().equals("file")) {
+      Path folder = Path.of(URI.create(root.toString()));
+      try (Stream<Path> files = Files.walk(folder)) {
+        return files.anyMatch(file -> isPython(file.toString()))
+            ? Optional.of(folder)
+            : Optional.empty();
+      }
+    }
+    var files = contents((JarURLConnection) root.openConnection(), resourceRoot + "/");
+    boolean hasPython = files.keySet().stream().anyMatch(PythonSources::isPython);
+    return hasPython ? Optional.of(copy(files)) : Optional.empty();
+  }
+
+  private static boolean isPython(String file) {
+    return file.endsWith(".py");
   }
 
   private static SortedMap<String, byte[]> contents(JarURLConnection connection, String prefix)

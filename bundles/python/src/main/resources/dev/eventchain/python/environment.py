@@ -2,9 +2,9 @@
 
     python3 environment.py [--development] [--print-executable | --run ARGUMENT...]
 
-The environment is a virtual environment in ``${XDG_CACHE_HOME:-~/.cache}/eventchain/python-<key>``. The key covers this
-file, the pinned requirements beside it and the Python that runs, so a change of these builds a new one and leaves the
-old one to its users. Two first runs at once build it once: the builder holds a lock, and the completion marker is written
+The environment is a virtual environment in ``${XDG_CACHE_HOME:-~/.cache}/eventchain/python-<key>``. The key covers the
+pinned requirements beside this file and the Python that runs, so a change of either builds a new one and leaves the old
+one to its users. Two first runs at once build it once: the builder holds a lock, and the completion marker is written
 last, so a half-made environment is never used and is rebuilt.
 
 ``--development`` adds the tools of the build (ruff, mypy, pytest), in an environment of its own.
@@ -145,9 +145,9 @@ def key(requirements: list[Path]) -> str:
     """12 hexadecimal digits of everything the content of the environment depends on."""
     digest = hashlib.sha256()
     base = os.path.realpath(getattr(sys, "_base_executable", sys.executable))
-    for part in (platform.python_implementation(), platform.python_version(), platform.machine(), base):
+    for part in (MARKER, platform.python_implementation(), platform.python_version(), platform.machine(), base):
         digest.update(part.encode() + b"\0")
-    for file in (HERE / "environment.py", *requirements):
+    for file in requirements:
         digest.update(file.read_bytes() + b"\0")
     return digest.hexdigest()[:12]
 
