@@ -38,7 +38,8 @@ class HostProcess:
     def __exit__(self, *_: object) -> None:
         if self.process.poll() is None:
             self.process.kill()
-        self.process.communicate()
+        with self.process:
+            pass
 
     def send(self, kind: int, payload: bytes = b"") -> None:
         assert self.process.stdin is not None
@@ -60,10 +61,7 @@ class HostProcess:
 
     def step(self, until: int, *samples: tuple[int, bytes]) -> list[tuple[int, int, bytes]]:
         """Publish `(topic index, CDR bytes)` and let time pass; returns `(time, topic index, CDR bytes)`."""
-        parts = [struct.pack("<qH", until, len(samples))]
-        for index, data in samples:
-            parts += (struct.pack("<HI", index, len(data)), data)
-        self.send(STEP, b"".join(parts))
+        self.send(STEP, step_payload(until, *samples))
         return _samples(self.receive(STEPPED))
 
     def finish(self) -> Any:
@@ -74,6 +72,13 @@ class HostProcess:
         """End the input; returns exit code and standard error."""
         _, errors = self.process.communicate()
         return self.process.returncode, (errors or b"").decode()
+
+
+def step_payload(until: int, *samples: tuple[int, bytes]) -> bytes:
+    parts = [struct.pack("<qH", until, len(samples))]
+    for index, data in samples:
+        parts += (struct.pack("<HI", index, len(data)), data)
+    return b"".join(parts)
 
 
 def _samples(payload: bytes) -> list[tuple[int, int, bytes]]:

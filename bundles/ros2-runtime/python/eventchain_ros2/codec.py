@@ -122,7 +122,7 @@ class _Generator:
         size = _size(codes[0])
         values = [f"v{index}" for index in range(len(fields))]
         for field, code in zip(fields, codes, strict=True):
-            default = _ZEROS.get(code, 0) if field.default is None else _python_value(field.type.base, field.default)
+            default = _ZEROS.get(code, 0) if field.default is None else python_value(field.type.base, field.default)
             self._initialize.append(f"self.{field.name} = {default!r}")
         struct = self._name("struct", Struct("<" + codes))
         self._align(size)
@@ -271,9 +271,10 @@ class _Generator:
 
 def _list_default(field: Field, zero: object) -> str:
     if isinstance(field.default, list):
-        return repr([_python_value(field.type.base, value) for value in field.default])
+        return repr([python_value(field.type.base, value) for value in field.default])
     return f"[{zero!r}] * {field.type.size if field.type.kind == 'array' else 0}"
 
 
-def _python_value(base: str, value: Any) -> Any:
+def python_value(base: str, value: Any) -> Any:
+    """The value of a primitive as rclpy represents it: a byte is `bytes` of length 1."""
     return bytes((value,)) if base == "byte" else value

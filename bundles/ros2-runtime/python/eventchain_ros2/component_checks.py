@@ -7,6 +7,7 @@ finds on the node.
 from __future__ import annotations
 
 import inspect
+import linecache
 from array import array
 from math import isfinite
 from typing import Any
@@ -54,7 +55,9 @@ class CheckedComponent:
 
     def _error(self, kind: str, message: str) -> HostError:
         code = type(self._component).execute.__code__
-        return HostError(f"component.result.{kind}", message, code.co_filename, code.co_firstlineno)
+        line = linecache.getline(code.co_filename, code.co_firstlineno)
+        column = len(line) - len(line.lstrip()) + 1
+        return HostError(f"component.result.{kind}", message, code.co_filename, code.co_firstlineno, column)
 
 
 def check_component(node: Any, name: str, outputs: list[str] | None) -> None:

@@ -65,9 +65,10 @@ class Constant(NamedTuple):
 
 
 class Definition(NamedTuple):
-    """A message type; `name` is its full name (`std_msgs/msg/Header`)."""
+    """A message type; `name` is its full name (`std_msgs/msg/Header`), `file` where it is defined."""
 
     name: str
+    file: str
     fields: list[Field]
     constants: list[Constant]
 
@@ -79,7 +80,7 @@ def parse(name: str, text: str, file: str) -> Definition:
         MessageDefinitionError: the text is no message definition.
 
     """
-    definition = Definition(name, [], [])
+    definition = Definition(name, file, [], [])
     for number, line in enumerate(text.splitlines(), 1):
         code = line.partition("#")[0].strip()
         if code:

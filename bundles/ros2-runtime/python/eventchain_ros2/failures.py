@@ -25,6 +25,10 @@ class HostError(Exception):
         self.column = column
 
 
+class StepTimeout(BaseException):
+    """User code takes too long. Not an `Exception`, so that code which catches those does not catch this."""
+
+
 def describe(error: BaseException, node: str, folders: Iterable[str]) -> dict[str, Any]:
     """Describe an error as JSON object.
 
@@ -43,12 +47,13 @@ def describe(error: BaseException, node: str, folders: Iterable[str]) -> dict[st
     else:
         message = f"{type(error).__name__}: {error}".removesuffix(": ")
         file, line, column = _place(error, [str(Path(folder).resolve()) for folder in folders])
-        in_component = Path(file).parent.name == "components"
+        owner = "component" if Path(file).parent.name == "components" else "node"
         if isinstance(error, SyntaxError):
-            message = f"{type(error).__name__}: {error.msg}"
-            identifier = "component.syntax" if in_component else "node.syntax"
+            identifier, message = f"{owner}.syntax", f"{type(error).__name__}: {error.msg}"
+        elif isinstance(error, StepTimeout):
+            identifier, message = f"{owner}.timeout", str(error)
         else:
-            identifier = "component.raised" if in_component else "node.failed"
+            identifier = "component.raised" if owner == "component" else "node.failed"
     return {
         "id": identifier,
         "message": message,

@@ -13,6 +13,7 @@ import importlib
 import json
 import os
 import platform
+import signal
 import struct
 import sys
 from enum import IntEnum
@@ -22,7 +23,7 @@ from typing import Any, BinaryIO
 from eventchain_ros2 import context
 from eventchain_ros2.component_checks import check_component
 from eventchain_ros2.endpoints import Publisher, Subscription
-from eventchain_ros2.failures import HostError, describe
+from eventchain_ros2.failures import HostError, StepTimeout, describe
 from eventchain_ros2.messages import Messages
 from eventchain_ros2.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
 from eventchain_ros2.simulation import Process, Sample, Simulation
@@ -100,6 +101,7 @@ class Scenario:
 
     def __init__(self, configuration: dict[str, Any]) -> None:
         self._configuration = configuration
+        self.step_limit = float(configuration.get("step_limit_s", 0))  # of the host's time; 0: none
         self.folders: list[str] = list(configuration.get("path", []))
         self.simulation = Simulation()
         self._messages = Messages(Path(folder) for folder in configuration.get("messages", []))
@@ -212,15 +214,18 @@ class Host:
         self._channel = channel
         self._foreign_path = foreign_path
         self._scenario: Scenario | None = None
+        signal.signal(signal.SIGALRM, self._interrupt)
 
     def run(self) -> int:
         """Serve; the exit code is 1 after a FAILED frame."""
         try:
             while (frame := self._channel.read()) is not None:
                 self._answer(*frame)
+                signal.setitimer(signal.ITIMER_REAL, 0)
         except KeyboardInterrupt:
             return 130
         except BaseException as error:  # user code may raise anything, even SystemExit
+            signal.setitimer(signal.ITIMER_REAL, 0)
             folders = self._scenario.folders if self._scenario else []
             current = self._scenario.simulation.current if self._scenario else None
             self._channel.write_json(Kind.FAILED, describe(error, current.name if current else "", folders))
@@ -229,10 +234,13 @@ class Host:
 
     def _answer(self, kind: int, payload: memoryview) -> None:
         if kind == Kind.STEP and self._scenario is not None:
+            self._limit()
             self._channel.write(Kind.STEPPED, *self._scenario.step(payload))
         elif kind in (Kind.CONFIGURE, Kind.RESET):
             self._scenario = Scenario(json.loads(bytes(payload)))
+            self._limit()
             self._scenario.start(self._foreign_path)
+            gc.unfreeze()
             gc.collect()
             gc.freeze()  # what lives now lives until the end: keep it out of later collections
             self._channel.write_json(Kind.READY, self._scenario.ready())
@@ -240,6 +248,15 @@ class Host:
             self._channel.write_json(Kind.FINISHED, self._scenario.finished())
         else:
             raise HostError("protocol.frame", f"a frame of kind {kind} is not expected here")
+
+    def _limit(self) -> None:
+        """Interrupt user code that takes longer than the scenario allows for one answer."""
+        if self._scenario is not None and self._scenario.step_limit:
+            signal.setitimer(signal.ITIMER_REAL, self._scenario.step_limit)
+
+    def _interrupt(self, *_: object) -> None:
+        limit = self._scenario.step_limit if self._scenario else 0.0
+        raise StepTimeout(f"no answer within {limit:g} s: look for an endless loop or a wait")
 
 
 def main() -> int:

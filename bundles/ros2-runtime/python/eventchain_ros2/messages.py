@@ -16,7 +16,7 @@ from types import ModuleType
 from typing import Any, ClassVar
 
 from eventchain_ros2 import codec, validation
-from eventchain_ros2.definitions import Catalog, Definition, FieldType
+from eventchain_ros2.definitions import Catalog, Constant, Definition, FieldType, MessageDefinitionError
 
 ENCAPSULATION = b"\x00\x01\x00\x00"  # plain CDR, little endian
 
@@ -111,6 +111,7 @@ class Messages(MetaPathFinder, Loader):
     def __init__(self, folders: Iterable[Path] = ()) -> None:
         self._catalog = Catalog(folders)
         self._classes: dict[str, type] = {}
+        self._unfinished: list[str] = []
 
     def get(self, name: str) -> type:
         """The class of a message type, by its full name.
@@ -124,7 +125,11 @@ class Messages(MetaPathFinder, Loader):
             definition = self._catalog.find(name)
             if definition is None:
                 raise KeyError(name)
+            if name in self._unfinished:
+                raise MessageDefinitionError(f"{name} contains itself", definition.file, 0)
+            self._unfinished.append(name)
             self._classes[name] = self._make(definition)
+            self._unfinished.remove(name)
         return self._classes[name]
 
     def _make(self, definition: Definition) -> type:
@@ -185,8 +190,8 @@ class _MessageModule(ModuleType):
         return message_class
 
 
-def _constant(constant: Any) -> Any:
-    return bytes((constant.value,)) if constant.base == "byte" else constant.value
+def _constant(constant: Constant) -> Any:
+    return codec.python_value(constant.base, constant.value)
 
 
 def _equal(one: Any, other: Any) -> bool:

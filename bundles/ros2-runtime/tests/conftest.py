@@ -1,0 +1,34 @@
+"""What the tests share."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+FIXTURES = Path(__file__).with_name("fixtures")
+BUNDLE = Path(__file__).parents[1]
+sys.path[:0] = [str(BUNDLE / "python"), str(BUNDLE / "tools")]
+
+from eventchain_ros2 import context  # noqa: E402
+from eventchain_ros2.messages import Messages  # noqa: E402
+from eventchain_ros2.simulation import Simulation  # noqa: E402
+
+
+@pytest.fixture
+def messages() -> Messages:
+    """Importable message classes: the standard ones and those of the fixtures."""
+    messages = Messages([FIXTURES / "msg"])
+    messages.install()
+    return messages
+
+
+@pytest.fixture
+def simulation(messages: Messages) -> Iterator[Simulation]:
+    """The simulation that nodes of the test live in."""
+    simulation = Simulation()
+    context.enter(simulation)
+    yield simulation
+    simulation.running = False

@@ -1,0 +1,204 @@
+"""Message classes and the modules they are imported from."""
+
+from __future__ import annotations
+
+import copy
+import importlib
+import sys
+from array import array
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from eventchain_ros2.definitions import MessageDefinitionError
+from eventchain_ros2.messages import Messages, from_cdr, to_cdr
+
+
+def written(tmp_path: Path, text: str, name: str = "Own") -> Messages:
+    file = tmp_path / "own_msgs" / "msg" / f"{name}.msg"
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_text(text)
+    return Messages([tmp_path])
+
+
+def test_standard_and_own_messages_can_be_imported(messages: Messages) -> None:
+    from carla_msgs.msg import CarlaEgoVehicleStatus
+    from sensor_msgs.msg import LaserScan
+
+    assert LaserScan.__module__ == "sensor_msgs.msg"
+    assert type(CarlaEgoVehicleStatus().control).__name__ == "CarlaEgoVehicleControl"
+
+
+def test_an_unknown_message_is_an_import_error(messages: Messages) -> None:
+    with pytest.raises(ImportError, match="cannot import name 'Sonar'"):
+        importlib.import_module("sensor_msgs.msg")
+        exec("from sensor_msgs.msg import Sonar")
+
+
+def test_an_unknown_package_is_left_to_other_finders(messages: Messages) -> None:
+    with pytest.raises(ModuleNotFoundError):
+        importlib.import_module("no_such_msgs.msg")
+
+
+def test_a_package_on_the_path_wins(messages: Messages, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    package = tmp_path / "std_msgs"
+    package.mkdir()
+    (package / "__init__.py").write_text("sourced = True\n")
+    monkeypatch.syspath_prepend(tmp_path)
+    assert importlib.import_module("std_msgs").sourced
+    del sys.modules["std_msgs"]
+
+
+def test_fields_start_with_their_defaults(messages: Messages) -> None:
+    from geometry_msgs.msg import PoseWithCovariance, Quaternion
+    from sensor_msgs.msg import LaserScan
+
+    assert (Quaternion().x, Quaternion().w) == (0.0, 1.0)
+    assert LaserScan().header.stamp.sec == 0
+    assert LaserScan().ranges == array("f")
+    covariance = PoseWithCovariance().covariance
+    assert isinstance(covariance, np.ndarray)
+    assert covariance.shape == (36,)
+    covariance[0] = 1.0
+    assert PoseWithCovariance().covariance[0] == 0.0, "each message has an array of its own"
+
+
+def test_own_definitions_have_defaults_constants_and_comments(tmp_path: Path) -> None:
+    own: Any = written(
+        tmp_path,
+        "# a comment\nint32 LIMIT = 7 # seven\nstring NAME='a name'\nbyte OCTET=3\n\nint32 count -2\n"
+        'string unit "m/s"\nfloat64[] weights [0.5, 1]\nstring[2] words ["a b", c]\nbool on true\nbyte[2] raw [1, 2]\n',
+    ).get("own_msgs/msg/Own")
+    assert (own.LIMIT, own.NAME, own.OCTET) == (7, "a name", b"\3")
+    message = own()
+    assert (message.count, message.unit, message.on) == (-2, "m/s", True)
+    assert message.weights == array("d", [0.5, 1.0])
+    assert message.words == ["a b", "c"]
+    assert message.raw == [b"\1", b"\2"]
+    assert from_cdr(own, to_cdr(message)) == message
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "problem"),
+    [
+        ("int32 a\nint33 b", 2, "'int33' is neither"),
+        ("int32 a\n\nint32 a", 3, "'a' is defined twice"),
+        ("int32", 1, "cannot be the name"),
+        ("int32 class", 1, "'class' cannot be the name"),
+        ("int32 a b", 1, "invalid literal"),
+        ("int32[2] a [1]", 1, "has 1 elements instead of 2"),
+        ("int32[x] a", 1, "is not a type"),
+        ("int32 a;import(1)", 1, "cannot be the name"),
+    ],
+)
+def test_a_wrong_definition_is_refused_with_its_line(tmp_path: Path, text: str, line: int, problem: str) -> None:
+    with pytest.raises(MessageDefinitionError, match=problem) as caught:
+        written(tmp_path, text).get("own_msgs/msg/Own")
+    assert caught.value.line == line
+    assert caught.value.file == str(tmp_path / "own_msgs" / "msg" / "Own.msg")
+
+
+def test_a_definition_that_contains_an_unknown_message_names_it(tmp_path: Path) -> None:
+    written(tmp_path, "Missing thing").install()
+    with pytest.raises(AttributeError, match="contains the unknown message 'own_msgs/msg/Missing'"):
+        importlib.import_module("own_msgs.msg").Own  # noqa: B018
+
+
+def test_a_definition_that_contains_itself_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(MessageDefinitionError, match="contains itself"):
+        written(tmp_path, "Own[] children").get("own_msgs/msg/Own")
+
+
+def test_the_constructor_takes_known_keywords_only(messages: Messages) -> None:
+    from std_msgs.msg import Float32
+
+    assert Float32(data=1.5).data == 1.5
+    with pytest.raises(TypeError):
+        Float32(1.5)
+    with pytest.raises(AssertionError, match="Invalid arguments passed to constructor: value"):
+        Float32(value=1.5)
+    with pytest.raises(AttributeError):
+        Float32().value = 1.5
+
+
+@pytest.mark.parametrize(
+    ("name", "field", "value", "problem"),
+    [
+        ("std_msgs/msg/Float32", "data", 1, "must be of type 'float' in the range of float32, not 1 \\(int\\)"),
+        ("std_msgs/msg/Float32", "data", np.float32(1), "must be of type 'float'"),
+        ("std_msgs/msg/Float32", "data", 1e39, "in the range of float32"),
+        ("std_msgs/msg/Float32", "data", None, "not None"),
+        ("std_msgs/msg/UInt8", "data", 256, r"must be of type 'int' in \[0, 255\], not 256"),
+        ("std_msgs/msg/UInt8", "data", 1.0, "must be of type 'int'"),
+        ("std_msgs/msg/Bool", "data", 1, "must be of type 'bool'"),
+        ("std_msgs/msg/String", "data", b"x", "must be of type 'str'"),
+        ("sensor_msgs/msg/LaserScan", "ranges", np.zeros(3), r"numpy arrays have tolist\(\)"),
+        ("sensor_msgs/msg/LaserScan", "ranges", [1], "each value of type 'float'"),
+        ("sensor_msgs/msg/LaserScan", "ranges", 1.0, "must be a set or sequence"),
+        ("sensor_msgs/msg/LaserScan", "header", 1, "must be of type 'std_msgs/msg/Header'"),
+        ("sensor_msgs/msg/PointCloud2", "fields", [1], "each value of type 'sensor_msgs/msg/PointField'"),
+        ("geometry_msgs/msg/PoseWithCovariance", "covariance", [1.0], "must have 36 elements"),
+        ("shape_msgs/msg/SolidPrimitive", "dimensions", [1.0] * 4, "must have at most 3 elements"),
+    ],
+)
+def test_what_rclpy_refuses_is_refused_when_written(
+    messages: Messages, name: str, field: str, value: object, problem: str
+) -> None:
+    message = messages.get(name)(**{field: value})
+    with pytest.raises(AssertionError, match=f"The '{field}' field of {name} .*{problem}"):
+        to_cdr(message)
+
+
+@pytest.mark.parametrize(
+    ("name", "field", "value", "read"),
+    [
+        ("std_msgs/msg/Float64", "data", np.float64(1.5), 1.5),
+        ("std_msgs/msg/Float32", "data", float("inf"), float("inf")),
+        ("sensor_msgs/msg/LaserScan", "ranges", (1.0, 2.0), array("f", [1.0, 2.0])),
+        ("sensor_msgs/msg/LaserScan", "ranges", [], array("f")),
+        ("sensor_msgs/msg/PointCloud2", "data", b"\1\2", array("B", [1, 2])),
+        ("sensor_msgs/msg/PointCloud2", "data", bytearray(b"\1\2"), array("B", [1, 2])),
+        ("sensor_msgs/msg/PointCloud2", "data", [1, 2], array("B", [1, 2])),
+        ("std_msgs/msg/String", "data", "ä", "ä"),
+    ],
+)
+def test_what_rclpy_accepts_is_accepted(messages: Messages, name: str, field: str, value: object, read: object) -> None:
+    message_class = messages.get(name)
+    assert getattr(from_cdr(message_class, to_cdr(message_class(**{field: value}))), field) == read
+
+
+def test_a_list_is_accepted_for_a_fixed_array(messages: Messages) -> None:
+    pose = messages.get("geometry_msgs/msg/PoseWithCovariance")
+    read = from_cdr(pose, to_cdr(pose(covariance=[float(index) for index in range(36)])))
+    assert read.covariance.tolist() == list(range(36))
+
+
+def test_messages_compare_print_and_copy(messages: Messages) -> None:
+    from geometry_msgs.msg import PoseWithCovariance
+    from std_msgs.msg import Float32
+
+    assert repr(Float32(data=1.5)) == "std_msgs.msg.Float32(data=1.5)"
+    assert Float32(data=1.5) == Float32(data=1.5)
+    assert Float32(data=1.5) != Float32(data=2.5)
+    pose = PoseWithCovariance()
+    twin = copy.deepcopy(pose)
+    assert twin == pose
+    twin.covariance[3] = 1.0
+    assert twin != pose
+
+
+def test_field_types_are_named_as_rosidl_names_them(messages: Messages) -> None:
+    from sensor_msgs.msg import LaserScan
+    from shape_msgs.msg import SolidPrimitive
+
+    assert LaserScan.get_fields_and_field_types()["header"] == "std_msgs/Header"
+    assert LaserScan.get_fields_and_field_types()["ranges"] == "sequence<float>"
+    assert SolidPrimitive.get_fields_and_field_types()["dimensions"] == "sequence<double, 3>"
+
+
+def test_serialization_functions_of_rclpy(messages: Messages) -> None:
+    from rclpy.serialization import deserialize_message, serialize_message
+    from std_msgs.msg import Float32
+
+    assert deserialize_message(serialize_message(Float32(data=0.5)), Float32) == Float32(data=0.5)
