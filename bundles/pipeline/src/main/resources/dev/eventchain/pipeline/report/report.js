@@ -117,7 +117,7 @@ function head() {
 function dataList(entries) {
   const topics = new Map();
   records(entries).forEach((entry) => topics.set(text(entry.topic), [...(topics.get(text(entry.topic)) ?? []), entry]));
-  return html("ul", null, [...topics].map(([topic, fields]) => html("li", null, code(topic),
+  return topics.size === 0 ? null : html("ul", null, [...topics].map(([topic, fields]) => html("li", null, code(topic),
     html("div", { class: "small muted" }, breakable([fields[0].messageType, fields[0].qos].map(text).filter(Boolean).join(" \u00b7 "))),
     html("div", { class: "small" }, breakable(fields.map(fieldText).join(", "))))));
 }
@@ -151,7 +151,7 @@ function chainSection() {
     [code(text(node.name)), text(node.description) ? html("div", { class: "small muted" }, text(node.description)) : null],
     [html("span", { class: "nowrap" }, originOf(node)), number(node.frequency) === null ? null : [html("br"), figure(node.frequency, node.frequency % 1 ? 1 : 0, "Hz")]],
     dataList(node.inputs), dataList(node.outputs),
-    html("ul", null, list(node.satisfies).map((name) => html("li", null, requirementLink(text(name))))),
+    list(node.satisfies).length === 0 ? null : html("ul", null, list(node.satisfies).map((name) => html("li", null, requirementLink(text(name))))),
   ] }));
   return section("chain", "Event chain",
     [code(text(chain.name)), `: ${count(chainNodes.length, "node")}, ${generated} of them generated from the requirements.`],
