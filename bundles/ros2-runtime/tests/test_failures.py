@@ -197,8 +197,10 @@ def test_malformed_samples_are_reported(chain: Path) -> None:
 def test_a_sample_for_an_unknown_topic_is_refused(chain: Path) -> None:
     with HostProcess() as host:
         host.configure(configuration(chain))
-        with pytest.raises(Failed, match=r"protocol\.frame"):
+        host.step(100 * MILLISECOND)
+        with pytest.raises(Failed, match=r"protocol\.frame") as caught:
             host.step(MILLISECOND, (1, float32(1.0)))
+        assert caught.value.details["node"] == "", "no node is to blame"
 
 
 def test_a_frame_that_ends_early_is_reported() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from pathlib import Path
 from typing import Any
 
@@ -60,6 +61,16 @@ def test_reset_starts_the_next_scenario_with_fresh_nodes() -> None:
         assert host.finish()["publications"] == {"/doubled": [], "/number": []}
 
 
+def test_reset_forgets_modules_of_the_folders_before(tmp_path: Path) -> None:
+    shutil.copytree(FIXTURES / "chain", tmp_path / "chain", ignore=shutil.ignore_patterns("__pycache__"))
+    component = tmp_path / "chain" / "components" / "Doubler.py"
+    component.write_text(component.read_text().replace("* 2.0", "* 3.0"))
+    with HostProcess() as host:
+        host.configure(chain())
+        host.configure({**chain(), "path": [str(tmp_path)]}, kind=RESET)
+        assert host.step(100 * MILLISECOND, (0, float32(3.0))) == [(50 * MILLISECOND, 0, float32(9.0))]
+
+
 def test_what_user_code_prints_goes_to_standard_error() -> None:
     with HostProcess() as host:
         host.configure(chain())
@@ -67,6 +78,44 @@ def test_what_user_code_prints_goes_to_standard_error() -> None:
         code, errors = host.close()
         assert code == 0
         assert errors == "activated\n"
+
+
+def test_four_nodes_in_a_row_pass_their_samples_on() -> None:
+    names = ("Detection", "Collision", "Decision", "Control")
+    configuration = {
+        "path": [str(FIXTURES)],
+        "messages": [str(FIXTURES / "msg")],
+        "nodes": [{"module": "aeb.nodes", "class": name, "name": name, "execution_time_ms": 1.0} for name in names],
+        "world_publishes": [
+            {"topic": "/lidar", "type": "sensor_msgs/msg/PointCloud2"},
+            {"topic": "/status", "type": "carla_msgs/CarlaEgoVehicleStatus"},
+        ],
+        "world_subscribes": [{"topic": "/command", "type": "carla_msgs/msg/CarlaEgoVehicleControl"}],
+    }
+    with HostProcess() as host:
+        host.configure(configuration)
+        cloud, status = (b"\0\1\0\0" + bytes(length) for length in (64, 164))
+        for step in range(1, 7):
+            published = host.step(step * 50 * MILLISECOND, (0, cloud), (1, status))
+            assert [time for time, _, _ in published] == (
+                [step * 50 * MILLISECOND - 49 * MILLISECOND] if step > 4 else []
+            )
+        reads = {node["name"]: node["activations"][-1][3] for node in host.finish()["nodes"]}
+        assert reads["Collision"] == [["/status", 5], ["/scan", 3]]
+        assert reads["Control"] == [["/brake", 1]]
+
+
+def test_the_same_input_gives_the_same_records() -> None:
+    def run() -> list[Any]:
+        with HostProcess() as host:
+            host.configure(chain(execution_time_ms=7.0, phase_ms=3.0))
+            results = [host.step(step * 10 * MILLISECOND, (0, float32(step))) for step in range(1, 50)]
+            finished = host.finish()
+            for activation in finished["nodes"][0]["activations"]:
+                activation[2] = 0
+            return [results, finished]
+
+    assert run() == run()
 
 
 def test_a_frame_at_the_wrong_moment_is_refused() -> None:

@@ -6,10 +6,10 @@ finds on the node.
 
 from __future__ import annotations
 
-import inspect
 import linecache
 from array import array
 from math import isfinite
+from types import MethodType
 from typing import Any
 
 from eventchain_ros2.failures import HostError
@@ -19,11 +19,14 @@ class CheckedComponent:
     """Stands for a component on its node, and checks each result of its `execute`."""
 
     def __init__(self, component: Any, outputs: list[str] | None) -> None:
-        self._component = component
-        self._outputs = None if outputs is None else frozenset(outputs)
+        object.__setattr__(self, "_component", component)
+        object.__setattr__(self, "_outputs", None if outputs is None else frozenset(outputs))
 
     def __getattr__(self, name: str) -> Any:
         return getattr(self._component, name)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        setattr(self._component, name, value)
 
     def execute(self, *arguments: Any, **inputs: Any) -> Any:
         """Execute the component.
@@ -54,7 +57,8 @@ class CheckedComponent:
         return text.rstrip(";")
 
     def _error(self, kind: str, message: str) -> HostError:
-        code = type(self._component).execute.__code__
+        function = self._component.execute
+        code = getattr(function, "__wrapped__", function).__code__
         line = linecache.getline(code.co_filename, code.co_firstlineno)
         column = len(line) - len(line.lstrip()) + 1
         return HostError(f"component.result.{kind}", message, code.co_filename, code.co_firstlineno, column)
@@ -64,7 +68,7 @@ def check_component(node: Any, name: str, outputs: list[str] | None) -> None:
     """Put the checks around the component of a node: its attribute `component`, or one with the node's name."""
     for attribute in ("component", name):
         component = getattr(node, attribute, None)
-        if inspect.isroutine(getattr(component, "execute", None)):
+        if isinstance(getattr(component, "execute", None), MethodType):
             setattr(node, attribute, CheckedComponent(component, outputs))
             return
 
@@ -73,19 +77,22 @@ def _problem(value: Any) -> str:
     """What is wrong with a value; infinity is a number of sequences only (REP 117: nothing in range)."""
     if value is None:
         return "None"
-    if isinstance(value, list | tuple | array):
-        return "a sequence with NaN" if _has_nan(value) else ""
     try:
         return "" if isfinite(value) else repr(value)
-    except (TypeError, OverflowError):
+    except OverflowError:  # an int beyond the range of float
         return ""
+    except TypeError:
+        return "a sequence with NaN" if _has_nan(value) else ""
 
 
 def _has_nan(values: Any) -> bool:
+    """Whether a sequence of numbers has a NaN in it; quick, because sums keep NaN."""
+    if isinstance(values, str | bytes | bytearray | memoryview) or not hasattr(values, "__len__"):
+        return False
     if isinstance(values, array) and values.typecode not in "fd":
         return False
     try:
         total = sum(values)
-    except TypeError:
+        return bool(total != total and any(value != value for value in values))
+    except (TypeError, ValueError):  # not of numbers
         return False
-    return bool(total != total and any(value != value for value in values))

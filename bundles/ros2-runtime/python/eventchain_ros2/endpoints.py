@@ -99,6 +99,7 @@ class Subscription:
         for publisher in self.topic.publishers:
             if self in publisher.matched:
                 publisher.matched.remove(self)
+        self.process.inbox = [entry for entry in self.process.inbox if entry[0] is not self]
 
 
 class Timer:

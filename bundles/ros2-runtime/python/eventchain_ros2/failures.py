@@ -54,6 +54,7 @@ def describe(error: BaseException, node: str, folders: Iterable[str]) -> dict[st
             identifier, message = f"{owner}.timeout", str(error)
         else:
             identifier = "component.raised" if owner == "component" else "node.failed"
+    linecache.checkcache(file)
     return {
         "id": identifier,
         "message": message,

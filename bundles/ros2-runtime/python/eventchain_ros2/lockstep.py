@@ -112,7 +112,6 @@ class Scenario:
 
     def start(self, foreign_path: list[str]) -> None:
         """Import the modules and make the nodes; `foreign_path` follows the user's folders in `sys.path`."""
-        _forget_modules(self.folders)
         self._messages.install()
         sys.path[:] = [SOURCES, *self.folders, *foreign_path]
         context.enter(self.simulation)
@@ -193,18 +192,18 @@ class Scenario:
             "publications": {name: topic.publications for name, topic in sorted(self.simulation.topics.items())},
         }
 
+    def forget_modules(self) -> None:
+        """Forget the user's modules, so that those of the next scenario start anew."""
+        folders = tuple(folder.rstrip("/") + "/" for folder in self.folders)
+        for name, module in list(sys.modules.items()):
+            places = [getattr(module, "__file__", None) or "", *getattr(module, "__path__", ())]
+            if any(place.startswith(folders) for place in places):
+                del sys.modules[name]
+        importlib.invalidate_caches()
+
 
 def _owner(process: Process) -> str:
     return process.name or "world"
-
-
-def _forget_modules(folders: list[str]) -> None:
-    """Forget the user's modules of an earlier scenario, so that they start anew."""
-    for name, module in list(sys.modules.items()):
-        places = [getattr(module, "__file__", None) or "", *getattr(module, "__path__", ())]
-        if any(place.startswith(folder.rstrip("/") + "/") for folder in folders for place in places):
-            del sys.modules[name]
-    importlib.invalidate_caches()
 
 
 class Host:
@@ -237,6 +236,8 @@ class Host:
             self._limit()
             self._channel.write(Kind.STEPPED, *self._scenario.step(payload))
         elif kind in (Kind.CONFIGURE, Kind.RESET):
+            if self._scenario is not None:
+                self._scenario.forget_modules()
             self._scenario = Scenario(json.loads(bytes(payload)))
             self._limit()
             self._scenario.start(self._foreign_path)

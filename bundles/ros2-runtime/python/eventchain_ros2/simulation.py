@@ -95,7 +95,7 @@ class Simulation:
         self.processes: list[Process] = []
         self.topics: dict[str, Topic] = {}
         self.warnings: list[Warned] = []
-        self.current: Process | None = None  # whose code ran last
+        self.current: Process | None = None  # whose code runs, or has failed
         self._events: list[tuple[int, int, int, int, int, Callable[[Any], None], Any]] = []
         self._count = 0
         self._starting: Process | None = None
@@ -117,10 +117,8 @@ class Simulation:
     def starting(self, process: Process) -> Iterator[None]:
         """Nodes made in this block belong to the process."""
         self._starting = self.current = process
-        try:
-            yield
-        finally:
-            self._starting = None
+        yield
+        self._starting = self.current = None
 
     def process_of_new_node(self, name: str) -> Process:
         """The process that a node made now belongs to; its own one outside a `starting` block."""
@@ -156,10 +154,9 @@ class Simulation:
             return
         policies = ", ".join(incompatible_policies(publisher.qos_profile, subscription.qos_profile))
         if policies:
-            text = (
-                f"New publisher discovered on topic '{topic}', offering incompatible QoS. No messages will be received "
-            )
-            self._warn("qos.incompatible", topic, f"{text}from it. Last incompatible policy: {policies}")
+            text = f"New publisher discovered on topic '{topic}', offering incompatible QoS."
+            text += f" No messages will be received from it. Last incompatible policy: {policies}"
+            self._warn("qos.incompatible", topic, text)
             return
         publisher.matched.append(subscription)
         if subscription.qos_profile.durability == DurabilityPolicy.TRANSIENT_LOCAL:
@@ -194,7 +191,7 @@ class Simulation:
         while events and events[0][0] < until and self.running:
             self.now, _, _, _, _, action, argument = heappop(events)
             action(argument)
-        self.now = until
+        self.now, self.current = until, None
 
     def _schedule(self, time: int, action: Callable[[Any], None], argument: object) -> None:
         self._count += 1
