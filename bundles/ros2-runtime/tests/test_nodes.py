@@ -9,6 +9,7 @@ import rclpy
 from eventchain_ros2.simulation import Simulation
 from rclpy.duration import Duration
 from rclpy.exceptions import (
+    InvalidParameterTypeException,
     InvalidTopicNameException,
     NotInitializedException,
     ParameterAlreadyDeclaredException,
@@ -315,8 +316,21 @@ def test_parameters_are_declared_before_use(simulation: Simulation) -> None:
         node.get_parameter("other")
     with pytest.raises(ParameterAlreadyDeclaredException):
         node.declare_parameter("gain", 1.0)
-    node.set_parameters([Parameter("limit", value=4)])
+    (result,) = node.set_parameters([Parameter("limit", value=4)])
+    assert result.successful
     assert node.get_parameter("limit").value == 4
+    with pytest.raises(InvalidParameterTypeException, match="expecting type 'INTEGER'"):
+        node.set_parameters([Parameter("limit", value="four")])
+
+
+def test_parameters_can_be_declared_together_and_by_type(simulation: Simulation) -> None:
+    node = Node("node")
+    node.declare_parameters("wheel", [("radius", 0.3), ("names", Parameter.Type.STRING_ARRAY), ("free",)])
+    node.set_parameters([Parameter("wheel.names", value=["left", "right"])])
+    values = [parameter.value for parameter in node.get_parameters(["wheel.radius", "wheel.names", "wheel.free"])]
+    assert values == [0.3, ["left", "right"], None]
+    assert node.has_parameter("use_sim_time")
+    assert not node.has_parameter("radius")
 
 
 def test_times_can_be_calculated_with(messages: Any) -> None:

@@ -21,17 +21,24 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from eventchain_ros2 import context
+from eventchain_ros2.clock import Duration
 from eventchain_ros2.component_checks import check_component
 from eventchain_ros2.endpoints import Publisher, Subscription
 from eventchain_ros2.failures import HostError, StepTimeout, describe
 from eventchain_ros2.messages import Messages
-from eventchain_ros2.qos import DurabilityPolicy, HistoryPolicy, QoSProfile, ReliabilityPolicy
+from eventchain_ros2.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
 from eventchain_ros2.simulation import Process, Sample, Simulation
 
 SOURCES = str(Path(__file__).resolve().parents[1])
 
 # The world offers everything a node may request, and requests nothing that a node may not offer.
-_WORLD_OFFERS = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+_WORLD_OFFERS = QoSProfile(
+    depth=1,
+    durability=DurabilityPolicy.TRANSIENT_LOCAL,
+    deadline=Duration(nanoseconds=1),
+    liveliness=LivelinessPolicy.MANUAL_BY_TOPIC,
+    liveliness_lease_duration=Duration(nanoseconds=1),
+)
 _WORLD_REQUESTS = QoSProfile(history=HistoryPolicy.KEEP_ALL, reliability=ReliabilityPolicy.BEST_EFFORT)
 
 _FRAME = struct.Struct("<IB")
