@@ -181,7 +181,7 @@ public final class OutputFolder implements AutoCloseable {
 
   /**
    * Removes the files that earlier runs wrote below a folder and that are no longer produced. Files
-   * that a person changed or put there stay.
+   * that a person changed or put there stay, and those that have protected areas.
    *
    * @param folder the folder's name, relative to this one; "" is everything
    * @param produced the names of all files below it that are still produced
@@ -204,7 +204,10 @@ public final class OutputFolder implements AutoCloseable {
   private Optional<Diagnostic> remove(String path) {
     try {
       Optional<byte[]> content = storage.read(path);
-      if (content.isPresent() && !records.isOurs(path, content.get())) {
+      boolean keeps =
+          content.isPresent()
+              && (!records.isOurs(path, content.get()) || ProtectedAreas.anyIn(content.get()));
+      if (keeps) {
         return Optional.of(abandoned(path));
       }
       storage.delete(path);
@@ -259,7 +262,7 @@ public final class OutputFolder implements AutoCloseable {
   }
 
   private Diagnostic abandoned(String path) {
-    return edited(path, "is no longer produced but was changed by a person, and was kept.")
+    return edited(path, "is no longer produced but may hold a person's work, and was kept.")
         .withHint("Delete the file if it is not needed.");
   }
 

@@ -31,6 +31,11 @@ final class ProtectedAreas {
     return areas;
   }
 
+  /** Whether a content has an area. */
+  static boolean anyIn(byte[] content) {
+    return new String(content, StandardCharsets.ISO_8859_1).contains(START);
+  }
+
   /**
    * The bytes outside the areas, which a generator alone decides. The marks are ASCII, so this
    * needs no encoding for any charset that agrees with ASCII.

@@ -227,6 +227,16 @@ class OutputFolderTest {
   }
 
   @Test
+  void neverRemovesProtectedAreas() {
+    Map<String, byte[]> files = new HashMap<>();
+    try (OutputFolder folder = OutputFolder.inMemory(files)) {
+      folder.write("x", bytes("Start of user code a\nmine\nEnd of user code\n"));
+      assertEquals(1, folder.removeOthers("", List.of()).size());
+    }
+    assertTrue(files.containsKey("x"));
+  }
+
+  @Test
   void keepsASecondRunOutAndNamesTheFirst() {
     try (OutputFolder first = OutputFolder.open(temporary)) {
       DiagnosticException e =

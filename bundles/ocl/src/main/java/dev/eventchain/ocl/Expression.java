@@ -1,9 +1,12 @@
 package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.SourceLocation;
+import java.util.Optional;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.ocl.EvaluationHaltedException;
+import org.eclipse.ocl.expressions.IteratorExp;
 import org.eclipse.ocl.expressions.OCLExpression;
+import org.eclipse.ocl.expressions.OperationCallExp;
 
 /**
  * A parsed and checked OCL expression. Immutable; several threads can evaluate it at once, each
@@ -27,6 +30,23 @@ public final class Expression {
   /** Where the expression stands. */
   public SourceLocation location() {
     return InvalidOrigin.locationOf(ast);
+  }
+
+  /**
+   * What a library does for the outermost call of the expression: for {@code x.f()} what it does
+   * for {@code f}, also if it is called for each element of a collection.
+   *
+   * @return empty if the outermost part is anything but a call of a library's operation
+   */
+  public Optional<OperationLibrary.Implementation> outermostCall() {
+    OCLExpression<?> outermost = ast;
+    if (ast instanceof IteratorExp<?, ?> loop && loop.getName().equals("collect")) {
+      outermost = loop.getBody();
+    }
+    return outermost instanceof OperationCallExp<?, ?> call
+            && call.getReferredOperation() instanceof Libraries.LibraryOperation operation
+        ? Optional.of(operation.implementation())
+        : Optional.empty();
   }
 
   /**

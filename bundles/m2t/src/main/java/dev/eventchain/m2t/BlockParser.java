@@ -1,0 +1,298 @@
+package dev.eventchain.m2t;
+
+import dev.eventchain.m2t.Syntax.Binding;
+import dev.eventchain.m2t.Syntax.Branch;
+import dev.eventchain.m2t.Syntax.Decoration;
+import dev.eventchain.m2t.Syntax.Node;
+import dev.eventchain.m2t.Syntax.Variable;
+import dev.eventchain.m2t.Token.Kind;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** Parses the blocks inside a template. The tokens are balanced, so blocks always end. */
+final class BlockParser {
+  private static final Decoration NONE =
+      new Decoration(
+          Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), List.of());
+
+  private final Problems problems;
+  private final List<Token> tokens;
+  private final List<String> texts;
+  private int next;
+
+  BlockParser(Problems problems, List<Token> tokens, List<String> texts) {
+    this.problems = problems;
+    this.tokens = tokens;
+    this.texts = texts;
+  }
+
+  /** The index of the tag that closes the block opened at an index. */
+  int closing(int open) {
+    int depth = 0;
+    for (int i = open; i < tokens.size(); i++) {
+      Kind kind = tokens.get(i).kind();
+      if (kind == Kind.OPEN) {
+        depth++;
+      } else if (kind == Kind.CLOSE && --depth == 0) {
+        return i;
+      }
+    }
+    throw new IllegalStateException("unbalanced tokens");
+  }
+
+  /** What stands between a template's tags. */
+  List<Node> templateBody(int open, int close) {
+    next = open + 1;
+    List<Node> body = body();
+    boolean overSeveralLines =
+        problems
+                .source()
+                .text()
+                .substring(tokens.get(open).end(), tokens.get(close).start())
+                .indexOf('\n')
+            >= 0;
+    return overSeveralLines ? withoutLastBreak(body) : body;
+  }
+
+  private static List<Node> withoutLastBreak(List<Node> body) {
+    if (body.isEmpty() || !(body.get(body.size() - 1) instanceof Syntax.Text last)) {
+      return body;
+    }
+    List<Node> shortened = new ArrayList<>(body);
+    String text = WhiteSpace.withoutLastBreak(last.text());
+    shortened.set(body.size() - 1, new Syntax.Text(last.start(), text));
+    return List.copyOf(shortened);
+  }
+
+  /** Reads nodes up to the next middle or closing tag. */
+  private List<Node> body() {
+    List<Node> nodes = new ArrayList<>();
+    while (true) {
+      Token token = tokens.get(next);
+      switch (token.kind()) {
+        case MIDDLE, CLOSE -> {
+          return List.copyOf(nodes);
+        }
+        case TEXT -> {
+          if (!texts.get(next).isEmpty()) {
+            nodes.add(new Syntax.Text(token.start(), texts.get(next)));
+          }
+          next++;
+        }
+        case EXPRESSION -> {
+          next++;
+          output(token).ifPresent(nodes::add);
+        }
+        case OPEN -> block(token).ifPresent(nodes::add);
+        default -> next++;
+      }
+    }
+  }
+
+  private Optional<Node> block(Token token) {
+    next++;
+    Optional<Node> node =
+        switch (token.keyword()) {
+          case "for" -> forBlock(token);
+          case "if" -> ifBlock(token);
+          case "let" -> letBlock(token);
+          case "file" -> fileBlock(token);
+          case "protected" -> protectedBlock(token);
+          default -> {
+            problems.error(
+                "m2t.unsupported",
+                token.start(),
+                "[" + token.keyword() + "] is not supported.",
+                "Remove the tags [" + token.keyword() + "] and [/" + token.keyword() + "].");
+            body();
+            yield Optional.empty();
+          }
+        };
+    next++;
+    return node;
+  }
+
+  private Optional<Node> output(Token token) {
+    HeaderReader reader = reader(token);
+    if (reader.acceptWord("super") && reader.atEnd()) {
+      return Optional.of(new Syntax.Super(token.start()));
+    }
+    Span whole = new Span(token.contentStart(), token.contentEnd());
+    int decorated = decorationStart(whole);
+    Span value = new Span(whole.start(), decorated).strip(problems.source().text());
+    if (value.isEmpty()) {
+      problems.syntax(token.start(), "This expression is empty.", "");
+      return Optional.empty();
+    }
+    Decoration decoration =
+        decorated == whole.end()
+            ? NONE
+            : new HeaderReader(problems, decorated, whole.end()).decoration();
+    return Optional.of(new Syntax.Output(token.start(), value, decoration));
+  }
+
+  /**
+   * Where {@code before(...)}, {@code separator(...)}, {@code after(...)} or {@code {...}} start
+   * behind a call: after a closing parenthesis and white space.
+   */
+  private int decorationStart(Span span) {
+    HeaderReader reader = new HeaderReader(problems, span.start(), span.end());
+    while (!reader.atEnd()) {
+      reader.until("(");
+      if (reader.atEnd() || reader.parentheses("arguments").isEmpty()) {
+        return span.end();
+      }
+      if (reader.atWord("before") || reader.atWord("separator") || reader.atWord("after")) {
+        return reader.position();
+      }
+    }
+    return span.end();
+  }
+
+  private Optional<Node> forBlock(Token token) {
+    HeaderReader reader = reader(token);
+    Optional<Span> inside = reader.parentheses("what to go through");
+    Decoration decoration = inside.isEmpty() ? NONE : reader.decoration();
+    List<Node> body = body();
+    if (inside.isEmpty()) {
+      return Optional.empty();
+    }
+    HeaderReader items = new HeaderReader(problems, inside.get().start(), inside.get().end());
+    Optional<Variable> variable = Optional.empty();
+    if (declaresVariable(inside.get())) {
+      variable = items.variable("|");
+      items.accept('|');
+    }
+    Span collection = items.rest();
+    if (collection.isEmpty()) {
+      items.unexpected("a collection");
+      return Optional.empty();
+    }
+    return Optional.of(new Syntax.For(token.start(), variable, collection, decoration, body));
+  }
+
+  private boolean declaresVariable(Span span) {
+    HeaderReader reader = new HeaderReader(problems, span.start(), span.end());
+    if (reader.name().isEmpty()) {
+      return false;
+    }
+    String text = problems.source().text();
+    boolean typed = reader.at(':') && !text.startsWith("::", reader.position());
+    if (typed) {
+      reader.until("|");
+    }
+    return reader.at('|');
+  }
+
+  private Optional<Node> ifBlock(Token token) {
+    List<Branch> branches = new ArrayList<>();
+    branch(token).ifPresent(branches::add);
+    List<Node> otherwise = List.of();
+    boolean last = false;
+    while (tokens.get(next).kind() == Kind.MIDDLE) {
+      Token middle = tokens.get(next++);
+      if (last) {
+        problems.syntax(middle.start(), "Nothing follows [else] but [/if].", "");
+      }
+      if (middle.keyword().equals("else")) {
+        last = true;
+        otherwise = body();
+      } else {
+        branch(middle).ifPresent(branches::add);
+      }
+    }
+    return Optional.of(new Syntax.If(token.start(), List.copyOf(branches), otherwise));
+  }
+
+  private Optional<Branch> branch(Token token) {
+    HeaderReader reader = reader(token);
+    Optional<Span> condition = reader.parentheses("a condition");
+    List<Variable> variables = reader.variablesInBraces();
+    if (condition.isPresent() && !reader.atEnd()) {
+      problems.syntax(
+          reader.position(),
+          "The condition goes on after its closing parenthesis.",
+          "Put the whole condition in parentheses: [if ((a) or (b))].");
+    }
+    List<Node> body = body();
+    return condition.map(span -> new Branch(token.start(), span, variables, body));
+  }
+
+  private Optional<Node> letBlock(Token token) {
+    List<Binding> bindings = new ArrayList<>();
+    binding(token).ifPresent(bindings::add);
+    List<Node> otherwise = List.of();
+    boolean last = false;
+    while (tokens.get(next).kind() == Kind.MIDDLE) {
+      Token middle = tokens.get(next++);
+      if (last) {
+        problems.syntax(middle.start(), "Nothing follows [else] but [/let].", "");
+      }
+      if (middle.keyword().equals("else")) {
+        last = true;
+        otherwise = body();
+      } else {
+        binding(middle).ifPresent(bindings::add);
+      }
+    }
+    return Optional.of(new Syntax.Let(token.start(), List.copyOf(bindings), otherwise));
+  }
+
+  private Optional<Binding> binding(Token token) {
+    HeaderReader reader = reader(token);
+    Optional<Variable> variable = reader.variableWithValue();
+    List<Variable> variables = reader.variablesInBraces();
+    reader.expectEnd("the end of the tag");
+    List<Node> body = body();
+    return variable.map(v -> new Binding(token.start(), v, variables, body));
+  }
+
+  private Optional<Node> fileBlock(Token token) {
+    HeaderReader reader = reader(token);
+    Optional<Span> inside = reader.parentheses("the name of the file");
+    reader.variablesInBraces();
+    reader.expectEnd("the end of the tag");
+    List<Node> body = body();
+    if (inside.isEmpty()) {
+      return Optional.empty();
+    }
+    HeaderReader arguments = new HeaderReader(problems, inside.get().start(), inside.get().end());
+    Span name = arguments.until(",");
+    Optional<Span> mode = arguments.accept(',') ? some(arguments.until(",")) : Optional.empty();
+    Optional<Span> charset = arguments.accept(',') ? some(arguments.until(",")) : Optional.empty();
+    arguments.expectEnd("no more than a name, a mode and a charset");
+    if (name.isEmpty()) {
+      problems.syntax(token.start(), "The file has no name.", "");
+      return Optional.empty();
+    }
+    return Optional.of(new Syntax.File(token.start(), name, mode, charset, body));
+  }
+
+  private Optional<Node> protectedBlock(Token token) {
+    HeaderReader reader = reader(token);
+    Optional<Span> id = reader.parentheses("the id of the area");
+    Optional<Span> startPrefix = Optional.empty();
+    Optional<Span> endPrefix = Optional.empty();
+    if (reader.acceptWord("startTagPrefix")) {
+      startPrefix = reader.parentheses("a text");
+    }
+    if (reader.acceptWord("endTagPrefix")) {
+      endPrefix = reader.parentheses("a text");
+    }
+    reader.expectEnd("startTagPrefix(), endTagPrefix() or the end of the tag");
+    List<Node> body = body();
+    if (id.isEmpty()) {
+      return Optional.empty();
+    }
+    return Optional.of(new Syntax.Protected(token.start(), id.get(), startPrefix, endPrefix, body));
+  }
+
+  private static Optional<Span> some(Span span) {
+    return span.isEmpty() ? Optional.empty() : Optional.of(span);
+  }
+
+  private HeaderReader reader(Token token) {
+    return new HeaderReader(problems, token.contentStart(), token.contentEnd());
+  }
+}

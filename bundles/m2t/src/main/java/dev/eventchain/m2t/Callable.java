@@ -1,0 +1,60 @@
+package dev.eventchain.m2t;
+
+import dev.eventchain.m2t.Syntax.Visibility;
+import dev.eventchain.ocl.Invalid;
+import java.util.List;
+import java.util.function.Predicate;
+import org.eclipse.emf.ecore.EClassifier;
+
+/** A template or a query, as expressions call it. */
+abstract class Callable {
+
+  /** A parameter, with a test of whether it takes a value. */
+  record Parameter(String name, EClassifier type, Predicate<Object> accepts) {}
+
+  private final String name;
+  private final Visibility visibility;
+  private final List<Parameter> parameters;
+  private final Place place;
+
+  Callable(String name, Visibility visibility, List<Parameter> parameters, Place place) {
+    this.name = name;
+    this.visibility = visibility;
+    this.parameters = List.copyOf(parameters);
+    this.place = place;
+  }
+
+  final String name() {
+    return name;
+  }
+
+  final Visibility visibility() {
+    return visibility;
+  }
+
+  final List<Parameter> parameters() {
+    return parameters;
+  }
+
+  /** Where it is declared. */
+  final Place place() {
+    return place;
+  }
+
+  /** The static type of a call's result. */
+  abstract EClassifier resultType();
+
+  /** Whether it takes these arguments in this run; null goes everywhere. */
+  boolean accepts(List<Object> arguments, GenerationRun run) {
+    for (int i = 0; i < arguments.size(); i++) {
+      Object argument = arguments.get(i);
+      if (argument != null && !parameters.get(i).accepts().test(argument)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** The value of a call: of the result type, or an {@link Invalid}. */
+  abstract Object call(List<Object> arguments, GenerationRun run);
+}

@@ -1,0 +1,81 @@
+package dev.eventchain.m2t;
+
+import dev.eventchain.ocl.Expression;
+import dev.eventchain.ocl.ExpressionLanguage;
+import dev.eventchain.ocl.Scope;
+import java.util.Collection;
+import java.util.Optional;
+import java.util.function.Predicate;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.ocl.types.AnyType;
+
+/** Parses and checks the expressions and types of one module. */
+record ExpressionCompiler(ExpressionLanguage language, Problems problems) {
+
+  String text() {
+    return problems.source().text();
+  }
+
+  /** An expression; empty if it is wrong, which has been reported. */
+  Optional<Expression> parse(Span span, Scope scope) {
+    Span inside = span.strip(text());
+    if (inside.isEmpty()) {
+      problems.syntax(span.start(), "An expression is missing here.", "");
+      return Optional.empty();
+    }
+    String code = inside.in(text());
+    if (code.startsWith("invoke(") || code.contains(".invoke(")) {
+      problems.error(
+          "m2t.unsupported",
+          inside.start(),
+          "Java services (invoke) are not supported.",
+          "Write the operation as a [query].");
+      return Optional.empty();
+    }
+    try {
+      return language.parse(
+          problems.source(), inside.start(), inside.end(), scope, problems.found());
+    } catch (StackOverflowError e) {
+      problems.error(
+          "m2t.nesting", inside.start(), "The expression is nested too deeply.", "Use [let].");
+      return Optional.empty();
+    }
+  }
+
+  /** An expression that can be true or false. */
+  Optional<Expression> condition(Span span, Scope scope) {
+    Optional<Expression> parsed = parse(span, scope);
+    if (parsed.isPresent()
+        && !language.conforms(parsed.get().type(), language.type("Boolean"))
+        && !(parsed.get().type() instanceof AnyType)) {
+      problems.error(
+          "m2t.condition",
+          span.strip(text()).start(),
+          "The condition is of type '" + parsed.get().type().getName() + "', not 'Boolean'.",
+          "Compare it with something, or ask ->notEmpty().");
+      return Optional.empty();
+    }
+    return parsed;
+  }
+
+  /** A type; empty if there is none of this name, which has been reported. */
+  Optional<EClassifier> type(Span span) {
+    return language.type(problems.source(), span.start(), span.end(), problems.found());
+  }
+
+  /** The test of whether a value is an instance of a type. */
+  Predicate<Object> instancesOf(EClassifier type) {
+    if (type instanceof AnyType) {
+      return value -> true;
+    }
+    if (language.elementType(type).isPresent()) {
+      return value -> value instanceof Collection<?>;
+    }
+    if (type instanceof EClass eClass && language.type(type) == type) {
+      return value -> value instanceof EObject && eClass.isInstance(value);
+    }
+    return value -> language.isInstance(value, type);
+  }
+}

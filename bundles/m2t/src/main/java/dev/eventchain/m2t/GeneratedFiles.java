@@ -1,0 +1,187 @@
+package dev.eventchain.m2t;
+
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.m2t.Steps.FileMode;
+import java.io.ByteArrayOutputStream;
+import java.nio.ByteBuffer;
+import java.nio.CharBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.Charset;
+import java.nio.charset.IllegalCharsetNameException;
+import java.nio.charset.StandardCharsets;
+import java.nio.charset.UnsupportedCharsetException;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.function.Function;
+
+/** The files that a run makes, with the protected areas of the earlier ones kept in them. */
+final class GeneratedFiles {
+  /** A file that is being written: the areas that people filled, and the ids met so far. */
+  private record Open(Map<String, String> areas, Set<String> ids) {}
+
+  private final GenerationRun run;
+  private final Function<String, Optional<byte[]>> earlier;
+  private final SortedMap<String, byte[]> contents = new TreeMap<>();
+  private final Deque<Open> open = new ArrayDeque<>();
+
+  GeneratedFiles(GenerationRun run, Function<String, Optional<byte[]>> earlier) {
+    this.run = run;
+    this.earlier = earlier;
+  }
+
+  SortedMap<String, byte[]> contents() {
+    return contents;
+  }
+
+  /** Makes a file of what something writes. */
+  void write(
+      SourceLocation place, String name, FileMode mode, String charsetName, Runnable writer) {
+    OutputPath path = OutputPath.of(name);
+    Optional<Charset> charset = charset(place, charsetName);
+    if (path.refused()) {
+      var refused = OutputFolder.refused(name, path);
+      run.error(refused.id(), place, refused.message(), refused.hint());
+      return;
+    }
+    boolean again = contents.containsKey(path.value());
+    if (again && mode == FileMode.OVERWRITE) {
+      run.error(
+          "m2t.file.duplicate",
+          place,
+          "The file '" + path.value() + "' was written before in this run; the first is kept.",
+          "Give each file a name of its own, or append: [file (name, true)].");
+      return;
+    }
+    if (charset.isEmpty() || keepExisting(path.value(), mode)) {
+      return;
+    }
+    String text = text(path.value(), charset.get(), writer);
+    byte[] bytes = bytes(place, path.value(), text, charset.get());
+    contents.merge(path.value(), bytes, GeneratedFiles::joined);
+  }
+
+  private boolean keepExisting(String path, FileMode mode) {
+    if (mode != FileMode.CREATE) {
+      return false;
+    }
+    if (contents.containsKey(path)) {
+      return true;
+    }
+    Optional<byte[]> existing = earlier.apply(path);
+    existing.ifPresent(content -> contents.put(path, content));
+    return existing.isPresent();
+  }
+
+  private String text(String path, Charset charset, Runnable writer) {
+    Map<String, String> areas =
+        earlier
+            .apply(path)
+            .map(content -> ProtectedAreas.of(new String(content, charset)))
+            .orElse(Map.of());
+    open.push(new Open(areas, new HashSet<>()));
+    String text;
+    Open closed;
+    try {
+      text = run.separateTextOf(writer);
+    } finally {
+      closed = open.pop();
+    }
+    keepLost(path, charset, closed);
+    return text;
+  }
+
+  /** Saves the areas that the file has no longer, beside it. */
+  private void keepLost(String path, Charset charset, Open closed) {
+    String lostPath = path + ".lost";
+    String before = earlier.apply(lostPath).map(content -> new String(content, charset)).orElse("");
+    StringBuilder lost = new StringBuilder(before);
+    closed
+        .areas()
+        .forEach(
+            (id, content) -> {
+              if (!closed.ids().contains(id)) {
+                lost.append(ProtectedAreas.START).append(id).append(content);
+                lost.append(ProtectedAreas.END).append('\n');
+                run.warn(
+                    "m2t.protected.lost",
+                    SourceLocation.of(path),
+                    "The protected area '"
+                        + id
+                        + "' is no longer generated; its content was saved"
+                        + " in '"
+                        + lostPath
+                        + "'.",
+                    "Move the content to where it belongs now, and delete the file.");
+              }
+            });
+    if (lost.length() > 0) {
+      contents.put(lostPath, lost.toString().getBytes(charset));
+    }
+  }
+
+  /** Notes an area; false if there can be none of this id here, which has been reported. */
+  boolean beginArea(SourceLocation place, String id) {
+    String problem = "";
+    if (open.isEmpty()) {
+      problem = "stands outside of any file";
+    } else if (id.isEmpty() || id.indexOf('\n') >= 0 || id.indexOf('\r') >= 0) {
+      problem = "has an id that is not one line of text";
+    } else if (!open.element().ids().add(id)) {
+      problem = "has an id that another area of the file has";
+    }
+    if (!problem.isEmpty()) {
+      run.error(
+          "m2t.protected.id",
+          place,
+          "The protected area '" + OutputPath.shown(id) + "' " + problem + ".",
+          "Give each area of a file an id of its own.");
+    }
+    return problem.isEmpty();
+  }
+
+  /** What people wrote into an area of the file that is being written. */
+  Optional<String> keptArea(String id) {
+    return Optional.ofNullable(open.element().areas().get(id));
+  }
+
+  private Optional<Charset> charset(SourceLocation place, String name) {
+    if (name.isEmpty()) {
+      return Optional.of(StandardCharsets.UTF_8);
+    }
+    try {
+      return Optional.of(Charset.forName(name));
+    } catch (IllegalCharsetNameException | UnsupportedCharsetException e) {
+      run.error("m2t.charset", place, "There is no charset '" + name + "'.", "Write 'UTF-8'.");
+      return Optional.empty();
+    }
+  }
+
+  private byte[] bytes(SourceLocation place, String path, String text, Charset charset) {
+    try {
+      ByteBuffer encoded = charset.newEncoder().encode(CharBuffer.wrap(text));
+      byte[] bytes = new byte[encoded.remaining()];
+      encoded.get(bytes);
+      return bytes;
+    } catch (CharacterCodingException e) {
+      run.error(
+          "m2t.charset",
+          place,
+          "The text of '" + path + "' has characters that " + charset + " lacks; they became '?'.",
+          "Write the file in UTF-8.");
+      return text.getBytes(charset);
+    }
+  }
+
+  private static byte[] joined(byte[] first, byte[] second) {
+    ByteArrayOutputStream joined = new ByteArrayOutputStream(first.length + second.length);
+    joined.writeBytes(first);
+    joined.writeBytes(second);
+    return joined.toByteArray();
+  }
+}

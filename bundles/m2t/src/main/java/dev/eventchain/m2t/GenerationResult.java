@@ -1,0 +1,24 @@
+package dev.eventchain.m2t;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import java.util.Collections;
+import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
+
+/**
+ * What a generation made. Files are complete as far as the model allowed: a part whose value is
+ * undefined is left out, and an error says so.
+ *
+ * @param files the content of each file, by its name relative to the output folder; sorted, and
+ *     every name fit for {@link OutputFolder#write}
+ * @param diagnostics what was found on the way, in the order of generation
+ */
+public record GenerationResult(SortedMap<String, byte[]> files, List<Diagnostic> diagnostics) {
+
+  /** Takes copies. */
+  public GenerationResult {
+    files = Collections.unmodifiableSortedMap(new TreeMap<>(files));
+    diagnostics = List.copyOf(diagnostics);
+  }
+}

@@ -1,0 +1,268 @@
+package dev.eventchain.m2t;
+
+import dev.eventchain.m2t.Syntax.Decoration;
+import dev.eventchain.m2t.Syntax.Name;
+import dev.eventchain.m2t.Syntax.Variable;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** Reads the inside of one tag from left to right. */
+final class HeaderReader {
+  private final String text;
+  private final Problems problems;
+  private final int limit;
+  private int position;
+
+  HeaderReader(Problems problems, int start, int limit) {
+    this.text = problems.source().text();
+    this.problems = problems;
+    this.position = start;
+    this.limit = limit;
+  }
+
+  int position() {
+    skipSpace();
+    return position;
+  }
+
+  boolean atEnd() {
+    skipSpace();
+    return position >= limit;
+  }
+
+  boolean at(char c) {
+    skipSpace();
+    return position < limit && text.charAt(position) == c;
+  }
+
+  boolean accept(char c) {
+    if (!at(c)) {
+      return false;
+    }
+    position++;
+    return true;
+  }
+
+  boolean atWord(String word) {
+    skipSpace();
+    int end = position + word.length();
+    return end <= limit
+        && text.startsWith(word, position)
+        && (end == limit || !Character.isJavaIdentifierPart(text.charAt(end)));
+  }
+
+  boolean acceptWord(String word) {
+    if (!atWord(word)) {
+      return false;
+    }
+    position += word.length();
+    return true;
+  }
+
+  /** An identifier; nothing if there is none. */
+  Optional<Name> name() {
+    skipSpace();
+    int start = position;
+    while (position < limit && Character.isJavaIdentifierPart(text.charAt(position))) {
+      position++;
+    }
+    return position == start
+        ? Optional.empty()
+        : Optional.of(new Name(text.substring(start, position), start));
+  }
+
+  /** {@code a::b::c}; nothing if there is none. */
+  Optional<Name> qualifiedName() {
+    Optional<Name> first = name();
+    if (first.isEmpty()) {
+      return first;
+    }
+    StringBuilder whole = new StringBuilder(first.get().text());
+    while (text.startsWith("::", position) && position + 2 < limit) {
+      position += 2;
+      name().ifPresent(part -> whole.append("::").append(part.text()));
+    }
+    return Optional.of(new Name(whole.toString(), first.get().start()));
+  }
+
+  /** {@code (...)}: what stands between the parentheses; reports if there are none. */
+  Optional<Span> parentheses(String what) {
+    if (!at('(')) {
+      problems.syntax(position, "Here should be " + what + " in parentheses.", "");
+      return Optional.empty();
+    }
+    int close = closing(position);
+    if (close < 0) {
+      problems.syntax(position, "This parenthesis is not closed inside its tag.", "");
+      position = limit;
+      return Optional.empty();
+    }
+    Span inside = new Span(position + 1, close);
+    position = close + 1;
+    return Optional.of(inside);
+  }
+
+  /** The rest up to one of some characters outside of parentheses and quotes, or to the end. */
+  Span until(String stops) {
+    skipSpace();
+    int start = position;
+    while (position < limit && stops.indexOf(text.charAt(position)) < 0) {
+      char c = text.charAt(position);
+      int close = c == '(' || c == '{' ? closing(position) : -1;
+      if (c == '\'') {
+        close = Quotes.close(text, position, limit);
+      }
+      position = close < 0 ? position + 1 : close + 1;
+    }
+    position = Math.min(position, limit);
+    return new Span(start, position).strip(text);
+  }
+
+  Span rest() {
+    return until("");
+  }
+
+  /** {@code separator(...) before(...) after(...) ? (...) {...}} in any order. */
+  Decoration decoration() {
+    Optional<Span> before = Optional.empty();
+    Optional<Span> separator = Optional.empty();
+    Optional<Span> after = Optional.empty();
+    Optional<Span> guard = Optional.empty();
+    List<Variable> variables = List.of();
+    while (!atEnd()) {
+      if (acceptWord("before")) {
+        before = parentheses("the text before the first item");
+      } else if (acceptWord("separator")) {
+        separator = parentheses("the text between items");
+      } else if (acceptWord("after")) {
+        after = parentheses("the text after the last item");
+      } else if (accept('?')) {
+        guard = parentheses("a condition");
+      } else if (at('{')) {
+        variables = variablesInBraces();
+      } else {
+        unexpected("before(), separator(), after(), ?(), {...} or the end of the tag");
+        break;
+      }
+    }
+    return new Decoration(before, separator, after, guard, variables);
+  }
+
+  /** {@code {name : type = value; ...}}; nothing if there are no braces. */
+  List<Variable> variablesInBraces() {
+    List<Variable> variables = new ArrayList<>();
+    if (!at('{')) {
+      return variables;
+    }
+    int close = closing(position);
+    if (close < 0) {
+      problems.syntax(position, "This brace is not closed inside its tag.", "");
+      position = limit;
+      return variables;
+    }
+    HeaderReader inside = new HeaderReader(problems, position + 1, close);
+    while (!inside.atEnd()) {
+      inside.variableWithValue().ifPresent(variables::add);
+      if (!inside.accept(';')) {
+        break;
+      }
+    }
+    position = close + 1;
+    return variables;
+  }
+
+  /** {@code name : type = value}, up to a semicolon or the end. */
+  Optional<Variable> variableWithValue() {
+    Optional<Variable> declared = variable("={;");
+    if (declared.isEmpty()) {
+      return declared;
+    }
+    if (!accept('=')) {
+      unexpected("'=' and a value");
+      position = limit;
+      return Optional.empty();
+    }
+    Span value = until(";{");
+    return Optional.of(
+        new Variable(declared.get().name(), declared.get().type(), Optional.of(value)));
+  }
+
+  /** {@code name : type} or {@code name}. */
+  Optional<Variable> variable(String stops) {
+    Optional<Name> name = name();
+    if (name.isEmpty()) {
+      unexpected("the name of a variable");
+      position = limit;
+      return Optional.empty();
+    }
+    Optional<Span> type = Optional.empty();
+    if (accept(':')) {
+      type = Optional.of(until(stops));
+      if (type.get().isEmpty()) {
+        problems.syntax(position, "Here should be a type.", "");
+        return Optional.empty();
+      }
+    }
+    return Optional.of(new Variable(name.get(), type, Optional.empty()));
+  }
+
+  /** {@code (name : type, ...)}. */
+  List<Variable> parameters() {
+    Optional<Span> inside = parentheses("the parameters");
+    List<Variable> parameters = new ArrayList<>();
+    if (inside.isEmpty()) {
+      return parameters;
+    }
+    HeaderReader reader = new HeaderReader(problems, inside.get().start(), inside.get().end());
+    while (!reader.atEnd()) {
+      Optional<Variable> parameter = reader.variable(",");
+      if (parameter.isPresent() && parameter.get().type().isEmpty()) {
+        problems.syntax(parameter.get().name().start(), "A parameter needs a type.", "");
+      } else {
+        parameter.ifPresent(parameters::add);
+      }
+      if (!reader.accept(',')) {
+        break;
+      }
+    }
+    reader.expectEnd("',' or the end of the parameters");
+    return parameters;
+  }
+
+  void expectEnd(String expected) {
+    if (!atEnd()) {
+      unexpected(expected);
+    }
+  }
+
+  void unexpected(String expected) {
+    skipSpace();
+    String found = position >= limit ? "the end" : "'" + text.charAt(position) + "'";
+    problems.syntax(position, "Here should be " + expected + ", not " + found + ".", "");
+  }
+
+  private int closing(int open) {
+    char opener = text.charAt(open);
+    char closer = opener == '(' ? ')' : '}';
+    int depth = 0;
+    for (int i = open; i < limit; i++) {
+      char c = text.charAt(i);
+      if (c == '\'') {
+        int close = Quotes.close(text, i, limit);
+        i = close < 0 ? limit : close;
+      } else if (c == opener) {
+        depth++;
+      } else if (c == closer && --depth == 0) {
+        return i;
+      }
+    }
+    return -1;
+  }
+
+  private void skipSpace() {
+    while (position < limit && Character.isWhitespace(text.charAt(position))) {
+      position++;
+    }
+  }
+}

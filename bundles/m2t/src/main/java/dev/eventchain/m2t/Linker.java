@@ -1,0 +1,283 @@
+package dev.eventchain.m2t;
+
+import dev.eventchain.m2t.Callable.Parameter;
+import dev.eventchain.m2t.Syntax.Visibility;
+import dev.eventchain.ocl.Expression;
+import dev.eventchain.ocl.ExpressionLanguage;
+import dev.eventchain.ocl.Scope;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EcorePackage;
+
+/**
+ * Connects modules: first all signatures, then who sees whom and who overrides whom, then the
+ * bodies, which can call all that their module sees.
+ */
+final class Linker {
+  /** A module on its way: what it declares, what it sees, and its language. */
+  private record Unit(
+      ModuleLoader.Loaded loaded,
+      CallLibrary calls,
+      ExpressionCompiler expressions,
+      Map<Syntax.Template, Template> templates,
+      Map<Syntax.Query, Query> queries) {
+    Stream<Callable> callables() {
+      return Stream.concat(templates.values().stream(), queries.values().stream());
+    }
+  }
+
+  private final Collection<EPackage> packages;
+  private final Map<String, Unit> units = new LinkedHashMap<>();
+
+  private Linker(Collection<EPackage> packages) {
+    this.packages = packages;
+  }
+
+  /** The templates of the main module, which is the first. */
+  static List<Template> link(
+      Map<String, ModuleLoader.Loaded> modules, Collection<EPackage> packages) {
+    Linker linker = new Linker(packages);
+    modules.forEach((name, loaded) -> linker.units.put(name, linker.unit(loaded)));
+    linker.units.values().forEach(linker::declare);
+    linker.units.values().forEach(linker::connect);
+    linker.units.values().forEach(linker::override);
+    linker.units.values().forEach(linker::define);
+    return List.copyOf(linker.units.get("").templates().values());
+  }
+
+  private Unit unit(ModuleLoader.Loaded loaded) {
+    CallLibrary calls = new CallLibrary();
+    OperationTable operations = new OperationTable();
+    ExpressionLanguage language = ExpressionLanguage.of(metamodels(loaded), calls, operations);
+    calls.use(language);
+    operations.use(language);
+    ExpressionCompiler expressions = new ExpressionCompiler(language, loaded.problems());
+    return new Unit(loaded, calls, expressions, new LinkedHashMap<>(), new LinkedHashMap<>());
+  }
+
+  private List<EPackage> metamodels(ModuleLoader.Loaded loaded) {
+    List<EPackage> found = new ArrayList<>();
+    for (Span span : loaded.syntax().metamodels()) {
+      String uri = span.in(loaded.problems().source().text());
+      String bare = uri.replaceAll("^'|'$", "");
+      Optional<EPackage> metamodel =
+          Stream.concat(packages.stream(), Stream.of(EcorePackage.eINSTANCE))
+              .filter(each -> bare.equals(each.getNsURI()))
+              .findFirst();
+      metamodel.ifPresentOrElse(
+          found::add,
+          () ->
+              loaded
+                  .problems()
+                  .error(
+                      "m2t.metamodel.unknown",
+                      span.start(),
+                      "There is no metamodel '" + bare + "'.",
+                      "Known are: "
+                          + String.join(
+                              ", ", packages.stream().map(EPackage::getNsURI).sorted().toList())
+                          + "."));
+    }
+    return found;
+  }
+
+  private void declare(Unit unit) {
+    for (Syntax.Template template : unit.loaded().syntax().templates()) {
+      parameters(template.parameters(), unit)
+          .ifPresent(
+              parameters ->
+                  unit.templates()
+                      .put(
+                          template,
+                          new Template(
+                              template.name().text(),
+                              template.visibility(),
+                              parameters,
+                              unit.expressions().language().type("String"),
+                              template.main(),
+                              place(template.name(), unit))));
+    }
+    for (Syntax.Query query : unit.loaded().syntax().queries()) {
+      Optional<List<Parameter>> parameters = parameters(query.parameters(), unit);
+      Optional<EClassifier> type = unit.expressions().type(query.type());
+      if (parameters.isPresent() && type.isPresent()) {
+        unit.queries()
+            .put(
+                query,
+                new Query(
+                    query.name().text(),
+                    query.visibility(),
+                    parameters.get(),
+                    type.get(),
+                    place(query.name(), unit)));
+      }
+    }
+    refuseDuplicates(unit);
+  }
+
+  private void refuseDuplicates(Unit unit) {
+    Set<String> signatures = new HashSet<>();
+    unit.callables()
+        .filter(callable -> !(callable instanceof Template))
+        .forEach(callable -> refuseDuplicate(unit, callable, signatures));
+  }
+
+  private static void refuseDuplicate(Unit unit, Callable callable, Set<String> signatures) {
+    List<String> types = callable.parameters().stream().map(p -> p.type().getName()).toList();
+    if (!signatures.add(callable.name() + types)) {
+      unit.loaded()
+          .problems()
+          .error(
+              "m2t.name.duplicate",
+              callable.place().offset(),
+              "There are two queries '" + callable.name() + "' with the same parameters.",
+              "Rename one of them.");
+    }
+  }
+
+  private static Place place(Syntax.Name name, Unit unit) {
+    return new Place(unit.loaded().problems().source(), name.start());
+  }
+
+  private Optional<List<Parameter>> parameters(List<Syntax.Variable> declared, Unit unit) {
+    List<Parameter> parameters = new ArrayList<>();
+    for (Syntax.Variable variable : declared) {
+      Optional<EClassifier> type = unit.expressions().type(variable.type().orElseThrow());
+      type.ifPresent(
+          t ->
+              parameters.add(
+                  new Parameter(variable.name().text(), t, unit.expressions().instancesOf(t))));
+    }
+    return parameters.size() == declared.size() ? Optional.of(parameters) : Optional.empty();
+  }
+
+  /** A module sees its own, then what it extends, then the public part of what it imports. */
+  private void connect(Unit unit) {
+    unit.callables().forEach(unit.calls()::add);
+    inherit(unit, unit, new HashSet<>());
+    for (Syntax.Name name : unit.loaded().syntax().imports()) {
+      Unit imported = units.get(name.text());
+      if (imported != null) {
+        Set<Unit> family = new HashSet<>();
+        family.add(imported);
+        ancestors(imported, family);
+        units.values().stream()
+            .filter(family::contains)
+            .flatMap(Unit::callables)
+            .filter(callable -> callable.visibility() == Visibility.PUBLIC)
+            .forEach(unit.calls()::add);
+      }
+    }
+  }
+
+  private void inherit(Unit unit, Unit from, Set<Unit> seen) {
+    for (Syntax.Name name : from.loaded().syntax().extended()) {
+      Unit extended = units.get(name.text());
+      if (extended != null && seen.add(extended)) {
+        extended
+            .callables()
+            .filter(callable -> callable.visibility() != Visibility.PRIVATE)
+            .forEach(unit.calls()::add);
+        inherit(unit, extended, seen);
+      }
+    }
+  }
+
+  private void ancestors(Unit unit, Set<Unit> into) {
+    for (Syntax.Name name : unit.loaded().syntax().extended()) {
+      Unit extended = units.get(name.text());
+      if (extended != null && into.add(extended)) {
+        ancestors(extended, into);
+      }
+    }
+  }
+
+  private void override(Unit unit) {
+    unit.templates()
+        .forEach(
+            (syntax, template) -> {
+              for (Syntax.Name name : syntax.overrides()) {
+                Optional<Template> other =
+                    unit.calls().templates(name.text()).stream()
+                        .filter(each -> !unit.templates().containsValue(each))
+                        .filter(each -> each.parameters().size() == template.parameters().size())
+                        .findFirst();
+                other.ifPresentOrElse(
+                    template::override,
+                    () ->
+                        unit.loaded()
+                            .problems()
+                            .error(
+                                "m2t.super",
+                                name.start(),
+                                "No extended module has a template '"
+                                    + name.text()
+                                    + "' with as many parameters.",
+                                "Name the module in [module ... extends other]."));
+              }
+            });
+  }
+
+  private void define(Unit unit) {
+    unit.queries().forEach((syntax, query) -> define(syntax, query, unit));
+    unit.templates().forEach((syntax, template) -> define(syntax, template, unit));
+  }
+
+  private static void define(Syntax.Query syntax, Query query, Unit unit) {
+    Scope scope = scope(query, unit);
+    Optional<Expression> value = unit.expressions().parse(syntax.value(), scope);
+    if (value.isEmpty()) {
+      return;
+    }
+    ExpressionLanguage language = unit.expressions().language();
+    if (!language.conforms(value.get().type(), query.resultType())) {
+      unit.loaded()
+          .problems()
+          .error(
+              "m2t.query.type",
+              syntax.value().start(),
+              "The query is of type '"
+                  + value.get().type().getName()
+                  + "', not '"
+                  + query.resultType().getName()
+                  + "'.",
+              "Mend the type after the colon, or the expression.");
+      return;
+    }
+    query.define(value.get());
+  }
+
+  private static void define(Syntax.Template syntax, Template template, Unit unit) {
+    Scope scope = scope(template, unit);
+    BodyCompiler compiler = new BodyCompiler(unit.expressions(), template);
+    Optional<Expression> guard = compiler.condition(syntax.guard(), scope);
+    EClassifier text = unit.expressions().language().type("String");
+    Optional<Expression> post =
+        syntax.post().flatMap(span -> unit.expressions().parse(span, scope.with("self", text)));
+    List<Step.Variable> variables = new ArrayList<>();
+    Scope inside = compiler.variables(syntax.variables(), scope, variables);
+    Step body = compiler.body(syntax.body(), inside);
+    template.define(new Template.Definition(guard, post, List.copyOf(variables), body));
+  }
+
+  /** The parameters, and the first of them as self. */
+  private static Scope scope(Callable callable, Unit unit) {
+    Scope scope = unit.expressions().language().root();
+    if (!callable.parameters().isEmpty()) {
+      scope = scope.with("self", callable.parameters().get(0).type());
+    }
+    for (Parameter parameter : callable.parameters()) {
+      scope = scope.with(parameter.name(), parameter.type());
+    }
+    return scope;
+  }
+}

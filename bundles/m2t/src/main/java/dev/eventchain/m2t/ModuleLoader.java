@@ -1,0 +1,74 @@
+package dev.eventchain.m2t;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceText;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+
+/** Reads a module and all those that it imports or extends. */
+final class ModuleLoader {
+  /** A module that was read. */
+  record Loaded(Syntax.Module syntax, Problems problems) {}
+
+  private final Function<String, Optional<SourceText>> sources;
+  private final List<Diagnostic> found;
+  private final Map<String, Loaded> modules = new LinkedHashMap<>();
+
+  private ModuleLoader(Function<String, Optional<SourceText>> sources, List<Diagnostic> found) {
+    this.sources = sources;
+    this.found = found;
+  }
+
+  /** All modules by the name under which they are imported; the main one first, under "". */
+  static Map<String, Loaded> load(
+      SourceText main, Function<String, Optional<SourceText>> sources, List<Diagnostic> found) {
+    ModuleLoader loader = new ModuleLoader(sources, found);
+    loader.load("", main);
+    return loader.modules;
+  }
+
+  /**
+   * Modules in the folder of a file: {@code a::b} is {@code a/b.mtl} below it, or {@code b.mtl} in
+   * it.
+   */
+  static Function<String, Optional<SourceText>> beside(Path file) {
+    Path folder = Optional.ofNullable(file.getParent()).orElse(Path.of(""));
+    return name -> {
+      Path nested = folder.resolve(name.replace("::", "/") + ".mtl");
+      Path flat = folder.resolve(name.substring(name.lastIndexOf(':') + 1) + ".mtl");
+      Path existing = Files.exists(nested) ? nested : flat;
+      return Files.exists(existing) ? Optional.of(SourceText.read(existing)) : Optional.empty();
+    };
+  }
+
+  private void load(String name, SourceText source) {
+    Problems problems = new Problems(source, found);
+    Syntax.Module module = ModuleParser.parse(problems);
+    modules.put(name, new Loaded(module, problems));
+    module.extended().forEach(other -> load(other, problems));
+    module.imports().forEach(other -> load(other, problems));
+  }
+
+  private void load(Syntax.Name name, Problems problems) {
+    if (modules.containsKey(name.text())) {
+      return;
+    }
+    Optional<SourceText> source = sources.apply(name.text());
+    if (source.isPresent()) {
+      load(name.text(), source.get());
+    } else {
+      problems.error(
+          "m2t.module.missing",
+          name.start(),
+          "There is no module '" + name.text() + "'.",
+          "Put "
+              + name.text().substring(name.text().lastIndexOf(':') + 1)
+              + ".mtl beside this file.");
+    }
+  }
+}

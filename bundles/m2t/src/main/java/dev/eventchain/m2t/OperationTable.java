@@ -1,0 +1,168 @@
+package dev.eventchain.m2t;
+
+import dev.eventchain.ocl.Evaluation;
+import dev.eventchain.ocl.ExpressionLanguage;
+import dev.eventchain.ocl.OperationLibrary;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import org.eclipse.emf.ecore.EClassifier;
+
+/**
+ * The non-standard operations of Acceleo templates, as a table: for each operation the kinds of its
+ * source and arguments, the type of its result, and what it does. The rows stand in {@link
+ * TextOperations}, {@link ObjectOperations} and {@link CollectionOperations}.
+ */
+final class OperationTable implements OperationLibrary {
+
+  /** What a source or an argument may be. */
+  enum Kind {
+    TEXT,
+    INTEGER,
+    REAL,
+    COLLECTION,
+    /** A sequence or an ordered set. */
+    ORDERED,
+    /** A type literal. */
+    TYPE,
+    /** Anything but a collection or a type literal. */
+    ANY
+  }
+
+  /** The types of a call, from which the type of its result follows. */
+  record Types(ExpressionLanguage language, EClassifier source, List<EClassifier> arguments) {
+    EClassifier text() {
+      return language.type("String");
+    }
+
+    EClassifier integer() {
+      return language.type("Integer");
+    }
+
+    EClassifier truth() {
+      return language.type("Boolean");
+    }
+
+    EClassifier sequenceOfObjects() {
+      return language.sequenceOf(language.anyObject());
+    }
+
+    /** The type that the first argument names. */
+    EClassifier named() {
+      return language.referredType(arguments.get(0)).orElse(language.any());
+    }
+
+    EClassifier sequenceOfNamed() {
+      return language.sequenceOf(named());
+    }
+  }
+
+  /** The type of a result. */
+  @FunctionalInterface
+  interface ResultType {
+    EClassifier of(Types types);
+  }
+
+  /** What an operation does; a source or an argument that is null never gets here. */
+  @FunctionalInterface
+  interface Body {
+    Object call(Object source, List<Object> arguments, Call call);
+  }
+
+  /** What an operation may need besides its source and arguments. */
+  record Call(ExpressionLanguage language, Evaluation evaluation) {
+    GenerationRun run() {
+      return evaluation.attachment(GenerationRun.class);
+    }
+
+    boolean isInstance(Object value, Object type) {
+      return language.isInstance(value, (EClassifier) type);
+    }
+  }
+
+  /** A row of the table. */
+  record Row(
+      String name,
+      Kind source,
+      List<Kind> arguments,
+      ResultType result,
+      boolean takesNull,
+      Body body) {
+    Row(String name, Kind source, List<Kind> arguments, ResultType result, Body body) {
+      this(name, source, arguments, result, false, body);
+    }
+  }
+
+  private final List<Row> rows = new ArrayList<>();
+  private ExpressionLanguage language;
+
+  OperationTable() {
+    rows.addAll(TextOperations.rows());
+    rows.addAll(ObjectOperations.rows());
+    rows.addAll(CollectionOperations.rows());
+  }
+
+  /** Says over which types the operations work; a library is made before its language is. */
+  void use(ExpressionLanguage newLanguage) {
+    language = newLanguage;
+  }
+
+  @Override
+  public Optional<Operation> lookup(
+      EClassifier source, String name, List<EClassifier> argumentTypes) {
+    if (source == null) {
+      return Optional.empty();
+    }
+    for (Row row : rows) {
+      if (row.name().equals(name) && suits(row, source, argumentTypes)) {
+        EClassifier result = row.result().of(new Types(language, source, argumentTypes));
+        return Optional.of(new Operation(name, result, (s, a, run) -> call(row, s, a, run)));
+      }
+    }
+    return Optional.empty();
+  }
+
+  private Object call(Row row, Object source, List<Object> arguments, Evaluation run) {
+    if (!row.takesNull()) {
+      if (source == null) {
+        throw new IllegalArgumentException("it is applied to null");
+      }
+      if (arguments.stream().anyMatch(Objects::isNull)) {
+        throw new IllegalArgumentException("an argument is null");
+      }
+    }
+    return row.body().call(source, arguments, new Call(language, run));
+  }
+
+  private boolean suits(Row row, EClassifier source, List<EClassifier> argumentTypes) {
+    if (row.arguments().size() != argumentTypes.size() || !is(row.source(), source)) {
+      return false;
+    }
+    for (int i = 0; i < argumentTypes.size(); i++) {
+      if (!is(row.arguments().get(i), argumentTypes.get(i))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private boolean is(Kind kind, EClassifier type) {
+    boolean collection = language.elementType(type).isPresent();
+    boolean literal = language.referredType(type).isPresent();
+    return switch (kind) {
+      case TEXT -> !collection && !literal && language.conforms(type, language.type("String"));
+      case INTEGER -> !collection && !literal && language.conforms(type, language.type("Integer"));
+      case REAL -> !collection && !literal && language.conforms(type, language.type("Real"));
+      case COLLECTION -> collection;
+      case ORDERED -> collection && isOrdered(type);
+      case TYPE -> literal;
+      case ANY -> !collection && !literal;
+    };
+  }
+
+  private static boolean isOrdered(EClassifier type) {
+    return type instanceof org.eclipse.ocl.types.SequenceType<?, ?>
+        || type instanceof org.eclipse.ocl.types.OrderedSetType<?, ?>;
+  }
+}

@@ -1,0 +1,62 @@
+package dev.eventchain.m2t;
+
+import dev.eventchain.m2t.Syntax.Visibility;
+import dev.eventchain.ocl.Evaluation;
+import dev.eventchain.ocl.Expression;
+import dev.eventchain.ocl.Invalid;
+import java.util.Collection;
+import java.util.List;
+import org.eclipse.emf.ecore.EClassifier;
+
+/** A query: an expression with a name, whose values are kept for the length of a run. */
+final class Query extends Callable {
+  private final EClassifier resultType;
+  private Expression value;
+
+  Query(
+      String name,
+      Visibility visibility,
+      List<Parameter> parameters,
+      EClassifier resultType,
+      Place place) {
+    super(name, visibility, parameters, place);
+    this.resultType = resultType;
+  }
+
+  /** Completes the query, whose value may call any other callable. */
+  void define(Expression newValue) {
+    value = newValue;
+  }
+
+  @Override
+  EClassifier resultType() {
+    return resultType;
+  }
+
+  @Override
+  Object call(List<Object> arguments, GenerationRun run) {
+    return arguments.stream().anyMatch(argument -> argument instanceof Collection<?>)
+        ? evaluate(arguments, run)
+        : run.cached(this, arguments, () -> evaluate(arguments, run));
+  }
+
+  private Object evaluate(List<Object> arguments, GenerationRun run) {
+    Evaluation evaluation = run.evaluation();
+    run.enter(this, arguments);
+    try {
+      for (int i = 0; i < arguments.size(); i++) {
+        evaluation.bind(parameters().get(i).name(), arguments.get(i));
+      }
+      Object result = value.evaluate(evaluation);
+      if (result instanceof Invalid invalid && invalid.limit()) {
+        throw run.stop(invalid.reason(), invalid.location());
+      }
+      return result;
+    } finally {
+      for (int i = arguments.size() - 1; i >= 0; i--) {
+        evaluation.unbind(parameters().get(i).name());
+      }
+      run.leave();
+    }
+  }
+}

@@ -1,0 +1,49 @@
+package dev.eventchain.m2t;
+
+import dev.eventchain.ocl.Expression;
+import dev.eventchain.ocl.Invalid;
+import java.util.List;
+
+/** A piece of a compiled template. Immutable; all state is in the run. */
+@FunctionalInterface
+interface Step {
+
+  /** Writes the piece's text into the run. Problems are reported there. */
+  void write(GenerationRun run);
+
+  /** A variable, the value it is given, and the type that the value is to have. */
+  record Variable(String name, Expression value) {}
+
+  /** Several pieces, one after the other. */
+  static Step sequence(List<Step> steps) {
+    Step[] pieces = steps.toArray(Step[]::new);
+    if (pieces.length == 1) {
+      return pieces[0];
+    }
+    return run -> {
+      for (Step piece : pieces) {
+        piece.write(run);
+      }
+    };
+  }
+
+  /** Writes a piece that sees some variables; not at all if one of them has no value. */
+  static void withVariables(List<Variable> variables, GenerationRun run, Step body) {
+    int bound = 0;
+    try {
+      for (Variable variable : variables) {
+        Object value = run.evaluate(variable.value());
+        if (value instanceof Invalid) {
+          return;
+        }
+        run.evaluation().bind(variable.name(), value);
+        bound++;
+      }
+      body.write(run);
+    } finally {
+      for (int i = bound - 1; i >= 0; i--) {
+        run.evaluation().unbind(variables.get(i).name());
+      }
+    }
+  }
+}

@@ -1,0 +1,204 @@
+package dev.eventchain.m2t;
+
+import dev.eventchain.m2t.Token.Kind;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+
+/** Splits a template file into text and tags. Knows which tag is which, not how they nest. */
+final class TemplateLexer {
+  private static final Set<String> BLOCKS =
+      Set.of("template", "for", "if", "let", "file", "protected", "trace", "macro");
+  private static final Set<String> MIDDLES = Set.of("elseif", "else", "elselet");
+  private static final Set<String> DECLARATIONS = Set.of("module", "import", "query");
+
+  /** Keywords with which an OCL expression can start as well. */
+  private static final Set<String> EXPRESSION_KEYWORDS = Set.of("if", "let");
+
+  private static final String BRACKET_HINT = "A bracket that is meant as text is written ['['/].";
+
+  private final String text;
+  private final Problems problems;
+  private final List<Token> tokens = new ArrayList<>();
+
+  private TemplateLexer(Problems problems) {
+    this.text = problems.source().text();
+    this.problems = problems;
+  }
+
+  static List<Token> tokens(Problems problems) {
+    return new TemplateLexer(problems).tokens();
+  }
+
+  private List<Token> tokens() {
+    int position = 0;
+    while (position < text.length()) {
+      int bracket = text.indexOf('[', position);
+      int textEnd = bracket < 0 ? text.length() : bracket;
+      if (textEnd > position) {
+        tokens.add(Token.text(position, textEnd));
+      }
+      position = textEnd;
+      if (bracket >= 0) {
+        Token tag = tag(bracket);
+        tokens.add(tag);
+        position = tag.end();
+      }
+    }
+    return List.copyOf(tokens);
+  }
+
+  private Token tag(int start) {
+    if (text.startsWith("[**", start)) {
+      return commentUntil(start, start + 3, "/]");
+    }
+    if (text.startsWith("[--", start)) {
+      return lineComment(start);
+    }
+    int nameStart = skipSpace(start + 1);
+    if (nameStart < text.length() && text.charAt(nameStart) == '/') {
+      return closing(start, nameStart + 1);
+    }
+    int nameEnd = endOfName(nameStart);
+    String keyword = keywordAt(nameStart, nameEnd);
+    if (keyword.equals("comment")) {
+      return comment(start, nameEnd);
+    }
+    return keyword.isEmpty() ? expression(start, start + 1) : keywordTag(start, keyword, nameEnd);
+  }
+
+  /** The keyword of a tag, or nothing when the name is the start of an expression. */
+  private String keywordAt(int nameStart, int nameEnd) {
+    String name = text.substring(nameStart, nameEnd);
+    boolean known =
+        name.equals("comment")
+            || BLOCKS.contains(name)
+            || MIDDLES.contains(name)
+            || DECLARATIONS.contains(name);
+    if (!known || nameEnd >= text.length()) {
+      return "";
+    }
+    char next = text.charAt(nameEnd);
+    boolean separate = Character.isWhitespace(next) || next == '(' || next == ']';
+    boolean emptyComment = name.equals("comment") && next == '/';
+    return separate || emptyComment ? name : "";
+  }
+
+  private Token keywordTag(int start, String keyword, int contentStart) {
+    TagEnd end = TagEnd.find(text, contentStart);
+    if (!end.found()) {
+      return unclosed(start, end);
+    }
+    boolean slash = text.charAt(end.offset() - 1) == '/' && end.offset() - 1 >= contentStart;
+    int contentEnd = slash ? end.offset() - 1 : end.offset();
+    if (slash && EXPRESSION_KEYWORDS.contains(keyword)) {
+      return expression(start, start + 1);
+    }
+    if (DECLARATIONS.contains(keyword)) {
+      return token(Kind.DECLARATION, keyword, start, end, contentStart, contentEnd);
+    }
+    if (slash) {
+      problems.syntax(
+          start,
+          "A '" + keyword + "' block starts with a tag that ends with ']', not with '/]'.",
+          "Write [" + keyword + " ...] and close the block with [/" + keyword + "].");
+    }
+    Kind kind = MIDDLES.contains(keyword) ? Kind.MIDDLE : Kind.OPEN;
+    return token(kind, keyword, start, end, contentStart, contentEnd);
+  }
+
+  private static Token token(
+      Kind kind, String keyword, int start, TagEnd end, int contentStart, int contentEnd) {
+    return new Token(kind, keyword, start, end.offset() + 1, contentStart, contentEnd);
+  }
+
+  private Token expression(int start, int contentStart) {
+    TagEnd end = TagEnd.find(text, contentStart);
+    if (!end.found()) {
+      return unclosed(start, end);
+    }
+    if (text.charAt(end.offset() - 1) != '/' || end.offset() - 1 < contentStart) {
+      problems.syntax(start, "An expression ends with '/]', this one with ']'.", BRACKET_HINT);
+      return broken(start, end.offset() + 1);
+    }
+    return token(Kind.EXPRESSION, "", start, end, contentStart, end.offset() - 1);
+  }
+
+  private Token closing(int start, int nameStart) {
+    int nameEnd = endOfName(nameStart);
+    int end = skipSpace(nameEnd);
+    String name = text.substring(nameStart, nameEnd);
+    if (end < text.length() && text.charAt(end) == ']' && BLOCKS.contains(name)) {
+      return new Token(Kind.CLOSE, name, start, end + 1, nameEnd, end);
+    }
+    String message =
+        name.isEmpty() || BLOCKS.contains(name)
+            ? "This closing tag is incomplete."
+            : "There is no block '" + name + "' to close.";
+    problems.syntax(start, message, "A block is closed by its name alone: [/for].");
+    boolean tagged = end < text.length() && text.charAt(end) == ']';
+    return broken(start, tagged ? end + 1 : nameEnd);
+  }
+
+  private Token comment(int start, int nameEnd) {
+    int slashEnd = text.indexOf("/]", nameEnd);
+    int plainEnd = text.indexOf(']', nameEnd);
+    int blockEnd = text.indexOf("[/comment]", nameEnd);
+    boolean block = plainEnd >= 0 && blockEnd > plainEnd && (slashEnd < 0 || plainEnd < slashEnd);
+    boolean empty = plainEnd >= 0 && text.substring(nameEnd, plainEnd).isBlank();
+    if (block && (empty || slashEnd < 0 || blockEnd < slashEnd)) {
+      int end = blockEnd + "[/comment]".length();
+      return new Token(Kind.COMMENT, "comment", start, end, plainEnd + 1, blockEnd);
+    }
+    if (empty) {
+      problems.syntax(start, "This comment is not closed.", "Close it with [/comment].");
+      return broken(start, plainEnd + 1);
+    }
+    return commentUntil(start, nameEnd, "/]");
+  }
+
+  private Token lineComment(int start) {
+    int end = text.indexOf("--]", start + 3);
+    int slashed = text.indexOf("/]", start + 3);
+    boolean plain = end >= 0 && (slashed < 0 || end < slashed);
+    return commentUntil(start, start + 3, plain ? "--]" : "/]");
+  }
+
+  private Token commentUntil(int start, int contentStart, String closer) {
+    int end = text.indexOf(closer, contentStart);
+    if (end < 0) {
+      problems.syntax(start, "This comment is not closed.", "Close it with '" + closer + "'.");
+      return broken(start, contentStart);
+    }
+    return new Token(Kind.COMMENT, "comment", start, end + closer.length(), contentStart, end);
+  }
+
+  private Token unclosed(int start, TagEnd end) {
+    String message =
+        end.openQuote() >= 0
+            ? "The text that starts here has no closing quote on its line."
+            : "This tag is not closed.";
+    problems.syntax(end.openQuote() >= 0 ? end.openQuote() : start, message, BRACKET_HINT);
+    return broken(start, Math.max(end.offset(), start + 1));
+  }
+
+  private static Token broken(int start, int end) {
+    return new Token(Kind.BROKEN, "", start, end, start, end);
+  }
+
+  private int skipSpace(int from) {
+    int position = from;
+    while (position < text.length() && Character.isWhitespace(text.charAt(position))) {
+      position++;
+    }
+    return position;
+  }
+
+  private int endOfName(int from) {
+    int position = from;
+    while (position < text.length() && Character.isJavaIdentifierPart(text.charAt(position))) {
+      position++;
+    }
+    return position;
+  }
+}

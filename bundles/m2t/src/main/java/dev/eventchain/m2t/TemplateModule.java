@@ -1,0 +1,134 @@
+package dev.eventchain.m2t;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import org.eclipse.emf.common.util.TreeIterator;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.util.EcoreUtil;
+
+/**
+ * A template module (OMG MOFM2T 1.0 in the syntax of Acceleo 3) with all that it imports, compiled.
+ * Immutable; several threads can generate with it at once.
+ */
+public final class TemplateModule {
+  private final SourceText source;
+  private final List<Template> mains;
+  private final List<Diagnostic> warnings;
+
+  private TemplateModule(SourceText source, List<Template> mains, List<Diagnostic> warnings) {
+    this.source = source;
+    this.mains = mains;
+    this.warnings = warnings;
+  }
+
+  /**
+   * Compiles a file; modules that it imports or extends are looked for beside it.
+   *
+   * @param packages the metamodels that modules may name by their namespaces
+   * @throws DiagnosticException reason INPUT, with every problem of every module
+   */
+  public static TemplateModule compile(Path file, Collection<EPackage> packages) {
+    return compile(SourceText.read(file), ModuleLoader.beside(file), packages);
+  }
+
+  /**
+   * Compiles a text.
+   *
+   * @param sources finds the modules that it imports or extends, by their qualified names
+   * @param packages the metamodels that modules may name by their namespaces
+   * @throws DiagnosticException reason INPUT, with every problem of every module
+   */
+  public static TemplateModule compile(
+      SourceText main,
+      Function<String, Optional<SourceText>> sources,
+      Collection<EPackage> packages) {
+    List<Diagnostic> found = new ArrayList<>();
+    Map<String, ModuleLoader.Loaded> modules = ModuleLoader.load(main, sources, found);
+    List<Template> templates = Linker.link(modules, packages);
+    if (Diagnostic.anyError(found)) {
+      throw new DiagnosticException(
+          DiagnosticException.Reason.INPUT, found.stream().sorted().distinct().toList());
+    }
+    List<Template> mains = templates.stream().filter(Template::isMain).toList();
+    return new TemplateModule(main, mains, found.stream().sorted().distinct().toList());
+  }
+
+  /** What the compiler warns of. */
+  public List<Diagnostic> warnings() {
+    return warnings;
+  }
+
+  /**
+   * Runs the templates marked {@code @main} on each element of the models that their parameter
+   * takes, roots and what they contain, in the order of the model. Text outside of file blocks goes
+   * nowhere.
+   *
+   * @return the files, and a finding for all that went wrong; an undefined value leaves out its
+   *     part of the text and is an error. Nothing to run, or no file at the end, is an error, too
+   */
+  public GenerationResult generate(Collection<? extends EObject> roots, GenerationContext context) {
+    GenerationRun run = new GenerationRun(roots, context);
+    try {
+      for (Template main : mains) {
+        generate(main, roots, run);
+      }
+    } catch (GenerationRun.StoppedException e) {
+      // The reason is among the findings; files that were complete stay.
+      return run.result();
+    }
+    if (run.result().files().isEmpty() && !Diagnostic.anyError(run.result().diagnostics())) {
+      nothingGenerated(run);
+    }
+    return run.result();
+  }
+
+  /** As {@link #generate(Collection, GenerationContext)} without earlier files or properties. */
+  public GenerationResult generate(
+      Collection<? extends EObject> roots, Function<EObject, SourceLocation> locator) {
+    return generate(roots, GenerationContext.of(locator));
+  }
+
+  private static void generate(
+      Template main, Collection<? extends EObject> roots, GenerationRun run) {
+    if (main.parameters().size() != 1) {
+      run.error(
+          "m2t.main.parameters",
+          main.place().location(),
+          "The main template '" + main.name() + "' needs exactly one parameter.",
+          "Call it from a main template that has one.");
+      return;
+    }
+    TreeIterator<EObject> objects = EcoreUtil.getAllContents(roots);
+    while (objects.hasNext()) {
+      EObject object = objects.next();
+      List<Object> arguments = List.of(object);
+      if (main.parameters().get(0).accepts().test(object) && main.accepts(arguments, run)) {
+        run.textOf(() -> run.append((String) main.call(arguments, run)));
+      }
+    }
+  }
+
+  private void nothingGenerated(GenerationRun run) {
+    boolean noMain = mains.isEmpty();
+    run.error(
+        noMain ? "m2t.main.missing" : "m2t.nothing-generated",
+        source.at(0),
+        noMain
+            ? "The module has no main template, so nothing was generated."
+            : "The main template wrote no file for this model.",
+        noMain
+            ? "Write [comment @main /] into the template to start with."
+            : "Check that the model has elements of the main template's type, and that the"
+                + " template has [file (...)] blocks.");
+  }
+}

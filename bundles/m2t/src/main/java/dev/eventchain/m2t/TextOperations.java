@@ -1,0 +1,161 @@
+package dev.eventchain.m2t;
+
+import static dev.eventchain.m2t.OperationTable.Kind.INTEGER;
+import static dev.eventchain.m2t.OperationTable.Kind.REAL;
+import static dev.eventchain.m2t.OperationTable.Kind.TEXT;
+
+import dev.eventchain.m2t.OperationTable.Body;
+import dev.eventchain.m2t.OperationTable.Kind;
+import dev.eventchain.m2t.OperationTable.ResultType;
+import dev.eventchain.m2t.OperationTable.Row;
+import dev.eventchain.m2t.OperationTable.Types;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Locale;
+import java.util.StringTokenizer;
+import java.util.function.IntPredicate;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** Operations on strings and numbers. Positions count from 1; one that is not found is -1. */
+final class TextOperations {
+  private static final ResultType TO_TEXT = Types::text;
+  private static final ResultType TO_TRUTH = Types::truth;
+  private static final ResultType TO_INTEGER = Types::integer;
+  private static final ResultType TO_TEXTS = types -> types.language().sequenceOf(types.text());
+
+  private TextOperations() {}
+
+  static List<Row> rows() {
+    List<Row> rows = new ArrayList<>();
+    addTests(rows);
+    addSubstitutions(rows);
+    addParts(rows);
+    addCases(rows);
+    return rows;
+  }
+
+  private static void addTests(List<Row> rows) {
+    rows.add(row("contains", TO_TRUTH, (s, a, c) -> text(s).contains(text(a.get(0))), TEXT));
+    rows.add(row("strstr", TO_TRUTH, (s, a, c) -> text(s).contains(text(a.get(0))), TEXT));
+    rows.add(row("startsWith", TO_TRUTH, (s, a, c) -> text(s).startsWith(text(a.get(0))), TEXT));
+    rows.add(row("endsWith", TO_TRUTH, (s, a, c) -> text(s).endsWith(text(a.get(0))), TEXT));
+    rows.add(row("matches", TO_TRUTH, (s, a, c) -> text(s).matches(text(a.get(0))), TEXT));
+    rows.add(row("isAlpha", TO_TRUTH, (s, a, c) -> all(s, Character::isLetter)));
+    rows.add(row("isAlphanum", TO_TRUTH, (s, a, c) -> all(s, Character::isLetterOrDigit)));
+    rows.add(row("strcmp", TO_INTEGER, (s, a, c) -> text(s).compareTo(text(a.get(0))), TEXT));
+    rows.add(row("index", TO_INTEGER, (s, a, c) -> index(text(s).indexOf(text(a.get(0)))), TEXT));
+    rows.add(
+        row(
+            "lastIndex",
+            TO_INTEGER,
+            (s, a, c) -> index(text(s).lastIndexOf(text(a.get(0)))),
+            TEXT));
+  }
+
+  private static void addSubstitutions(List<Row> rows) {
+    Body first =
+        (s, a, c) -> {
+          Pattern literally = Pattern.compile(text(a.get(0)), Pattern.LITERAL);
+          String replacement = Matcher.quoteReplacement(text(a.get(1)));
+          return literally.matcher(text(s)).replaceFirst(replacement);
+        };
+    rows.add(row("substitute", TO_TEXT, first, TEXT, TEXT));
+    rows.add(row("substituteFirst", TO_TEXT, first, TEXT, TEXT));
+    rows.add(
+        row(
+            "substituteAll",
+            TO_TEXT,
+            (s, a, c) -> text(s).replace(text(a.get(0)), text(a.get(1))),
+            TEXT,
+            TEXT));
+    rows.add(
+        row(
+            "replace",
+            TO_TEXT,
+            (s, a, c) -> text(s).replaceFirst(text(a.get(0)), text(a.get(1))),
+            TEXT,
+            TEXT));
+    rows.add(
+        row(
+            "replaceAll",
+            TO_TEXT,
+            (s, a, c) -> text(s).replaceAll(text(a.get(0)), text(a.get(1))),
+            TEXT,
+            TEXT));
+  }
+
+  private static void addParts(List<Row> rows) {
+    rows.add(row("tokenize", TO_TEXTS, (s, a, c) -> tokens(s, text(a.get(0))), TEXT));
+    rows.add(row("tokenize", TO_TEXTS, (s, a, c) -> tokens(s, " \t\n\r\f")));
+    rows.add(row("tokenizeLine", TO_TEXTS, (s, a, c) -> text(s).lines().toList()));
+    rows.add(
+        row(
+            "strtok",
+            TO_TEXT,
+            (s, a, c) -> c.run().tokenWalk(text(s), number(a.get(1)) == 0).next(text(a.get(0))),
+            TEXT,
+            INTEGER));
+    rows.add(
+        row("first", TO_TEXT, (s, a, c) -> text(s).substring(0, length(s, a.get(0))), INTEGER));
+    rows.add(
+        row(
+            "last",
+            TO_TEXT,
+            (s, a, c) -> text(s).substring(text(s).length() - length(s, a.get(0))),
+            INTEGER));
+    rows.add(
+        row("substring", TO_TEXT, (s, a, c) -> text(s).substring(number(a.get(0)) - 1), INTEGER));
+  }
+
+  private static void addCases(List<Row> rows) {
+    rows.add(row("trim", TO_TEXT, (s, a, c) -> text(s).trim()));
+    rows.add(row("toUpperCase", TO_TEXT, (s, a, c) -> text(s).toUpperCase(Locale.ROOT)));
+    rows.add(row("toLowerCase", TO_TEXT, (s, a, c) -> text(s).toLowerCase(Locale.ROOT)));
+    rows.add(row("toUpperFirst", TO_TEXT, (s, a, c) -> first(s, true)));
+    rows.add(row("toLowerFirst", TO_TEXT, (s, a, c) -> first(s, false)));
+    for (Kind kind : List.of(TEXT, INTEGER, REAL)) {
+      rows.add(new Row("toString", kind, List.of(), TO_TEXT, (s, a, c) -> Texts.of(s)));
+    }
+  }
+
+  private static Row row(String name, ResultType result, Body body, Kind... arguments) {
+    return new Row(name, TEXT, List.of(arguments), result, body);
+  }
+
+  private static String text(Object value) {
+    return (String) value;
+  }
+
+  private static int number(Object value) {
+    return ((Number) value).intValue();
+  }
+
+  private static int length(Object text, Object wanted) {
+    int length = text(text).length();
+    return number(wanted) < 0 ? length : Math.min(length, number(wanted));
+  }
+
+  private static int index(int fromZero) {
+    return fromZero < 0 ? -1 : fromZero + 1;
+  }
+
+  private static boolean all(Object value, IntPredicate test) {
+    return text(value).codePoints().allMatch(test);
+  }
+
+  private static List<Object> tokens(Object value, String delimiters) {
+    return Collections.list(new StringTokenizer(text(value), delimiters));
+  }
+
+  private static String first(Object value, boolean upper) {
+    String text = text(value);
+    if (text.isEmpty()) {
+      return text;
+    }
+    String first = text.substring(0, 1);
+    String changed = upper ? first.toUpperCase(Locale.ROOT) : first.toLowerCase(Locale.ROOT);
+    return changed + text.substring(1);
+  }
+}

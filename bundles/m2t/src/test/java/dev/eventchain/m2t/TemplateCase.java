@@ -1,0 +1,127 @@
+package dev.eventchain.m2t;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.function.Function;
+import org.eclipse.emf.common.util.URI;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.resource.Resource;
+import org.eclipse.emf.ecore.resource.ResourceSet;
+import org.eclipse.emf.ecore.resource.impl.ResourceSetImpl;
+import org.eclipse.emf.ecore.util.EcoreUtil;
+import org.eclipse.emf.ecore.xmi.impl.EcoreResourceFactoryImpl;
+import org.eclipse.emf.ecore.xmi.impl.XMIResourceFactoryImpl;
+
+/**
+ * A template, a metamodel ({@code *.ecore}) and a model ({@code model.xmi}) in a folder; what it
+ * lacks of the last two is looked for in the folders around it. Files of an earlier run may stand
+ * in {@code earlier/}.
+ */
+record TemplateCase(Path folder) {
+  /** What came of it: files, and findings one a line. */
+  record Outcome(SortedMap<String, byte[]> files, String findings) {}
+
+  Outcome run() throws IOException {
+    ResourceSet resources = new ResourceSetImpl();
+    Map<String, Object> factories =
+        resources.getResourceFactoryRegistry().getExtensionToFactoryMap();
+    factories.put("ecore", new EcoreResourceFactoryImpl());
+    factories.put("*", new XMIResourceFactoryImpl());
+    List<EPackage> packages = metamodels(resources);
+    Resource model = resources.getResource(uri(nearest("model.xmi")), true);
+    EcoreUtil.resolveAll(model);
+    try {
+      TemplateModule module = TemplateModule.compile(source("template"), this::find, packages);
+      GenerationResult result = module.generate(model.getContents(), context());
+      List<Diagnostic> findings = new ArrayList<>(module.warnings());
+      findings.addAll(result.diagnostics());
+      return new Outcome(result.files(), text(findings));
+    } catch (DiagnosticException e) {
+      return new Outcome(new TreeMap<>(), text(e.diagnostics()));
+    }
+  }
+
+  private GenerationContext context() {
+    Function<EObject, SourceLocation> locator =
+        object -> SourceLocation.of("model.xmi").withElement(EcoreUtil.getURI(object).fragment());
+    return GenerationContext.of(locator)
+        .withEarlier(this::earlier)
+        .withProperties(Map.of("greeting", "hello"));
+  }
+
+  private Optional<byte[]> earlier(String name) {
+    try {
+      Path file = folder.resolve("earlier").resolve(name);
+      return Files.exists(file) ? Optional.of(Files.readAllBytes(file)) : Optional.empty();
+    } catch (IOException e) {
+      throw new java.io.UncheckedIOException(e);
+    }
+  }
+
+  private List<EPackage> metamodels(ResourceSet resources) throws IOException {
+    for (Path place = folder; place != null; place = place.getParent()) {
+      try (var files = Files.list(place)) {
+        List<Path> ecores = files.filter(f -> f.toString().endsWith(".ecore")).sorted().toList();
+        if (!ecores.isEmpty()) {
+          return ecores.stream().map(f -> metamodel(resources, f)).toList();
+        }
+      }
+    }
+    throw new IOException("no metamodel for " + folder);
+  }
+
+  private static EPackage metamodel(ResourceSet resources, Path file) {
+    EPackage metamodel = (EPackage) resources.getResource(uri(file), true).getContents().get(0);
+    resources.getPackageRegistry().put(metamodel.getNsURI(), metamodel);
+    return metamodel;
+  }
+
+  private Path nearest(String name) throws IOException {
+    for (Path place = folder; place != null; place = place.getParent()) {
+      if (Files.exists(place.resolve(name))) {
+        return place.resolve(name);
+      }
+    }
+    throw new IOException("no " + name + " for " + folder);
+  }
+
+  private Optional<SourceText> find(String module) {
+    return Files.exists(folder.resolve(module + ".mtl"))
+        ? Optional.of(source(module))
+        : Optional.empty();
+  }
+
+  private SourceText source(String module) {
+    SourceText read = SourceText.read(folder.resolve(module + ".mtl"));
+    return SourceText.of(module + ".mtl", read.text());
+  }
+
+  private static URI uri(Path file) {
+    return URI.createFileURI(file.toAbsolutePath().toString());
+  }
+
+  private static String text(List<Diagnostic> findings) {
+    StringBuilder text = new StringBuilder();
+    for (Diagnostic finding : findings) {
+      SourceLocation place = finding.location();
+      text.append(place).append(place.element().isEmpty() ? "" : " [" + place.element() + "]");
+      text.append(' ').append(finding.severity().name().toLowerCase(Locale.ROOT)).append(' ');
+      text.append(finding.id()).append(": ").append(finding.message());
+      text.append(finding.hint().isEmpty() ? "" : " > " + finding.hint()).append('\n');
+    }
+    return text.toString();
+  }
+}

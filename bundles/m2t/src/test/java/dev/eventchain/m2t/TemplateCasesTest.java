@@ -1,0 +1,88 @@
+package dev.eventchain.m2t;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.TestFactory;
+
+/**
+ * One test for each folder that holds a {@code template.mtl}. Beside the template stand the files
+ * it is expected to write ({@code expected/}) and the findings it is expected to give ({@code
+ * findings.txt}, absent if there are none). A case without expectations gets the actual ones
+ * written, and fails once.
+ */
+class TemplateCasesTest {
+  private static final Path CASES = Path.of("src/test/resources/cases");
+
+  @TestFactory
+  Stream<DynamicTest> cases() throws IOException {
+    List<Path> folders;
+    try (Stream<Path> all = Files.walk(CASES)) {
+      folders = all.filter(f -> Files.exists(f.resolve("template.mtl"))).sorted().toList();
+    }
+    assertTrue(folders.size() >= 1, "cases were found");
+    return folders.stream()
+        .map(f -> DynamicTest.dynamicTest(CASES.relativize(f).toString(), () -> check(f)));
+  }
+
+  private void check(Path folder) throws IOException {
+    TemplateCase.Outcome outcome = new TemplateCase(folder).run();
+    Path expected = folder.resolve("expected");
+    Path findings = folder.resolve("findings.txt");
+    if (!Files.exists(expected) && !Files.exists(findings)) {
+      writeActual(expected, findings, outcome);
+      fail("there was no expectation; look at what was written into " + folder);
+    }
+    String expectedFindings = Files.exists(findings) ? Files.readString(findings) : "";
+    assertEquals(expectedFindings, outcome.findings());
+    SortedMap<String, String> expectedFiles = filesIn(expected);
+    assertEquals(expectedFiles.keySet(), outcome.files().keySet());
+    outcome
+        .files()
+        .forEach((name, bytes) -> assertEquals(expectedFiles.get(name), text(bytes), name));
+  }
+
+  private static void writeActual(Path expected, Path findings, TemplateCase.Outcome outcome)
+      throws IOException {
+    if (!outcome.findings().isEmpty()) {
+      Files.writeString(findings, outcome.findings());
+    }
+    for (var file : outcome.files().entrySet()) {
+      Path path = expected.resolve(file.getKey());
+      Files.createDirectories(path.getParent());
+      Files.write(path, file.getValue());
+    }
+  }
+
+  private static SortedMap<String, String> filesIn(Path folder) throws IOException {
+    SortedMap<String, String> files = new TreeMap<>();
+    if (!Files.exists(folder)) {
+      return files;
+    }
+    try (Stream<Path> all = Files.walk(folder)) {
+      for (Path file : all.filter(Files::isRegularFile).toList()) {
+        String name = folder.relativize(file).toString().replace('\\', '/');
+        files.put(name, text(Files.readAllBytes(file)));
+      }
+    }
+    return files;
+  }
+
+  /** Bytes as a text that shows every difference, whatever their encoding. */
+  private static String text(byte[] bytes) {
+    String decoded = new String(bytes, UTF_8);
+    return java.util.Arrays.equals(decoded.getBytes(UTF_8), bytes)
+        ? decoded
+        : new String(bytes, java.nio.charset.StandardCharsets.ISO_8859_1);
+  }
+}
