@@ -81,13 +81,12 @@ public final class GenerateModelCode {
   }
 
   private static void quietLint(Path file) {
+    String annotation = "@SuppressWarnings({\"rawtypes\", \"unchecked\", \"serial\"})\n";
     try {
       String text = Files.readString(file);
-      Files.writeString(
-          file,
-          text.replaceFirst(
-              "(?m)^public ",
-              "@SuppressWarnings({\"rawtypes\", \"unchecked\", \"serial\"})\npublic "));
+      if (!text.contains(annotation)) { // left as it is by a second run that changes nothing
+        Files.writeString(file, text.replaceFirst("(?m)^public ", annotation + "public "));
+      }
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

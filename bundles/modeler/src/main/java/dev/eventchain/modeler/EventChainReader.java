@@ -1,0 +1,257 @@
+package dev.eventchain.modeler;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.metamodel.Origins;
+import dev.eventchain.metamodel.eventchain.ComponentOrigin;
+import dev.eventchain.metamodel.eventchain.Data;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.EventchainFactory;
+import dev.eventchain.metamodel.eventchain.QosProfile;
+import dev.eventchain.metamodel.eventchain.Requirement;
+import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import org.eclipse.emf.ecore.util.EcoreUtil;
+
+/**
+ * Turns an event-chain description into a model, directly. The description is the JSON array of the
+ * paper's Appendix A; we add {@code frequency} (Hz), {@code requirements} (ids), {@code type} and
+ * {@code unit} of values, and {@code worst_case_execution_time}, {@code best_case_execution_time}
+ * (ms) and {@code memory} (MiB) of components, all optional.
+ *
+ * <p>Each element's origin is its JSON pointer in the description, so that what is found in the
+ * model later points back to it.
+ */
+public final class EventChainReader {
+
+  private static final EventchainFactory FACTORY = EventchainFactory.eINSTANCE;
+
+  private final JsonText text;
+  private final Origins origins = new Origins();
+  private final List<Diagnostic> diagnostics = new ArrayList<>();
+  private final EventChain chain = FACTORY.createEventChain();
+  private final Map<String, Requirement> requirements = new LinkedHashMap<>();
+  private final OptionalDouble defaultFrequency;
+  private final QosReader qosReader;
+
+  private EventChainReader(SourceText description, OptionalDouble defaultFrequency) {
+    this.text = JsonText.parse(description);
+    this.defaultFrequency = defaultFrequency;
+    this.qosReader = new QosReader(text, diagnostics::add);
+  }
+
+  /**
+   * Reads a description.
+   *
+   * @param name the chain's name
+   * @param written the requirements that the description may name
+   * @param defaultFrequency Hz, for components whose description gives none; empty leaves it unset
+   * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if the description is not JSON
+   */
+  public static Modeled<EventChain> read(
+      SourceText description, String name, Requirements written, OptionalDouble defaultFrequency) {
+    EventChainReader reader = new EventChainReader(description, defaultFrequency);
+    reader.chain.setName(name);
+    written.items().forEach(reader::addRequirement);
+    reader.readComponents();
+    return new Modeled<>(reader.chain, reader.origins, reader.diagnostics);
+  }
+
+  /**
+   * Marks the components that the software base holds as existing ones and the others as generated.
+   */
+  public static void markExisting(EventChain chain, SoftwareBase base) {
+    for (SoftwareNode node : chain.getSoftware()) {
+      Optional<SoftwareBase.Component> existing = base.find(node.getName());
+      node.setOrigin(existing.isPresent() ? ComponentOrigin.EXISTING : ComponentOrigin.GENERATED);
+      existing.ifPresent(component -> node.setImplementation(component.implementation()));
+    }
+  }
+
+  private void addRequirement(Requirements.Item item) {
+    Requirement requirement = FACTORY.createRequirement();
+    requirement.setId(item.id());
+    requirement.setText(item.text());
+    chain.getRequirements().add(requirement);
+    requirements.put(item.id(), requirement);
+    origins.put(requirement, item.location());
+  }
+
+  private void readComponents() {
+    origins.put(chain, text.at(""));
+    if (!text.root().isArray()) {
+      find(
+          "modeler.value.type",
+          "The description must be an array of components, not "
+              + JsonObjectReader.kind(text.root())
+              + ".",
+          text.at(""));
+      return;
+    }
+    if (text.root().isEmpty()) {
+      find("modeler.chain.empty", "The description holds no component.", text.at(""));
+    }
+    for (int i = 0; i < text.root().size(); i++) {
+      JsonObjectReader.at(text, "/" + i, diagnostics::add).ifPresent(this::readComponent);
+    }
+    refuseDuplicates(chain.getSoftware());
+    linkNextSteps();
+  }
+
+  private void readComponent(JsonObjectReader json) {
+    SoftwareNode node = FACTORY.createSoftwareNode();
+    chain.getSoftware().add(node);
+    origins.put(node, json.location());
+    node.setName(name(json, "component"));
+    json.text("description").ifPresent(node::setDescription);
+    OptionalDouble frequency = json.number("frequency", Double.MIN_VALUE);
+    if (frequency.isPresent() || json.value("frequency").isEmpty()) {
+      frequency = frequency.isPresent() ? frequency : defaultFrequency;
+      frequency.ifPresent(node::setFrequency);
+    }
+    json.number("best_case_execution_time", 0).ifPresent(node::setBestCaseExecutionTime);
+    json.number("worst_case_execution_time", 0).ifPresent(node::setWorstCaseExecutionTime);
+    json.number("memory", 0).ifPresent(node::setMemory);
+    json.value("implementation");
+    json.value("file");
+    readRequirements(json, node);
+    readPorts(json, "input", node.getInput());
+    readPorts(json, "output", node.getOutput());
+    json.refuseOthers();
+  }
+
+  private void readRequirements(JsonObjectReader json, SoftwareNode node) {
+    List<String> ids = json.texts("requirements");
+    for (int i = 0; i < ids.size(); i++) {
+      Requirement requirement = requirements.get(ids.get(i));
+      if (requirement == null) {
+        find(
+            "modeler.reference.unresolved",
+            "There is no requirement '" + ids.get(i) + "'.",
+            text.at(JsonText.below(json.pointerTo("requirements"), i)));
+      } else {
+        node.getSatisfies().add(requirement);
+      }
+    }
+  }
+
+  private void readPorts(JsonObjectReader json, String side, List<Data> data) {
+    Set<String> names = new HashSet<>();
+    for (String pointer : json.elements(side)) {
+      JsonObjectReader.at(text, pointer, diagnostics::add)
+          .ifPresent(port -> readPort(port, names, data));
+    }
+  }
+
+  private void readPort(JsonObjectReader port, Set<String> names, List<Data> data) {
+    String topic = checked(port, "topic", Names::isTopic, "modeler.topic.illegal");
+    String type = checked(port, "message_type", Names::isMessageType, "modeler.type.illegal");
+    Optional<QosProfile> qos = qosReader.read(port);
+    List<String> values = port.elements("values");
+    if (values.isEmpty()) {
+      find("modeler.feature.missing", "The topic '" + topic + "' has no values.", port.location());
+    }
+    for (String pointer : values) {
+      JsonObjectReader.at(text, pointer, diagnostics::add)
+          .ifPresent(
+              json -> {
+                Data value = readValue(json, names);
+                value.setTopicName(topic);
+                value.setMessageType(type);
+                qos.map(EcoreUtil::copy).ifPresent(value::setQos);
+                chain.getData().add(value);
+                data.add(value);
+              });
+    }
+    port.refuseOthers();
+  }
+
+  private Data readValue(JsonObjectReader json, Set<String> names) {
+    Data value = FACTORY.createData();
+    origins.put(value, json.location());
+    value.setName(name(json, "value"));
+    if (!names.add(value.getName()) && !value.getName().isEmpty()) {
+      find(
+          "modeler.name.duplicate",
+          "There is a value '" + value.getName() + "' on this side of the component already.",
+          json.at("name"));
+    }
+    value.setFieldName(checked(json, "field", Names::isFieldPath, "modeler.field.illegal"));
+    json.text("description").ifPresent(value::setDescription);
+    json.text("type").ifPresent(value::setType);
+    json.text("unit").ifPresent(value::setUnit);
+    json.refuseOthers();
+    return value;
+  }
+
+  private String name(JsonObjectReader json, String what) {
+    String name = json.requiredText("name");
+    if (!name.isBlank() && !Names.isIdentifier(name)) {
+      diagnostics.add(
+          Diagnostic.error(
+                  "modeler.name.illegal",
+                  "'" + name + "' cannot be the name of a " + what + ".",
+                  json.at("name"))
+              .withHint(
+                  "Names are identifiers of Python: letters, digits and underscores, no digit"
+                      + " first, no keyword."));
+    }
+    return name;
+  }
+
+  private String checked(
+      JsonObjectReader json, String property, Predicate<String> legal, String id) {
+    String value = json.requiredText(property);
+    if (!value.isBlank() && !legal.test(value)) {
+      find(
+          id, "'" + value + "' is no legal " + property.replace('_', ' ') + ".", json.at(property));
+    }
+    return value;
+  }
+
+  private void refuseDuplicates(List<SoftwareNode> nodes) {
+    Map<String, SoftwareNode> seen = new HashMap<>();
+    for (SoftwareNode node : nodes) {
+      SoftwareNode earlier = seen.putIfAbsent(node.getName(), node);
+      if (earlier != null && !node.getName().isEmpty()) {
+        find(
+            "modeler.name.duplicate",
+            "There is a component '"
+                + node.getName()
+                + "' in line "
+                + origins.locate(earlier).line()
+                + " already.",
+            origins.locate(node));
+      }
+    }
+  }
+
+  /** The main line: the first component further down that reads a topic which this one writes. */
+  private void linkNextSteps() {
+    List<SoftwareNode> nodes = chain.getSoftware();
+    for (int i = 0; i < nodes.size(); i++) {
+      Set<String> written =
+          nodes.get(i).getOutput().stream().map(Data::getTopicName).collect(Collectors.toSet());
+      Optional<SoftwareNode> next =
+          nodes.subList(i + 1, nodes.size()).stream()
+              .filter(n -> n.getInput().stream().anyMatch(d -> written.contains(d.getTopicName())))
+              .findFirst();
+      next.ifPresent(nodes.get(i)::setNextstep);
+    }
+  }
+
+  private void find(String id, String message, SourceLocation location) {
+    diagnostics.add(Diagnostic.error(id, message, location));
+  }
+}

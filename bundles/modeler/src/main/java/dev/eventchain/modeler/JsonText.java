@@ -1,0 +1,108 @@
+package dev.eventchain.modeler;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonPointer;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.JsonToken;
+import com.fasterxml.jackson.core.StreamReadConstraints;
+import com.fasterxml.jackson.core.StreamReadFeature;
+import com.fasterxml.jackson.databind.DeserializationFeature;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import java.io.IOException;
+import java.util.HashMap;
+import java.util.Map;
+
+/** A JSON document that knows the place of each of its values. */
+final class JsonText {
+
+  private static final int DEEPEST = 200;
+
+  private static final JsonMapper MAPPER =
+      JsonMapper.builder(
+              JsonFactory.builder()
+                  .streamReadConstraints(
+                      StreamReadConstraints.builder().maxNestingDepth(DEEPEST).build())
+                  .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
+                  .build())
+          .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
+          .build();
+
+  private final SourceText source;
+  private final JsonNode root;
+  private final Map<JsonPointer, Integer> offsets;
+
+  private JsonText(SourceText source, JsonNode root, Map<JsonPointer, Integer> offsets) {
+    this.source = source;
+    this.root = root;
+    this.offsets = offsets;
+  }
+
+  /**
+   * Reads a document: strict JSON, no property twice, nothing after its end, at most 200 levels.
+   *
+   * @throws DiagnosticException INPUT, {@code modeler.json.syntax}, if it is not such a document
+   */
+  static JsonText parse(SourceText source) {
+    try {
+      JsonNode root = MAPPER.readTree(source.text());
+      if (root == null || root.isMissingNode()) {
+        throw syntax("The file is empty.", source.at(0));
+      }
+      return new JsonText(source, root, offsets(source));
+    } catch (JsonProcessingException e) {
+      var place = e.getLocation();
+      SourceLocation location =
+          place == null ? source.at(0) : source.at(place.getLineNr(), place.getColumnNr());
+      String message = e.getOriginalMessage().lines().findFirst().orElse("The file is not JSON.");
+      throw syntax("This is not JSON: " + message, location);
+    } catch (IOException e) {
+      throw new IllegalStateException("reading from memory", e);
+    }
+  }
+
+  private static DiagnosticException syntax(String message, SourceLocation location) {
+    return new DiagnosticException(
+        DiagnosticException.Reason.INPUT,
+        Diagnostic.error("modeler.json.syntax", message, location));
+  }
+
+  private static Map<JsonPointer, Integer> offsets(SourceText source) throws IOException {
+    Map<JsonPointer, Integer> offsets = new HashMap<>();
+    try (JsonParser parser = MAPPER.createParser(source.text())) {
+      for (JsonToken token = parser.nextToken(); token != null; token = parser.nextToken()) {
+        if (token != JsonToken.FIELD_NAME && !token.isStructEnd()) {
+          int offset = (int) parser.currentTokenLocation().getCharOffset();
+          // An array or object is its own context: its pointer names it already.
+          offsets.putIfAbsent(parser.getParsingContext().pathAsPointer(), offset);
+        }
+      }
+    }
+    return offsets;
+  }
+
+  JsonNode root() {
+    return root;
+  }
+
+  /** The place of a value; where there is no such value, that of the nearest one around it. */
+  SourceLocation at(String pointer) {
+    for (JsonPointer known = JsonPointer.compile(pointer); known != null; known = known.head()) {
+      Integer offset = offsets.get(known);
+      if (offset != null) {
+        return source.at(offset).withElement(pointer);
+      }
+    }
+    return source.at(0).withElement(pointer);
+  }
+
+  /** The pointer to a property or an element below another one. */
+  static String below(String pointer, Object name) {
+    return pointer + "/" + name.toString().replace("~", "~0").replace("/", "~1");
+  }
+}

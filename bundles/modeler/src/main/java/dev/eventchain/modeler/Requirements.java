@@ -1,0 +1,110 @@
+package dev.eventchain.modeler;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * Written requirements or design rules: the items {@code - AEB-1: text} of a Markdown file, in
+ * their order. An item goes on in indented lines; everything else in the file is for people.
+ *
+ * @param items the items
+ * @param diagnostics what is wrong with the file: an id twice, an item without text, no item at all
+ */
+public record Requirements(List<Item> items, List<Diagnostic> diagnostics) {
+
+  private static final Pattern ITEM =
+      Pattern.compile("[-*+] +\\**([A-Za-z][A-Za-z0-9_.-]*)\\**:\\**\\s*(.*)");
+
+  /**
+   * An item.
+   *
+   * @param id the id under which people know it
+   * @param text what it says, on one line
+   * @param location where it stands
+   */
+  public record Item(String id, String text, SourceLocation location) {}
+
+  /** Keeps its own copies. */
+  public Requirements {
+    items = List.copyOf(items);
+    diagnostics = List.copyOf(diagnostics);
+  }
+
+  /** Reads the items of a file. */
+  public static Requirements read(SourceText source) {
+    return new Reader(source).read();
+  }
+
+  /** The item with an id. */
+  public Optional<Item> find(String id) {
+    return items.stream().filter(item -> item.id.equals(id)).findFirst();
+  }
+
+  private static final class Reader {
+    private final SourceText source;
+    private final List<Item> items = new ArrayList<>();
+    private final List<Diagnostic> diagnostics = new ArrayList<>();
+
+    Reader(SourceText source) {
+      this.source = source;
+    }
+
+    Requirements read() {
+      int number = 0;
+      boolean open = false;
+      for (String line : source.text().lines().toList()) {
+        number++;
+        Matcher item = ITEM.matcher(line.stripTrailing());
+        if (item.matches()) {
+          items.add(new Item(item.group(1), item.group(2).strip(), source.at(number, 1)));
+          open = true;
+        } else if (open && line.startsWith("  ") && !line.isBlank()) {
+          goOn(line.strip());
+        } else {
+          open = false;
+        }
+      }
+      check();
+      return new Requirements(items, diagnostics);
+    }
+
+    private void goOn(String text) {
+      Item last = items.remove(items.size() - 1);
+      items.add(new Item(last.id, (last.text + " " + text).strip(), last.location));
+    }
+
+    private void check() {
+      if (items.isEmpty()) {
+        diagnostics.add(
+            Diagnostic.error(
+                    "modeler.requirements.none", "The file holds no requirement.", source.at(0))
+                .withHint("Write each as an item with an id: '- AEB-1: The system shall ...'"));
+      }
+      Map<String, Item> seen = new HashMap<>();
+      for (Item item : items) {
+        Item earlier = seen.putIfAbsent(item.id, item);
+        if (earlier != null) {
+          find(
+              "duplicate",
+              "The id " + item.id + " stands in line " + earlier.location.line() + " already.",
+              item);
+        }
+        if (item.text.isEmpty()) {
+          find("empty", "The item " + item.id + " says nothing.", item);
+        }
+      }
+    }
+
+    private void find(String kind, String message, Item item) {
+      diagnostics.add(Diagnostic.error("modeler.requirements." + kind, message, item.location));
+    }
+  }
+}

@@ -1,0 +1,209 @@
+package dev.eventchain.modeler;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.metamodel.eventchain.ComponentImplementation;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * What a project has already: the components of {@code components.json} with their files, and the
+ * signals of {@code signals.json}. Both files are optional; without them, everything is missing.
+ */
+public final class SoftwareBase {
+
+  /**
+   * An existing component.
+   *
+   * @param implementation whether it is a class that needs a node around it, or a node by itself
+   * @param file its Python file
+   * @param json its description
+   * @param location where it is described
+   */
+  public record Component(
+      String name,
+      ComponentImplementation implementation,
+      Path file,
+      JsonNode json,
+      SourceLocation location) {}
+
+  private final Map<String, Component> components;
+  private final String componentsText;
+  private final String signalsText;
+  private final List<Diagnostic> diagnostics;
+
+  private SoftwareBase(
+      Map<String, Component> components,
+      String componentsText,
+      String signalsText,
+      List<Diagnostic> diagnostics) {
+    this.components = components;
+    this.componentsText = componentsText;
+    this.signalsText = signalsText;
+    this.diagnostics = List.copyOf(diagnostics);
+  }
+
+  /**
+   * Reads a software base.
+   *
+   * @param folder the folder {@code software-base}
+   * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if a file cannot be read or is not
+   *     JSON
+   */
+  public static SoftwareBase read(Path folder) {
+    List<Diagnostic> diagnostics = new ArrayList<>();
+    Map<String, Component> components = new LinkedHashMap<>();
+    String componentsText = "[]";
+    Path componentsFile = folder.resolve("components.json");
+    if (Files.exists(componentsFile)) {
+      SourceText source = SourceText.read(componentsFile);
+      componentsText = source.text();
+      components = new Reader(folder, JsonText.parse(source), diagnostics).components();
+    }
+    String signalsText = "[]";
+    Path signalsFile = folder.resolve("signals.json");
+    if (Files.exists(signalsFile)) {
+      SourceText source = SourceText.read(signalsFile);
+      signalsText = source.text();
+      requireArray(JsonText.parse(source), diagnostics);
+    }
+    return new SoftwareBase(components, componentsText, signalsText, diagnostics);
+  }
+
+  private static boolean requireArray(JsonText text, List<Diagnostic> diagnostics) {
+    if (text.root().isArray()) {
+      return true;
+    }
+    diagnostics.add(
+        Diagnostic.error(
+            "modeler.value.type",
+            "The file must hold an array, not " + JsonObjectReader.kind(text.root()) + ".",
+            text.at("")));
+    return false;
+  }
+
+  /** The components, in the order of the file. */
+  public List<Component> components() {
+    return List.copyOf(components.values());
+  }
+
+  /** The component with a name. */
+  public Optional<Component> find(String name) {
+    return Optional.ofNullable(components.get(name));
+  }
+
+  /** The text of {@code components.json}; an empty array where there is no such file. */
+  public String componentsText() {
+    return componentsText;
+  }
+
+  /** The text of {@code signals.json}; an empty array where there is no such file. */
+  public String signalsText() {
+    return signalsText;
+  }
+
+  /** What is wrong with the files. */
+  public List<Diagnostic> diagnostics() {
+    return diagnostics;
+  }
+
+  /** The components of a chain that are not here, in chain order. */
+  public List<SoftwareNode> missing(EventChain chain) {
+    return chain.getSoftware().stream()
+        .filter(node -> !components.containsKey(node.getName()))
+        .toList();
+  }
+
+  private static final class Reader {
+    private final Path folder;
+    private final JsonText text;
+    private final List<Diagnostic> diagnostics;
+
+    Reader(Path folder, JsonText text, List<Diagnostic> diagnostics) {
+      this.folder = folder;
+      this.text = text;
+      this.diagnostics = diagnostics;
+    }
+
+    Map<String, Component> components() {
+      Map<String, Component> components = new LinkedHashMap<>();
+      if (!requireArray(text, diagnostics)) {
+        return components;
+      }
+      for (int i = 0; i < text.root().size(); i++) {
+        JsonObjectReader.at(text, "/" + i, diagnostics::add)
+            .flatMap(this::component)
+            .ifPresent(component -> add(component, components));
+      }
+      return components;
+    }
+
+    private void add(Component component, Map<String, Component> components) {
+      if (components.putIfAbsent(component.name(), component) != null) {
+        diagnostics.add(
+            Diagnostic.error(
+                "modeler.name.duplicate",
+                "There is a component '" + component.name() + "' already.",
+                component.location()));
+      }
+    }
+
+    private Optional<Component> component(JsonObjectReader json) {
+      String name = json.requiredText("name");
+      if (!Names.isIdentifier(name)) {
+        json.find(
+            "modeler.name.illegal",
+            "'" + name + "' cannot be the name of a component.",
+            json.at("name"));
+        return Optional.empty();
+      }
+      String file = json.text("file").orElse("components/" + name + ".py");
+      Path path = folder.resolve(file).normalize();
+      if (!path.startsWith(folder.normalize())) {
+        json.find(
+            "modeler.component.file",
+            "The file '" + file + "' is not in the software base.",
+            json.at("file"));
+        return Optional.empty();
+      }
+      ComponentImplementation implementation = implementation(json);
+      if (implementation == ComponentImplementation.COMPONENT && !Files.isRegularFile(path)) {
+        json.find(
+            "modeler.component.file",
+            "The component '" + name + "' has no file " + file + ".",
+            json.location());
+      }
+      return Optional.of(
+          new Component(
+              name,
+              implementation,
+              path,
+              text.root().at(json.pointerTo("").replaceAll("/$", "")),
+              json.location()));
+    }
+
+    private ComponentImplementation implementation(JsonObjectReader json) {
+      String written = json.text("implementation").orElse("component");
+      return switch (written) {
+        case "component" -> ComponentImplementation.COMPONENT;
+        case "node" -> ComponentImplementation.NODE;
+        default -> {
+          json.find(
+              "modeler.component.implementation",
+              "'" + written + "' is no implementation; it is 'component' or 'node'.",
+              json.at("implementation"));
+          yield ComponentImplementation.COMPONENT;
+        }
+      };
+    }
+  }
+}
