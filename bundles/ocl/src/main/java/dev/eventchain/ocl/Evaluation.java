@@ -27,6 +27,7 @@ public final class Evaluation {
   private int steps;
   private int running;
   private int depth;
+  private boolean outOfTime;
   private InvalidOrigin origin;
   private String note = "";
 
@@ -105,6 +106,7 @@ public final class Evaluation {
     if (outermost) {
       deadline = System.nanoTime() + timeLimit.toNanos();
       depth = 0;
+      outOfTime = false;
     }
     origin = null;
     return outermost;
@@ -118,10 +120,16 @@ public final class Evaluation {
   void step() {
     if (++steps >= STEPS_BETWEEN_LOOKS_AT_THE_CLOCK) {
       steps = 0;
-      if (System.nanoTime() - deadline > 0) {
+      if (System.nanoTime() - deadline > 0 || Thread.currentThread().isInterrupted()) {
+        outOfTime = true;
         throw new EvaluationHaltedException("it takes longer than " + text(timeLimit));
       }
     }
+  }
+
+  /** Whether the latest evaluation was stopped because it took too long. */
+  boolean ranOutOfTime() {
+    return outOfTime;
   }
 
   /** Notes that a definition is about to be evaluated. */

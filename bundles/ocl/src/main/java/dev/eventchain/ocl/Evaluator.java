@@ -73,7 +73,9 @@ final class Evaluator extends EvaluationVisitorImpl {
   }
 
   static String messageOf(RuntimeException e) {
-    return e.getMessage() == null ? e.getClass().getSimpleName() : e.getMessage();
+    return e.getMessage() == null
+        ? e.getClass().getSimpleName()
+        : e.getMessage().lines().findFirst().orElse("");
   }
 
   /**

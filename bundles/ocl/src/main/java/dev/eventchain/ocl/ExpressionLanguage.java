@@ -89,6 +89,34 @@ public final class ExpressionLanguage {
         .map(constraint -> new Expression(this, constraint));
   }
 
+  /**
+   * Adds an operation or a property to a class, for all expressions parsed from now on.
+   *
+   * @param start the offset of {@code def}, or of {@code static} before it
+   * @param scope has {@code self}, whose type is the class
+   * @return whether it has no error
+   */
+  synchronized boolean define(
+      SourceText text,
+      int start,
+      int end,
+      Scope scope,
+      EPackage contextPackage,
+      List<Diagnostic> problems) {
+    StringLiterals.check(text, start, end, problems);
+    List<Object> before = root.definitionsOf(scope.typeOf(Environment.SELF_VARIABLE_NAME));
+    boolean defined =
+        parseConstraint(text, start, end, "", "", environment(scope, contextPackage), problems)
+            .isPresent();
+    if (!defined) {
+      // Eclipse OCL keeps a feature whose body could be parsed but has errors.
+      List<Object> after = root.definitionsOf(scope.typeOf(Environment.SELF_VARIABLE_NAME));
+      after.removeAll(before);
+      after.forEach(root::undefine);
+    }
+    return defined;
+  }
+
   private Optional<OCLExpression<EClassifier>> parseConstraint(
       SourceText text,
       int start,
@@ -112,7 +140,7 @@ public final class ExpressionLanguage {
       body.eAdapters().add(new InvalidOrigin.Source(text));
       return collector.failed() ? Optional.empty() : Optional.of(body);
     } catch (RuntimeException e) {
-      collector.add("ocl.syntax", true, "The expression cannot be read: " + e.getMessage(), 0);
+      collector.add("ocl.syntax", true, "The expression cannot be read: " + e.getMessage(), "", 0);
       return Optional.empty();
     } finally {
       root.clean();

@@ -14,6 +14,7 @@ import org.eclipse.ocl.expressions.LoopExp;
 import org.eclipse.ocl.expressions.OCLExpression;
 import org.eclipse.ocl.expressions.OperationCallExp;
 import org.eclipse.ocl.expressions.PropertyCallExp;
+import org.eclipse.ocl.utilities.CallingASTNode;
 
 /**
  * The innermost expression that made a value invalid.
@@ -50,10 +51,18 @@ record InvalidOrigin(OCLExpression<EClassifier> node, Object source, String deta
     for (EObject each = node; each != null; each = each.eContainer()) {
       Adapter source = EcoreUtil.getExistingAdapter(each, Source.class);
       if (source != null) {
-        return ((Source) source).text().at(node.getStartPosition());
+        return ((Source) source).text().at(offsetOf(node));
       }
     }
     return SourceLocation.NONE;
+  }
+
+  /** The name of what is called, rather than the start of all that it is called on. */
+  private static int offsetOf(OCLExpression<EClassifier> node) {
+    return node instanceof CallingASTNode call
+            && call.getPropertyStartPosition() > node.getStartPosition()
+        ? call.getPropertyStartPosition()
+        : node.getStartPosition();
   }
 
   private String reason() {

@@ -1,5 +1,6 @@
 package dev.eventchain.ocl;
 
+import java.util.List;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EEnumLiteral;
@@ -9,14 +10,28 @@ import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EParameter;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.ocl.Environment;
+import org.eclipse.ocl.cst.CSTNode;
 import org.eclipse.ocl.cst.ClassifierContextDeclCS;
+import org.eclipse.ocl.cst.OperationCallExpCS;
+import org.eclipse.ocl.cst.SimpleNameCS;
 import org.eclipse.ocl.ecore.CallOperationAction;
 import org.eclipse.ocl.ecore.Constraint;
 import org.eclipse.ocl.ecore.SendSignalAction;
 import org.eclipse.ocl.ecore.parser.OCLAnalyzer;
+import org.eclipse.ocl.expressions.OCLExpression;
+import org.eclipse.ocl.expressions.OperationCallExp;
+import org.eclipse.ocl.utilities.TypedElement;
 
 /** Turns text into a checked expression. */
 final class OclAnalyzer extends OCLAnalyzer {
+
+  private record MissingOperation(
+      EClassifier owner,
+      String name,
+      List<? extends TypedElement<EClassifier>> arguments,
+      CSTNode node) {}
+
+  private MissingOperation missing;
 
   OclAnalyzer(OclEnvironment environment, String input) {
     super(environment, input);
@@ -55,5 +70,133 @@ final class OclAnalyzer extends OCLAnalyzer {
           ClassifierContextDeclCS context,
           EClassifier classifier) {
     return environment;
+  }
+
+  /** Says what a name that means nothing might have meant. */
+  @Override
+  protected OCLExpression<EClassifier> simpleUndefinedName(
+      SimpleNameCS name,
+      Environment<
+              EPackage,
+              EClassifier,
+              EOperation,
+              EStructuralFeature,
+              EEnumLiteral,
+              EParameter,
+              EObject,
+              CallOperationAction,
+              SendSignalAction,
+              Constraint,
+              EClass,
+              EObject>
+          environment,
+      OCLExpression<EClassifier> source,
+      String simpleName) {
+    ProblemTexts.Problem problem =
+        source == null
+            ? texts().unknownName(simpleName, environment)
+            : texts().unknownFeature(simpleName, source.getType());
+    report(problem, name.getStartOffset());
+    return createDummyInvalidLiteralExp(environment, name);
+  }
+
+  /** Remembers what was looked for in vain, for the error that follows. */
+  @Override
+  protected EOperation lookupOperation(
+      CSTNode node,
+      Environment<
+              EPackage,
+              EClassifier,
+              EOperation,
+              EStructuralFeature,
+              EEnumLiteral,
+              EParameter,
+              EObject,
+              CallOperationAction,
+              SendSignalAction,
+              Constraint,
+              EClass,
+              EObject>
+          environment,
+      EClassifier owner,
+      String name,
+      List<? extends TypedElement<EClassifier>> arguments) {
+    EOperation found = super.lookupOperation(node, environment, owner, name, arguments);
+    missing =
+        found == null && node != null ? new MissingOperation(owner, name, arguments, node) : null;
+    return found;
+  }
+
+  @Override
+  protected OperationCallExp<EClassifier, EOperation> genOperationCallExp(
+      Environment<
+              EPackage,
+              EClassifier,
+              EOperation,
+              EStructuralFeature,
+              EEnumLiteral,
+              EParameter,
+              EObject,
+              CallOperationAction,
+              SendSignalAction,
+              Constraint,
+              EClass,
+              EObject>
+          environment,
+      OperationCallExpCS node,
+      String rule,
+      String name,
+      OCLExpression<EClassifier> source,
+      EClassifier ownerType,
+      List<OCLExpression<EClassifier>> arguments) {
+    OperationCallExp<EClassifier, EOperation> call =
+        super.genOperationCallExp(environment, node, rule, name, source, ownerType, arguments);
+    if (call.getReferredOperation() != null && arguments != null && arguments.size() == 1) {
+      texts()
+          .senselessComparison(name, ownerType, arguments.get(0).getType())
+          .ifPresent(problem -> warn(problem, node.getSimpleNameCS().getStartOffset()));
+    }
+    return call;
+  }
+
+  @Override
+  public void ERROR(Object node, String rule, String message) {
+    MissingOperation wanted = missing;
+    missing = null;
+    if (wanted != null) {
+      if (!texts().isError(wanted.owner())) {
+        report(
+            texts().unknownOperation(wanted.owner(), wanted.name(), wanted.arguments()),
+            wanted.node().getStartOffset());
+      } else if (!collector().failed()) {
+        super.ERROR(node, rule, message);
+      }
+    } else if (node instanceof OperationCallExpCS call
+        && call.getSource() == null
+        && message.startsWith("illegal operation signature")) {
+      report(
+          texts().unknownFunction(call.getSimpleNameCS().getValue(), message),
+          call.getStartOffset());
+    } else if (node instanceof CSTNode place) {
+      report(texts().other(message), place.getStartOffset());
+    } else {
+      super.ERROR(node, rule, message);
+    }
+  }
+
+  private void report(ProblemTexts.Problem problem, int offset) {
+    collector().add("ocl.type", true, problem.message(), problem.hint(), offset);
+  }
+
+  private void warn(ProblemTexts.Problem problem, int offset) {
+    collector().add("ocl.type", false, problem.message(), problem.hint(), offset);
+  }
+
+  private ProblemCollector collector() {
+    return (ProblemCollector) ((OclEnvironment) getEnvironment()).getProblemHandler();
+  }
+
+  private ProblemTexts texts() {
+    return ((OclEnvironment) getEnvironment()).texts();
   }
 }

@@ -1,11 +1,15 @@
 package dev.eventchain.ocl;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EOperation;
 import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EParameter;
 import org.eclipse.emf.ecore.EcorePackage;
+import org.eclipse.ocl.AmbiguousLookupException;
+import org.eclipse.ocl.LookupException;
 import org.eclipse.ocl.ecore.EcoreEnvironment;
 import org.eclipse.ocl.expressions.Variable;
 import org.eclipse.ocl.options.ParsingOptions;
@@ -61,6 +65,32 @@ final class OclEnvironment extends EcoreEnvironment {
   /** Forgets what a parse left behind, which each later parse would have to search. */
   void clean() {
     getTypeResolver().getResource().getContents().removeIf(root -> !(root instanceof EPackage));
+  }
+
+  /** The operations and properties that definitions have added to a class. */
+  List<Object> definitionsOf(EClassifier type) {
+    List<Object> definitions = new ArrayList<>(getTypeResolver().getAdditionalOperations(type));
+    definitions.addAll(getTypeResolver().getAdditionalAttributes(type));
+    return definitions;
+  }
+
+  ProblemTexts texts() {
+    return factory.texts();
+  }
+
+  /** A type that several packages have must be named with its package. */
+  @Override
+  public EClassifier tryLookupClassifier(List<String> names) throws LookupException {
+    if (super.lookupClassifier(names) == null) {
+      List<EClassifier> candidates = factory.packages().classifiers(names);
+      if (candidates.size() > 1) {
+        String all = candidates.stream().map(Names::qualified).collect(Collectors.joining(", "));
+        throw new AmbiguousLookupException(
+            "Several types are called '" + String.join("::", names) + "': " + all + ".",
+            candidates);
+      }
+    }
+    return super.tryLookupClassifier(names);
   }
 
   /** How many roots the type resolver holds. */

@@ -27,12 +27,14 @@ final class OclEnvironmentFactory extends EcoreEnvironmentFactory {
   private final Libraries libraries;
   private final OclEnvironment root;
   private final ValueEnvironment.Kinds kinds;
+  private final ProblemTexts texts;
 
   OclEnvironmentFactory(PackageIndex packages, Libraries libraries) {
     super(packages.registry());
     this.packages = packages;
     this.libraries = libraries;
     this.root = new OclEnvironment(this);
+    this.texts = new ProblemTexts(root, packages);
     this.kinds = new ValueEnvironment.Kinds(element -> root.getUMLReflection().getOCLType(element));
   }
 
@@ -46,6 +48,10 @@ final class OclEnvironmentFactory extends EcoreEnvironmentFactory {
 
   OclEnvironment root() {
     return root;
+  }
+
+  ProblemTexts texts() {
+    return texts;
   }
 
   CollectionKind kindOf(ETypedElement element) {

@@ -1,6 +1,7 @@
 package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.List;
 import org.eclipse.ocl.lpg.AbstractProblemHandler;
@@ -14,6 +15,7 @@ final class ProblemCollector extends AbstractProblemHandler {
   private final int prefix;
   private final List<Diagnostic> problems;
   private boolean failed;
+  private boolean syntaxErrorFound;
 
   /**
    * Collects the problems of one parse.
@@ -46,22 +48,41 @@ final class ProblemCollector extends AbstractProblemHandler {
     if (severity.getDiagnosticSeverity() < org.eclipse.emf.common.util.Diagnostic.WARNING) {
       return;
     }
-    boolean syntax = phase.equals(Phase.LEXER) || phase.equals(Phase.PARSER);
-    // The first errors tell; what follows a syntax error is mostly its echo.
     boolean error =
         severity.getDiagnosticSeverity() >= org.eclipse.emf.common.util.Diagnostic.ERROR;
-    add(syntax ? "ocl.syntax" : "ocl.type", error, message, startOffset);
+    if (phase.equals(Phase.LEXER) || phase.equals(Phase.PARSER)) {
+      addSyntaxProblem(error, message, startOffset);
+    } else {
+      add("ocl.type", error, message, "", startOffset);
+    }
   }
 
-  void add(String id, boolean error, String message, int startOffset) {
-    int offset = startOffset < prefix ? start : Math.min(end, startOffset - prefix + start);
-    Diagnostic problem =
-        error
-            ? Diagnostic.error(id, message, text.at(offset))
-            : Diagnostic.warning(id, message, text.at(offset));
-    failed |= error;
-    if (!problems.contains(problem)) {
-      problems.add(problem);
+  /** Only the first: what follows a syntax error is its echo. */
+  private void addSyntaxProblem(boolean error, String message, int startOffset) {
+    if (!syntaxErrorFound) {
+      syntaxErrorFound = error;
+      String hint = SyntaxTexts.hint(text.text(), offset(startOffset), start, end);
+      boolean quotes = message.startsWith("Usage of non-standard quoted");
+      add(
+          "ocl.syntax",
+          error,
+          quotes ? "Double quotes make a name here, not a string." : SyntaxTexts.message(message),
+          quotes ? "Strings stand in single quotes." : hint,
+          startOffset);
     }
+  }
+
+  void add(String id, boolean error, String message, String hint, int startOffset) {
+    SourceLocation location = text.at(offset(startOffset));
+    Diagnostic problem =
+        error ? Diagnostic.error(id, message, location) : Diagnostic.warning(id, message, location);
+    failed |= error;
+    if (!problems.contains(problem.withHint(hint))) {
+      problems.add(problem.withHint(hint));
+    }
+  }
+
+  private int offset(int startOffset) {
+    return startOffset < prefix ? start : Math.min(end, startOffset - prefix + start);
   }
 }

@@ -2,6 +2,7 @@ package dev.eventchain.ocl;
 
 import java.lang.reflect.InvocationTargetException;
 import java.util.Collection;
+import java.util.Iterator;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -100,7 +101,9 @@ final class ValueEnvironment extends EcoreEvaluationEnvironment {
   @Override
   protected Object coerceValue(ETypedElement element, Object value, boolean copy) {
     CollectionKind kind = factory.kindOf(element);
-    if (kind == null) {
+    if (value instanceof Iterator<?>) {
+      return value; // EMF's tree iterators are lists, too, but not ones to be read
+    } else if (kind == null) {
       if (!(value instanceof Collection<?> collection)) {
         return value;
       }

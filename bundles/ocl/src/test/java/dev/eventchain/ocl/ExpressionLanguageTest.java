@@ -1,7 +1,6 @@
 package dev.eventchain.ocl;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertInstanceOf;
 import static org.junit.jupiter.api.Assertions.assertNull;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -126,7 +125,7 @@ class ExpressionLanguageTest {
         assertInstanceOf(
             Invalid.class, evaluate("\n  self.books->select(pages > 9000)->first().title"));
     assertEquals("'first' has no result for an empty collection", invalid.reason());
-    assertEquals("test.ocl:2:3", invalid.location().toString());
+    assertEquals("test.ocl:2:37", invalid.location().toString());
   }
 
   @Test
@@ -182,9 +181,41 @@ class ExpressionLanguageTest {
   }
 
   @Test
-  void errorsStandAtTheirPlaces() {
-    List<Diagnostic> problems = problems("[self.naem + self.boks/]", 1);
-    assertFalse(problems.isEmpty());
+  void allErrorsOfAnExpressionStandAtTheirPlacesInTheText() {
+    List<Diagnostic> problems = problems("[template]\n  [self.naem + self.boks", 14);
+    assertEquals(
+        List.of("test.ocl:2:9 Did you mean 'name'?", "test.ocl:2:21 Did you mean 'books'?"),
+        problems.stream().map(each -> each.location() + " " + each.hint()).toList());
     assertEquals("test.ocl:1:1", problems("+", 0).get(0).location().toString());
+    assertEquals("test.ocl:1:1", problems("  ", 0).get(0).location().toString());
+  }
+
+  @Test
+  void anExpressionWithoutSelfSeesOnlyItsVariables() {
+    List<Diagnostic> problems = new ArrayList<>();
+    Scope scope = language.root().with("b", language.type("Book"));
+    String good = "b.title.concat(twice('x'))";
+    Expression expression =
+        language
+            .parse(SourceText.of("t", good), 0, good.length(), scope, problems)
+            .orElseThrow(() -> new AssertionError(problems));
+    Evaluation run = Evaluation.over(List.of(library));
+    run.bind("b", library.eContents().get(0));
+    assertEquals("Dunexx", expression.evaluate(run));
+    assertTrue(language.parse(SourceText.of("t", "self.title"), 0, 10, scope, problems).isEmpty());
+    assertTrue(language.parse(SourceText.of("t", "title"), 0, 5, scope, problems).isEmpty());
+    assertEquals(2, problems.size());
+  }
+
+  @Test
+  void typesAreParsed() {
+    assertEquals("Sequence(Book)", language.type("Sequence(Book)").getName());
+    assertEquals("Member", language.type("people::Member").getName());
+    List<Diagnostic> problems = new ArrayList<>();
+    assertTrue(language.type(SourceText.of("t", "x : Boook"), 4, 9, problems).isEmpty());
+    assertEquals("t:1:5", problems.get(0).location().toString());
+    assertTrue(
+        language.conforms(language.type("AudioBook"), language.type("Book"))
+            && !language.conforms(language.type("Book"), language.type("AudioBook")));
   }
 }

@@ -18,16 +18,21 @@ import org.eclipse.emf.ecore.xmi.impl.XMIResourceFactoryImpl;
 final class TestModels {
 
   private final Path folder;
+  private final Path metamodelFolder;
   private final ResourceSet metamodels = newResourceSet();
   private final ResourceSet models = newResourceSet();
 
   /** The files of {@code src/test/resources/metamodels/NAME}. */
   TestModels(String name) {
-    this(Path.of("src", "test", "resources", "metamodels", name));
+    this(
+        Path.of("src", "test", "resources", "metamodels", name),
+        Path.of("src", "test", "resources", "metamodels", name));
   }
 
-  TestModels(Path folder) {
+  /** Models in one folder, their metamodel in another. */
+  TestModels(Path folder, Path metamodelFolder) {
     this.folder = folder;
+    this.metamodelFolder = metamodelFolder;
   }
 
   private static ResourceSet newResourceSet() {
@@ -42,7 +47,7 @@ final class TestModels {
 
   /** The metamodel in {@code metamodel.ecore}. */
   EPackage metamodel() {
-    return metamodel(folder.resolve("metamodel.ecore"));
+    return metamodel(metamodelFolder.resolve("metamodel.ecore"));
   }
 
   EPackage metamodel(Path file) {

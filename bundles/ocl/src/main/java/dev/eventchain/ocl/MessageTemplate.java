@@ -1,0 +1,96 @@
+package dev.eventchain.ocl;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceText;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.eclipse.emf.common.util.Enumerator;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
+
+/** A message with expressions in braces, which are evaluated on the element it is about. */
+final class MessageTemplate {
+
+  /** A piece of text, or an expression. */
+  private record Part(String text, Expression expression) {}
+
+  private final List<Part> parts;
+
+  private MessageTemplate(List<Part> parts) {
+    this.parts = parts;
+  }
+
+  /**
+   * Reads a message.
+   *
+   * @param text the message; empty for none
+   * @param offset where it starts in its document
+   */
+  static Optional<MessageTemplate> parse(
+      String text,
+      int offset,
+      SourceText source,
+      ExpressionLanguage language,
+      Scope scope,
+      EPackage contextPackage,
+      List<Diagnostic> problems) {
+    List<Part> parts = new ArrayList<>();
+    int at = 0;
+    while (at < text.length()) {
+      int open = text.indexOf('{', at);
+      int close = open < 0 ? -1 : closingBrace(text, open + 1);
+      if (open < 0 || close < 0) {
+        break;
+      }
+      parts.add(new Part(text.substring(at, open), null));
+      // A line that goes on with the message is indented in the document but not here.
+      boolean sameLine = source.text().startsWith(text.substring(0, close), offset);
+      SourceText from = sameLine ? source : SourceText.of(source.name(), text);
+      int base = sameLine ? offset : 0;
+      language
+          .parse(from, base + open + 1, base + close, scope, contextPackage, problems)
+          .ifPresent(expression -> parts.add(new Part("", expression)));
+      at = close + 1;
+    }
+    parts.add(new Part(text.substring(at), null));
+    return text.isEmpty() ? Optional.empty() : Optional.of(new MessageTemplate(parts));
+  }
+
+  private static int closingBrace(String text, int start) {
+    int depth = 1;
+    for (int i = start; i < text.length(); i = Lexer.end(text, i, text.length())) {
+      char c = text.charAt(i);
+      depth += c == '{' ? 1 : c == '}' ? -1 : 0;
+      if (depth == 0) {
+        return i;
+      }
+    }
+    return -1;
+  }
+
+  /** The message about the element that the run has bound to {@code self}. */
+  String render(Evaluation run) {
+    StringBuilder result = new StringBuilder();
+    for (Part part : parts) {
+      result.append(
+          part.expression() == null ? part.text() : text(part.expression().evaluate(run)));
+    }
+    return result.toString();
+  }
+
+  private static String text(Object value) {
+    if (value instanceof Invalid) {
+      return "(undefined)";
+    } else if (value instanceof Enumerator literal) {
+      return literal.getName();
+    } else if (value instanceof EObject object) {
+      return Names.label(object);
+    } else if (value instanceof Collection<?> elements) {
+      return elements.stream().map(MessageTemplate::text).collect(Collectors.joining(", "));
+    }
+    return String.valueOf(value);
+  }
+}

@@ -1,0 +1,64 @@
+package dev.eventchain.ocl;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.eclipse.emf.common.util.TreeIterator;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EStructuralFeature;
+import org.eclipse.emf.ecore.util.EcoreUtil;
+import org.eclipse.ocl.ecore.Constraint;
+import org.eclipse.ocl.ecore.OperationCallExp;
+import org.eclipse.ocl.ecore.PropertyCallExp;
+
+/** Finds the features that an expression reads, also by way of definitions. */
+final class Navigations {
+
+  private final OclEnvironment environment;
+  private final Set<OclConstraint.Navigation> found = new LinkedHashSet<>();
+  private final Set<Constraint> visited = new HashSet<>();
+
+  private Navigations(OclEnvironment environment) {
+    this.environment = environment;
+  }
+
+  static List<OclConstraint.Navigation> of(EObject expression, OclEnvironment environment) {
+    Navigations navigations = new Navigations(environment);
+    navigations.walk(expression);
+    return new ArrayList<>(navigations.found);
+  }
+
+  private void walk(EObject expression) {
+    TreeIterator<EObject> nodes = EcoreUtil.getAllContents(List.of(expression));
+    while (nodes.hasNext()) {
+      EObject node = nodes.next();
+      if (node instanceof PropertyCallExp call) {
+        EStructuralFeature feature = call.getReferredProperty();
+        if (!followed(environment.getDefinition(feature))
+            && feature.getEContainingClass() != null) {
+          EClass owner =
+              call.getSource().getType() instanceof EClass type
+                  ? type
+                  : feature.getEContainingClass();
+          found.add(new OclConstraint.Navigation(owner, feature));
+        }
+      } else if (node instanceof OperationCallExp call && call.getReferredOperation() != null) {
+        followed(environment.getDefinition(call.getReferredOperation()));
+      }
+    }
+  }
+
+  /** Walks a definition, if there is one, and says whether there is. */
+  private boolean followed(Constraint definition) {
+    if (definition == null) {
+      return false;
+    }
+    if (visited.add(definition) && definition.getSpecification() != null) {
+      walk((EObject) definition.getSpecification().getBodyExpression());
+    }
+    return true;
+  }
+}

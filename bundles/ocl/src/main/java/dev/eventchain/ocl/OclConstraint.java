@@ -1,0 +1,131 @@
+package dev.eventchain.ocl;
+
+import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.SourceLocation;
+import java.util.List;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EStructuralFeature;
+
+/** An invariant that was parsed and checked. Immutable and safe for threads. */
+public final class OclConstraint {
+
+  /** What an invariant is for an element. */
+  public enum Verdict {
+    TRUE,
+    FALSE,
+    /** Neither: the value is null or invalid. */
+    UNDEFINED
+  }
+
+  /**
+   * A feature that an invariant reads.
+   *
+   * @param type the class it is read of
+   */
+  public record Navigation(EClass type, EStructuralFeature feature) {}
+
+  private final String name;
+  private final EClass context;
+  private final Expression condition;
+  private final RuleComments comments;
+  private final MessageTemplate message;
+  private final SourceLocation location;
+  private final List<Navigation> navigations;
+
+  OclConstraint(
+      String name,
+      EClass context,
+      Expression condition,
+      RuleComments comments,
+      MessageTemplate message,
+      SourceLocation location,
+      List<Navigation> navigations) {
+    this.name = name;
+    this.context = context;
+    this.condition = condition;
+    this.comments = comments;
+    this.message = message;
+    this.location = location;
+    this.navigations = List.copyOf(navigations);
+  }
+
+  /** The name; one that was not given a name has {@code inv} and its number in its class. */
+  public String name() {
+    return name;
+  }
+
+  /** {@code Class::Name}. */
+  public String qualifiedName() {
+    return context.getName() + "::" + name;
+  }
+
+  /** The class whose instances it constrains. */
+  public EClass context() {
+    return context;
+  }
+
+  /** How bad a violation is. */
+  public Severity severity() {
+    return comments.severity();
+  }
+
+  /** What to do about a violation; empty if the rules do not say. */
+  public String hint() {
+    return comments.hint();
+  }
+
+  /** Where it stands. */
+  public SourceLocation location() {
+    return location;
+  }
+
+  /**
+   * The features it reads, also by way of definitions, in the order of first mention: what a change
+   * of the model must touch to change the verdict.
+   */
+  public List<Navigation> navigations() {
+    return navigations;
+  }
+
+  /**
+   * Evaluates it on one element.
+   *
+   * @param element an instance of {@link #context}; extents cover its whole resource set
+   */
+  public Verdict evaluate(EObject element) {
+    Object value = evaluate(element, Evaluation.over(List.of(element)));
+    if (value instanceof Boolean holds) {
+      return holds ? Verdict.TRUE : Verdict.FALSE;
+    }
+    return Verdict.UNDEFINED;
+  }
+
+  /** The value for an element: a Boolean, null, or an {@link Invalid}. */
+  Object evaluate(EObject element, Evaluation run) {
+    run.bind("self", element);
+    try {
+      return condition.evaluate(run);
+    } finally {
+      run.unbind("self");
+    }
+  }
+
+  /** What to say of an element that violates it. */
+  String messageFor(EObject element, Evaluation run) {
+    if (message == null) {
+      return Names.label(element) + " violates '" + name + "'.";
+    }
+    run.bind("self", element);
+    try {
+      return message.render(run);
+    } finally {
+      run.unbind("self");
+    }
+  }
+
+  @Override
+  public String toString() {
+    return qualifiedName();
+  }
+}

@@ -1,0 +1,59 @@
+package dev.eventchain.ocl;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceText;
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.emf.ecore.EPackage;
+
+/**
+ * Invariants and definitions from Complete OCL documents, parsed and checked against metamodels.
+ * Immutable and safe for threads.
+ *
+ * <p>A document may do without {@code package} clause; its classes are then looked for in all given
+ * packages. {@code import} lines must name a given metamodel. A definition can be used before it
+ * and in other documents. Comments above an invariant say how its violations are reported: {@code --
+ * @severity warning}, {@code -- @message {self.name} is wrong}, {@code -- @hint ...}.
+ */
+public final class OclRules {
+
+  private final List<OclConstraint> constraints;
+  private final List<Diagnostic> diagnostics;
+
+  OclRules(List<OclConstraint> constraints, List<Diagnostic> diagnostics) {
+    this.constraints = List.copyOf(constraints);
+    this.diagnostics = List.copyOf(diagnostics);
+  }
+
+  /**
+   * Parses and checks documents.
+   *
+   * @param documents the documents, which see each other's definitions
+   * @param packages the metamodels that they may name; nested packages need not be listed
+   * @return the rules without those that have an error; {@link #diagnostics()} has the errors
+   */
+  public static OclRules parse(List<SourceText> documents, Collection<EPackage> packages) {
+    return new RuleParser(ExpressionLanguage.of(packages)).parse(documents);
+  }
+
+  /** All errors and warnings of the documents, in the order of their places. */
+  public List<Diagnostic> diagnostics() {
+    return diagnostics;
+  }
+
+  /** The invariants without errors, in the order of the documents. */
+  public List<OclConstraint> constraints() {
+    return constraints;
+  }
+
+  /** The qualified names of the invariants without errors: {@code Class::Name}. */
+  public List<String> constraintNames() {
+    return constraints.stream().map(OclConstraint::qualifiedName).toList();
+  }
+
+  /** The invariant of this qualified name. */
+  public Optional<OclConstraint> constraint(String qualifiedName) {
+    return constraints.stream().filter(c -> c.qualifiedName().equals(qualifiedName)).findFirst();
+  }
+}

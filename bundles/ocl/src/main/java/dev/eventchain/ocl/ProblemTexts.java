@@ -1,0 +1,197 @@
+package dev.eventchain.ocl;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EEnum;
+import org.eclipse.emf.ecore.EOperation;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EParameter;
+import org.eclipse.emf.ecore.EStructuralFeature;
+import org.eclipse.ocl.Environment;
+import org.eclipse.ocl.types.CollectionType;
+import org.eclipse.ocl.types.InvalidType;
+import org.eclipse.ocl.types.PrimitiveType;
+import org.eclipse.ocl.types.VoidType;
+import org.eclipse.ocl.util.TypeUtil;
+import org.eclipse.ocl.utilities.TypedElement;
+
+/** Says what is wrong with an expression in words that help to mend it. */
+final class ProblemTexts {
+
+  /** What is wrong, and what was probably meant. */
+  record Problem(String message, String hint) {}
+
+  private static final Pattern UNKNOWN_LITERAL =
+      Pattern.compile("Unknown enumeration literal \\((.*)\\)");
+  private static final Pattern UNKNOWN_TYPE = Pattern.compile("Unknown type \\((.*)\\)");
+  private static final Pattern SIGNATURE = Pattern.compile(".*?\\((.*)\\)$");
+  private static final Set<String> COMPARISONS = Set.of("=", "<>", "<", ">", "<=", ">=");
+
+  private final OclEnvironment root;
+  private final PackageIndex packages;
+
+  ProblemTexts(OclEnvironment root, PackageIndex packages) {
+    this.root = root;
+    this.packages = packages;
+  }
+
+  /** A name with nothing before it. */
+  Problem unknownName(
+      String name, Environment<?, EClassifier, ?, ?, ?, EParameter, ?, ?, ?, ?, ?, ?> environment) {
+    Set<String> known = new LinkedHashSet<>();
+    environment.getVariables().forEach(variable -> known.add(variable.getName()));
+    if (environment.getSelfVariable() != null) {
+      known.addAll(featuresOf(environment.getSelfVariable().getType()));
+    }
+    known.addAll(types());
+    return new Problem(
+        "There is no variable, feature or type '" + name + "' here.",
+        NearestName.question(name, known));
+  }
+
+  /** A name after a dot. */
+  Problem unknownFeature(String name, EClassifier sourceType) {
+    EClassifier owner = elementType(sourceType).orElse(sourceType);
+    Collection<String> features = featuresOf(owner);
+    String hint = NearestName.question(name, features);
+    if (hint.isEmpty() && operationsOf(owner).contains(name)) {
+      hint = "'" + name + "' is an operation: write '" + name + "()'.";
+    } else if (hint.isEmpty() && !features.isEmpty() && features.size() <= 12) {
+      hint = "It has " + String.join(", ", features) + ".";
+    }
+    return new Problem(Names.of(owner) + " has no feature '" + name + "'.", hint);
+  }
+
+  /** A call with nothing before it. */
+  Problem unknownFunction(String name, String message) {
+    Matcher signature = SIGNATURE.matcher(message);
+    String call = signature.matches() ? signature.group(1) : name;
+    return new Problem("There is no operation '" + call + "' here.", "");
+  }
+
+  /** A call on a source of this type. */
+  Problem unknownOperation(
+      EClassifier owner, String name, List<? extends TypedElement<EClassifier>> arguments) {
+    String types =
+        arguments == null
+            ? ""
+            : arguments.stream()
+                .map(argument -> Names.of(argument.getType()))
+                .collect(Collectors.joining(", "));
+    return new Problem(
+        Names.of(owner) + " has no operation '" + name + "(" + types + ")'.",
+        operationHint(owner, name, arguments == null ? List.of() : arguments));
+  }
+
+  private String operationHint(
+      EClassifier owner, String name, List<? extends TypedElement<EClassifier>> arguments) {
+    if (elementType(owner).isPresent()
+        && operationsOf(elementType(owner).get()).contains(name)
+        && (COMPARISONS.contains(name) || !operationsOf(owner).contains(name))) {
+      return "This is a collection. Ask its elements, with ->forAll(each | each "
+          + name
+          + " ...) or ->exists(...), or compare its ->size().";
+    } else if (arguments.stream().anyMatch(a -> elementType(a.getType()).isPresent())
+        && elementType(owner).isEmpty()) {
+      return "The argument is a collection, what stands before '" + name + "' is not.";
+    } else if (operationsOf(owner).contains(name)) {
+      return "'" + name + "' takes arguments of other types.";
+    }
+    return NearestName.question(name, operationsOf(owner));
+  }
+
+  /** A comparison that can never be true, which Eclipse OCL accepts. */
+  Optional<Problem> senselessComparison(String name, EClassifier left, EClassifier right) {
+    boolean equality = name.equals("=") || name.equals("<>");
+    if (equality
+        && left instanceof PrimitiveType<?>
+        && right instanceof PrimitiveType<?>
+        && !TypeUtil.compatibleTypeMatch(root, left, right)
+        && !TypeUtil.compatibleTypeMatch(root, right, left)) {
+      return Optional.of(
+          new Problem(
+              "Values of type " + Names.of(left) + " and " + Names.of(right) + " are never equal.",
+              ""));
+    }
+    return Optional.empty();
+  }
+
+  /** Whether a type stands for an error that has been reported. */
+  boolean isError(EClassifier type) {
+    return type == null || type instanceof InvalidType<?> || type instanceof VoidType<?>;
+  }
+
+  /** What Eclipse OCL says, with a hint if a name is wrong. */
+  Problem other(String message) {
+    Matcher literal = UNKNOWN_LITERAL.matcher(message);
+    if (literal.matches()) {
+      return new Problem(
+          "There is no enumeration literal '" + literal.group(1) + "'.",
+          NearestName.question(literal.group(1), literals()));
+    }
+    Matcher type = UNKNOWN_TYPE.matcher(message);
+    if (type.matches()) {
+      return new Problem(
+          "There is no type '" + type.group(1) + "'.",
+          NearestName.question(type.group(1), types()));
+    }
+    return new Problem(message, "");
+  }
+
+  private Optional<EClassifier> elementType(EClassifier type) {
+    return type instanceof CollectionType<?, ?> collection
+        ? Optional.of((EClassifier) collection.getElementType())
+        : Optional.empty();
+  }
+
+  private List<String> featuresOf(EClassifier type) {
+    List<String> names = new ArrayList<>();
+    if (type instanceof EClass eClass) {
+      for (EStructuralFeature feature : eClass.getEAllStructuralFeatures()) {
+        names.add(feature.getName());
+      }
+    }
+    for (EStructuralFeature feature : root.getAdditionalAttributes(type)) {
+      names.add(feature.getName());
+    }
+    return names;
+  }
+
+  private Set<String> operationsOf(EClassifier type) {
+    Set<String> names = new LinkedHashSet<>();
+    for (EOperation operation : TypeUtil.getOperations(root, type)) {
+      names.add(operation.getName());
+    }
+    return names;
+  }
+
+  private Set<String> types() {
+    Set<String> names = new LinkedHashSet<>();
+    for (EPackage each : packages.all()) {
+      each.getEClassifiers().forEach(classifier -> names.add(classifier.getName()));
+    }
+    names.addAll(List.of("String", "Integer", "Real", "Boolean"));
+    return names;
+  }
+
+  private Set<String> literals() {
+    Set<String> names = new LinkedHashSet<>();
+    for (EPackage each : packages.all()) {
+      for (EClassifier classifier : each.getEClassifiers()) {
+        if (classifier instanceof EEnum enumeration) {
+          enumeration.getELiterals().forEach(literal -> names.add(literal.getName()));
+        }
+      }
+    }
+    return names;
+  }
+}

@@ -1,0 +1,136 @@
+package dev.eventchain.ocl;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.SourceText;
+import java.util.List;
+import java.util.Locale;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * What the comments above an invariant say about its findings: {@code -- @severity warning}, {@code
+ * -- @message text with {expressions}}, {@code -- @hint text}. A comment line that follows and
+ * starts with more than one space goes on with the text.
+ */
+final class RuleComments {
+
+  private static final Pattern COMMENT = Pattern.compile("^[ \\t]*--(.*)$", Pattern.MULTILINE);
+  private static final Pattern BLANK_LINE = Pattern.compile("\\n[ \\t\\r]*\\n");
+  private static final Pattern ANNOTATION = Pattern.compile(" ?@(\\w+)[ \\t]*(.*)");
+  private static final List<String> KEYWORDS = List.of("severity", "message", "hint");
+
+  private final SourceText source;
+  private final List<Diagnostic> problems;
+  private Severity severity = Severity.ERROR;
+  private final StringBuilder message = new StringBuilder();
+  private final StringBuilder hint = new StringBuilder();
+  private int messageOffset;
+  private String last = "";
+
+  private RuleComments(SourceText source, List<Diagnostic> problems) {
+    this.source = source;
+    this.problems = problems;
+  }
+
+  /** Reads the comments at the end of each of these parts; the later ones win. */
+  static RuleComments read(
+      SourceText source, List<RuleDocument.Range> parts, List<Diagnostic> problems) {
+    RuleComments comments = new RuleComments(source, problems);
+    parts.forEach(comments::readBlock);
+    return comments;
+  }
+
+  /** Reads the lines between the last blank line and the end. */
+  private void readBlock(RuleDocument.Range part) {
+    Matcher blank = BLANK_LINE.matcher(source.text()).region(part.start(), part.end());
+    int start = part.start();
+    while (blank.find()) {
+      start = blank.end();
+      blank.region(start - 1, part.end());
+    }
+    Matcher lines = COMMENT.matcher(source.text()).region(start, part.end());
+    lines.useAnchoringBounds(false);
+    while (lines.find()) {
+      readLine(lines.group(1).stripTrailing(), lines.start(1));
+    }
+    last = "";
+  }
+
+  /** How bad a violation is. */
+  Severity severity() {
+    return severity;
+  }
+
+  /** The text of the message; empty for the default. */
+  String message() {
+    return message.toString();
+  }
+
+  /** Where the text of the message starts. */
+  int messageOffset() {
+    return messageOffset;
+  }
+
+  /** The hint; empty if there is none. */
+  String hint() {
+    return hint.toString();
+  }
+
+  private void readLine(String line, int offset) {
+    Matcher annotation = ANNOTATION.matcher(line);
+    if (annotation.matches()) {
+      read(annotation.group(1), annotation.group(2), offset + annotation.start(2));
+    } else if (line.startsWith("  ") && !line.isBlank()) {
+      switch (last) {
+        case "message" -> message.append(' ').append(line.strip());
+        case "hint" -> hint.append(' ').append(line.strip());
+        default -> {}
+      }
+    } else {
+      last = "";
+    }
+  }
+
+  private void read(String keyword, String text, int offset) {
+    last = keyword;
+    switch (keyword) {
+      case "severity" -> readSeverity(text, offset);
+      case "message" -> {
+        message.setLength(0);
+        message.append(text);
+        messageOffset = offset;
+      }
+      case "hint" -> {
+        hint.setLength(0);
+        hint.append(text);
+      }
+      default -> {
+        String meant = NearestName.of(keyword, KEYWORDS);
+        if (!meant.isEmpty()) {
+          problems.add(
+              Diagnostic.warning(
+                      "ocl.annotation",
+                      "The annotation '@" + keyword + "' is not known.",
+                      source.at(offset))
+                  .withHint("Did you mean '@" + meant + "'?"));
+        }
+      }
+    }
+  }
+
+  private void readSeverity(String text, int offset) {
+    switch (text.strip().toLowerCase(Locale.ROOT)) {
+      case "error" -> severity = Severity.ERROR;
+      case "warning" -> severity = Severity.WARNING;
+      case "info" -> severity = Severity.INFO;
+      default ->
+          problems.add(
+              Diagnostic.error(
+                      "ocl.annotation",
+                      "'" + text.strip() + "' is not a severity.",
+                      source.at(offset))
+                  .withHint("Write error, warning or info."));
+    }
+  }
+}

@@ -1,0 +1,280 @@
+package dev.eventchain.ocl;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceText;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * Takes a Complete OCL document apart, so that each constraint is parsed on its own and an error in
+ * one does not hide those in others.
+ */
+final class RuleDocument {
+
+  /** A qualified name and where it stands. */
+  record Path(List<String> names, int offset) {
+    @Override
+    public String toString() {
+      return String.join("::", names);
+    }
+  }
+
+  /** An import line: a URI, a file or a name. */
+  record Import(String target, int offset) {}
+
+  /**
+   * An invariant or a definition.
+   *
+   * @param definition whether it is a definition
+   * @param packagePath the package clause around it; {@code null} if there is none
+   * @param context the class it is about
+   * @param name its name; empty if it has none
+   * @param keyword the offset of its keyword
+   * @param start the offset of its expression, of its keyword for a definition
+   * @param end the offset after it
+   * @param comments where the comments above it stand
+   */
+  record Clause(
+      boolean definition,
+      Path packagePath,
+      Path context,
+      String name,
+      int keyword,
+      int start,
+      int end,
+      List<Range> comments) {}
+
+  /** A part of a document. */
+  record Range(int start, int end) {}
+
+  private static final Set<String> UNSUPPORTED = Set.of("pre", "post", "body", "init", "derive");
+
+  /** A keyword after one of these is a name inside an expression. */
+  private static final Set<String> BEFORE_NAMES =
+      Set.of(".", "->", "::", "^", ",", "(", "{", "|", "let", ";");
+
+  private static final Set<String> AFTER_CONTEXT =
+      Set.of("inv", "def", "static", "pre", "post", "body", "init", "derive");
+
+  private final SourceText source;
+  private final Tokens tokens;
+  private final List<Diagnostic> problems;
+  private final List<Import> imports = new ArrayList<>();
+  private final List<Clause> clauses = new ArrayList<>();
+  private Path packagePath;
+  private Path context;
+  private Range contextComments;
+  private boolean contextFailed;
+  private int at;
+
+  private RuleDocument(SourceText source, List<Diagnostic> problems) {
+    this.source = source;
+    this.tokens = new Tokens(source.text());
+    this.problems = problems;
+  }
+
+  /** Takes a document apart; what is neither an invariant nor a definition becomes a problem. */
+  static RuleDocument read(SourceText source, List<Diagnostic> problems) {
+    RuleDocument document = new RuleDocument(source, problems);
+    while (document.at < document.tokens.size()) {
+      document.readNext();
+    }
+    return document;
+  }
+
+  SourceText source() {
+    return source;
+  }
+
+  List<Import> imports() {
+    return imports;
+  }
+
+  List<Clause> clauses() {
+    return clauses;
+  }
+
+  private void readNext() {
+    String token = tokens.text(at);
+    switch (token) {
+      case "import" -> readImport();
+      case "package" -> {
+        at++;
+        packagePath = readPath();
+        setContext(null, false);
+      }
+      case "endpackage" -> {
+        at++;
+        packagePath = null;
+        setContext(null, false);
+      }
+      case "context" -> readContext();
+      case "inv" -> readInvariant();
+      case "static", "def" -> readDefinition();
+      default -> {
+        if (UNSUPPORTED.contains(token)) {
+          if (!contextFailed) {
+            unsupported(at, "'" + token + "' conditions are not checked here.");
+          }
+        } else {
+          error(at, "'context', 'inv' or 'def' is expected here, not '" + token + "'.");
+        }
+        skipToClause(at + 1);
+      }
+    }
+  }
+
+  private void readImport() {
+    int start = at++;
+    if (at + 1 < tokens.size() && tokens.text(at + 1).equals(":")) {
+      at += 2; // import name : 'uri'
+    }
+    if (at < tokens.size() && tokens.isString(at)) {
+      String literal = tokens.text(at);
+      imports.add(new Import(literal.substring(1, literal.length() - 1), tokens.start(at)));
+      at++;
+    } else if (at < tokens.size() && tokens.isName(at)) {
+      Path path = readPath();
+      imports.add(new Import(path.toString(), path.offset()));
+    } else {
+      error(start, "'import' needs the URI, the file or the name of a metamodel.");
+    }
+  }
+
+  private void readContext() {
+    int start = at++;
+    Path path = readPath();
+    setContext(path, path == null);
+    contextComments = before(start);
+    if (path == null) {
+      skipToClause(start + 1);
+    } else if (tokens.is(at, ":") || tokens.is(at, "(")) {
+      unsupported(at, "Only 'context' with the name of a class is understood.");
+      setContext(null, true);
+      skipToClause(at);
+    } else if (at >= tokens.size() || !AFTER_CONTEXT.contains(tokens.text(at))) {
+      error(at - 1, "'inv' or 'def' is expected after the context.");
+      skipToClause(at);
+    }
+  }
+
+  private void setContext(Path path, boolean failed) {
+    context = path;
+    contextFailed = failed;
+    contextComments = null;
+  }
+
+  private Path readPath() {
+    if (at >= tokens.size() || !tokens.isName(at)) {
+      error(at - 1, "A name is expected after '" + tokens.text(at - 1) + "'.");
+      return null;
+    }
+    int offset = tokens.start(at);
+    List<String> names = new ArrayList<>();
+    names.add(tokens.text(at++));
+    while (at + 1 < tokens.size() && tokens.is(at, "::") && tokens.isName(at + 1)) {
+      names.add(tokens.text(at + 1));
+      at += 2;
+    }
+    return new Path(List.copyOf(names), offset);
+  }
+
+  private void readInvariant() {
+    int keyword = at++;
+    String name = "";
+    if (at < tokens.size() && tokens.isName(at)) {
+      name = tokens.text(at++);
+    }
+    if (at < tokens.size() && tokens.is(at, "(")) {
+      problems.add(
+          Diagnostic.error(
+                  "ocl.syntax",
+                  "An invariant has no message in parentheses.",
+                  source.at(tokens.start(at)))
+              .withHint("Write the message in a comment above it: -- @message ..."));
+      skipToClause(at);
+      return;
+    }
+    if (at >= tokens.size() || !tokens.is(at, ":")) {
+      error(at - 1, "':' is expected after '" + tokens.text(at - 1) + "'.");
+      skipToClause(at);
+      return;
+    }
+    int start = tokens.end(at++);
+    skipToClause(at);
+    add(false, name, keyword, start);
+  }
+
+  private void readDefinition() {
+    int keyword = at;
+    skipToClause(at + (tokens.is(at, "static") ? 2 : 1));
+    add(true, "", keyword, tokens.start(keyword));
+  }
+
+  private void add(boolean definition, String name, int keyword, int start) {
+    if (context != null) {
+      List<Range> comments = new ArrayList<>();
+      if (contextComments != null) {
+        comments.add(contextComments);
+      }
+      comments.add(before(keyword));
+      int end = endOfClause(start);
+      int offset = tokens.start(keyword);
+      clauses.add(new Clause(definition, packagePath, context, name, offset, start, end, comments));
+    } else if (!contextFailed) {
+      error(keyword, "'context' and the name of a class are missing before this.");
+    }
+    contextComments = null;
+  }
+
+  /** What stands between a token and the one before it. */
+  private Range before(int token) {
+    int end = tokens.start(token);
+    return new Range(tokens.endBefore(token), end);
+  }
+
+  /** The end of the last token before the next clause. */
+  private int endOfClause(int start) {
+    return Math.max(start, tokens.endBefore(at));
+  }
+
+  private void skipToClause(int from) {
+    at = from;
+    while (at < tokens.size() && !startsClause(at)) {
+      at++;
+    }
+  }
+
+  private boolean startsClause(int index) {
+    if (index > 0 && BEFORE_NAMES.contains(tokens.text(index - 1))) {
+      return false;
+    }
+    String token = tokens.text(index);
+    boolean named = tokens.isName(index + 1);
+    return switch (token) {
+      case "endpackage" -> true;
+      case "context", "package" -> named;
+      case "import" -> named || tokens.isString(index + 1);
+      case "static" -> tokens.is(index + 1, "def");
+      case "inv" ->
+          tokens.is(index + 1, ":")
+              || (named && (tokens.is(index + 2, ":") || tokens.is(index + 2, "(")));
+      case "def", "pre", "post", "body", "init", "derive" ->
+          tokens.is(index + 1, ":") || (named && tokens.is(index + 2, ":"));
+      default -> false;
+    };
+  }
+
+  private void error(int token, String message) {
+    problems.add(
+        Diagnostic.error(
+            "ocl.syntax", message, source.at(tokens.start(Math.min(token, tokens.size() - 1)))));
+  }
+
+  private void unsupported(int token, String message) {
+    problems.add(
+        Diagnostic.error("ocl.unsupported", message, source.at(tokens.start(token)))
+            .withHint("Write 'context Class inv Name: ...' with 'self', or a 'def:'."));
+  }
+}

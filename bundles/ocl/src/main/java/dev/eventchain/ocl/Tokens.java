@@ -1,0 +1,71 @@
+package dev.eventchain.ocl;
+
+import java.util.Arrays;
+
+/** The tokens of a text, without white space and comments. */
+final class Tokens {
+
+  private final String text;
+  private int[] starts = new int[64];
+  private int[] ends = new int[64];
+  private int size;
+
+  Tokens(String text) {
+    this.text = text;
+    for (int i = 0; i < text.length(); ) {
+      int end = Lexer.end(text, i, text.length());
+      if (!Lexer.isBlank(text, i)) {
+        add(i, end);
+      }
+      i = end;
+    }
+  }
+
+  private void add(int start, int end) {
+    if (size == starts.length) {
+      starts = Arrays.copyOf(starts, size * 2);
+      ends = Arrays.copyOf(ends, size * 2);
+    }
+    starts[size] = start;
+    ends[size++] = end;
+  }
+
+  int size() {
+    return size;
+  }
+
+  int start(int index) {
+    return index < 0 ? 0 : starts[index];
+  }
+
+  int end(int index) {
+    return ends[index];
+  }
+
+  /** The end of the token before this one; 0 if it is the first. */
+  int endBefore(int index) {
+    return index == 0 ? 0 : ends[index - 1];
+  }
+
+  String text(int index) {
+    return text.substring(starts[index], ends[index]);
+  }
+
+  boolean is(int index, String token) {
+    return index < size
+        && ends[index] - starts[index] == token.length()
+        && text.startsWith(token, starts[index]);
+  }
+
+  boolean isName(int index) {
+    return index < size && Character.isJavaIdentifierStart(text.charAt(starts[index]));
+  }
+
+  /** Whether a token is a complete string literal. */
+  boolean isString(int index) {
+    return index < size
+        && (text.charAt(starts[index]) == '\'' || text.charAt(starts[index]) == '"')
+        && ends[index] - starts[index] >= 2
+        && text.charAt(ends[index] - 1) == text.charAt(starts[index]);
+  }
+}

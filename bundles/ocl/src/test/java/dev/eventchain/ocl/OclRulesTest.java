@@ -1,0 +1,101 @@
+package dev.eventchain.ocl;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.ocl.OclConstraint.Verdict;
+import java.util.List;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
+import org.junit.jupiter.api.Test;
+
+/** What rules tell about their constraints. */
+class OclRulesTest {
+
+  private final TestModels models = new TestModels("library");
+  private final EPackage metamodel = models.metamodel();
+  private final EObject library = models.load("library.xmi");
+
+  private OclRules rules(String text) {
+    OclRules rules = OclRules.parse(List.of(SourceText.of("rules.ocl", text)), List.of(metamodel));
+    assertEquals(List.of(), rules.diagnostics());
+    return rules;
+  }
+
+  @Test
+  void aConstraintNamesTheFeaturesItReadsAlsoByWayOfDefinitions() {
+    OclConstraint constraint =
+        rules(
+                """
+                context Library
+                  def: long() : Set(Book) = books->select(pages > 500)->asSet()
+                  inv A: self.long()->forAll(b | b.borrower <> null) or name = 'x'
+                """)
+            .constraints()
+            .get(0);
+    assertEquals(
+        List.of("Library.books", "Book.pages", "Book.borrower", "Library.name"),
+        constraint.navigations().stream()
+            .map(each -> each.type().getName() + "." + each.feature().getName())
+            .toList());
+  }
+
+  @Test
+  void aConstraintIsTrueFalseOrUndefinedForAnElement() {
+    OclRules rules =
+        rules(
+            """
+            context Book
+              -- @severity warning
+              -- @hint Think again.
+              inv A: sequel.pages < pages
+            """);
+    OclConstraint constraint = rules.constraint("Book::A").orElseThrow();
+    List<EObject> books = library.eContents();
+    assertEquals(Verdict.TRUE, constraint.evaluate(books.get(0)));
+    assertEquals(Verdict.UNDEFINED, constraint.evaluate(books.get(1)));
+    books.get(0).eSet(books.get(0).eClass().getEStructuralFeature("pages"), 1);
+    assertEquals(Verdict.FALSE, constraint.evaluate(books.get(0)));
+    assertEquals(Severity.WARNING, constraint.severity());
+    assertEquals("Think again.", constraint.hint());
+    assertEquals("rules.ocl:4:3", constraint.location().toString());
+  }
+
+  @Test
+  void aByteOrderMarkAndWindowsLineEndsDoNotMatter() {
+    OclRules rules =
+        rules(
+            "\uFEFF-- @severity info\r\ncontext Book\r\n  inv A: pages >= 0\r\n  inv B: true\r\n");
+    assertEquals(List.of("Book::A", "Book::B"), rules.constraintNames());
+    assertEquals(Severity.INFO, rules.constraints().get(0).severity());
+    assertEquals("rules.ocl:4:3", rules.constraints().get(1).location().toString());
+  }
+
+  @Test
+  void noRulesAndNoDocumentsAreNoPass() {
+    for (List<SourceText> documents :
+        List.of(List.<SourceText>of(), List.of(SourceText.of("empty.ocl", "")))) {
+      OclResult result =
+          OclValidator.validate(
+              OclRules.parse(documents, List.of(metamodel)),
+              List.of(library),
+              element -> dev.eventchain.diagnostics.SourceLocation.NONE);
+      assertEquals("ocl.nothing-evaluated", result.diagnostics().get(0).id());
+      assertEquals(0, result.evaluations());
+    }
+  }
+
+  @Test
+  void rulesThatNoElementIsAboutAreNoPass() {
+    EObject member = library.eContents().get(5);
+    OclResult result =
+        OclValidator.validate(
+            rules("context Book inv A: true"),
+            List.of(member),
+            element -> dev.eventchain.diagnostics.SourceLocation.NONE);
+    assertEquals("ocl.nothing-evaluated", result.diagnostics().get(0).id());
+    assertTrue(result.diagnostics().get(0).message().contains("1 constraints, 1 elements"));
+  }
+}

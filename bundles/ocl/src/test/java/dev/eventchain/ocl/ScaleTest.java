@@ -1,0 +1,151 @@
+package dev.eventchain.ocl;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.Callable;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.util.EcoreUtil;
+import org.junit.jupiter.api.Test;
+
+/** Many expressions, many threads, many elements, and rules that do not end. */
+class ScaleTest {
+
+  private final EPackage metamodel = new TestModels("machine").metamodel();
+
+  private EObject machine(int states) {
+    EObject machine = EcoreUtil.create((EClass) metamodel.getEClassifier("Machine"));
+    List<EObject> all = listOf(machine, "states");
+    EClass type = (EClass) metamodel.getEClassifier("State");
+    for (int i = 0; i < states; i++) {
+      EObject state = EcoreUtil.create(type);
+      state.eSet(type.getEStructuralFeature("name"), "s" + i);
+      if (i > 0) {
+        all.get(i - 1).eSet(type.getEStructuralFeature("fallback"), state);
+        listOf(all.get(i - 1), "next").add(state);
+      }
+      all.add(state);
+    }
+    return machine;
+  }
+
+  @SuppressWarnings("unchecked") // EMF's lists know their element type at run time only
+  private static List<EObject> listOf(EObject object, String feature) {
+    return (List<EObject>) object.eGet(object.eClass().getEStructuralFeature(feature));
+  }
+
+  private OclResult validate(String rules, EObject root, Duration limit) {
+    OclRules parsed =
+        OclRules.parse(List.of(SourceText.of("rules.ocl", rules)), List.of(metamodel));
+    assertEquals(List.of(), parsed.diagnostics());
+    return OclValidator.of(parsed)
+        .withTimeLimit(limit)
+        .validate(List.of(root), element -> SourceLocation.NONE);
+  }
+
+  @Test
+  void parsingLeavesNothingBehindThatLaterParsesSearch() {
+    ExpressionLanguage language = ExpressionLanguage.of(List.of(metamodel));
+    Scope scope = language.root().with("self", metamodel.getEClassifier("State"));
+    int afterFew = 0;
+    for (int i = 0; i < 500; i++) {
+      String text =
+          "let a : Integer = " + i + " in self.next->select(s | s.name <> 'x')->size() > a";
+      List<Diagnostic> problems = new ArrayList<>();
+      assertTrue(
+          language.parse(SourceText.of("", text), 0, text.length(), scope, problems).isPresent(),
+          problems::toString);
+      language.parse(SourceText.of("", "self.x + "), 0, 9, scope, problems);
+      language.type("Sequence(State)");
+      if (i == 10) {
+        afterFew = language.environment().roots();
+      }
+    }
+    assertEquals(afterFew, language.environment().roots());
+  }
+
+  @Test
+  void threadsShareExpressionsAndExtents() throws Exception {
+    EObject machine = machine(50);
+    ExpressionLanguage language = ExpressionLanguage.of(List.of(metamodel));
+    Scope scope =
+        language
+            .root()
+            .with("self", metamodel.getEClassifier("State"))
+            .with("n", language.type("Integer"));
+    String text =
+        "let m : Integer = n in State.allInstances()->select(s | s.name <> self.name)->collect(s |"
+            + " s.name.concat(m.toString()))->asSet()->asSequence()->first()";
+    Expression expression =
+        language
+            .parse(SourceText.of("", text), 0, text.length(), scope, new ArrayList<>())
+            .orElseThrow();
+    Evaluation shared = Evaluation.over(List.of(machine));
+    List<Callable<Object>> tasks = new ArrayList<>();
+    for (int i = 0; i < 400; i++) {
+      int number = i;
+      tasks.add(
+          () -> {
+            Evaluation run = shared.fork();
+            run.bind("self", listOf(machine, "states").get(number % 2));
+            run.bind("n", number);
+            return expression.evaluate(run);
+          });
+    }
+    ExecutorService threads = Executors.newFixedThreadPool(8);
+    try {
+      List<Future<Object>> results = threads.invokeAll(tasks);
+      for (int i = 0; i < results.size(); i++) {
+        assertEquals((i % 2 == 0 ? "s1" : "s0") + i, results.get(i).get());
+      }
+    } finally {
+      threads.shutdownNow();
+    }
+  }
+
+  @Test
+  void longChainsDoNotOverflow() {
+    OclResult result =
+        validate(
+            """
+            context State
+              def: rest() : Integer = if fallback = null then 0 else 1 + fallback.rest() endif
+              inv Rest: name <> 's0' or rest() = 1499
+              inv Closure: name <> 's0' or self->closure(next)->size() = 1499
+            """,
+            machine(1500),
+            Duration.ofSeconds(60));
+    assertEquals(List.of(), result.diagnostics());
+    assertEquals(3000, result.evaluations());
+  }
+
+  @Test
+  void aRuleThatTakesTooLongIsGivenUpAndTheOthersGoOn() {
+    OclResult result =
+        validate(
+            """
+            context Machine
+              inv Slow: states->forAll(a, b | states->forAll(c, d | a <> b or c <> d or true))
+              inv Fast: states->size() = 300
+            """,
+            machine(300),
+            Duration.ofMillis(200));
+    assertEquals(1, result.diagnostics().size());
+    Diagnostic slow = result.diagnostics().get(0);
+    assertEquals("ocl.limit", slow.id());
+    assertEquals("Machine::Slow", slow.rule());
+    assertTrue(slow.message().contains("longer than 200 ms"), slow.message());
+    assertEquals(2, result.evaluations());
+  }
+}
