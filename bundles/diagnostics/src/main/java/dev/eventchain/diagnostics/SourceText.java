@@ -116,6 +116,16 @@ public final class SourceText {
     return new SourceLocation(name, index + 1, Math.max(1, column), "", lineText(index));
   }
 
+  /**
+   * The offset of a line and a column, both from 1; never beyond the end of the text.
+   *
+   * @return from 0 to the length of the text
+   */
+  public int offset(int line, int column) {
+    int index = Math.max(0, Math.min(line - 1, lineStarts.length - 1));
+    return Math.min(text.length(), lineStarts[index] + Math.max(0, column - 1));
+  }
+
   private String lineText(int index) {
     int end = index + 1 < lineStarts.length ? lineStarts[index + 1] : text.length();
     int start = lineStarts[index];

@@ -1,0 +1,84 @@
+package dev.eventchain.diagnostics;
+
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
+/** Finds the name that somebody meant who wrote one that does not exist. */
+public final class NearestName {
+
+  private static final int MOST_NAMES_LISTED = 12;
+
+  private NearestName() {}
+
+  /**
+   * The known name that is nearest to an unknown one, if any is near: at most a third of its
+   * characters (at least one) inserted, deleted, changed or swapped, letter case and underscores
+   * not counted. The first in alphabetical order where several are as near.
+   */
+  public static Optional<String> of(String unknown, Collection<String> known) {
+    String plain = plain(unknown);
+    int limit = Math.max(1, plain.length() / 3);
+    return known.stream()
+        .sorted()
+        .min(Comparator.comparingInt(name -> distance(plain, plain(name))))
+        .filter(name -> distance(plain, plain(name)) <= limit);
+  }
+
+  /**
+   * A hint for people: the nearest name, or else all known names as far as they fit in a line;
+   * empty when there is nothing to name.
+   */
+  public static String hint(String unknown, Collection<String> known) {
+    Optional<String> nearest = of(unknown, known);
+    if (nearest.isPresent()) {
+      return "Did you mean `" + nearest.get() + "`?";
+    }
+    List<String> names = known.stream().distinct().sorted().toList();
+    if (names.isEmpty()) {
+      return "";
+    }
+    String listed =
+        names.stream()
+            .limit(MOST_NAMES_LISTED)
+            .map(name -> "`" + name + "`")
+            .collect(Collectors.joining(", "));
+    return "Known are " + listed + (names.size() > MOST_NAMES_LISTED ? ", ..." : "") + ".";
+  }
+
+  private static String plain(String name) {
+    return name.toLowerCase(Locale.ROOT).replace("_", "");
+  }
+
+  /** The optimal string alignment distance: Levenshtein's with swapped neighbours as one step. */
+  private static int distance(String first, String second) {
+    int[] older = new int[second.length() + 1];
+    int[] previous = new int[second.length() + 1];
+    int[] current = new int[second.length() + 1];
+    for (int j = 0; j <= second.length(); j++) {
+      current[j] = j;
+    }
+    for (int i = 1; i <= first.length(); i++) {
+      int[] recycled = older;
+      older = previous;
+      previous = current;
+      current = recycled;
+      current[0] = i;
+      for (int j = 1; j <= second.length(); j++) {
+        boolean equal = first.charAt(i - 1) == second.charAt(j - 1);
+        int best = Math.min(previous[j] + 1, current[j - 1] + 1);
+        best = Math.min(best, previous[j - 1] + (equal ? 0 : 1));
+        boolean swapped =
+            i > 1
+                && j > 1
+                && first.charAt(i - 1) == second.charAt(j - 2)
+                && first.charAt(i - 2) == second.charAt(j - 1);
+        current[j] = swapped ? Math.min(best, older[j - 2] + 1) : best;
+      }
+    }
+    return current[second.length()];
+  }
+}

@@ -1,0 +1,19 @@
+package dev.eventchain.metamodel;
+
+import java.util.List;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.resource.Resource;
+
+/**
+ * A model that was read without a problem; every reference in it is resolved.
+ *
+ * @param resource holds the roots
+ * @param origins where its elements, and those of the files it refers to, were written
+ */
+public record LoadedModel(Resource resource, Origins origins) {
+
+  /** The roots of the model, in the order of the file; at least one. */
+  public List<EObject> roots() {
+    return resource.getContents();
+  }
+}

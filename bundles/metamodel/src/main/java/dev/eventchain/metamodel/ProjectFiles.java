@@ -1,0 +1,95 @@
+package dev.eventchain.metamodel;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.eclipse.emf.common.util.URI;
+import org.eclipse.emf.ecore.EPackage;
+
+/** Decides which references between files are followed: none that leave the project's folder. */
+final class ProjectFiles {
+
+  /** The places under which Eclipse's own tools write the Ecore metamodel. */
+  private static final URI ECORE_IN_ECLIPSE =
+      URI.createURI("platform:/plugin/org.eclipse.emf.ecore/model/Ecore.ecore");
+
+  private final Path root;
+  private final Path realRoot;
+  private final EPackage.Registry registry;
+
+  ProjectFiles(Path root, EPackage.Registry registry) {
+    this.root = root;
+    this.realRoot = realPath(root);
+    this.registry = registry;
+  }
+
+  /** The name under which people know a file of the project. */
+  String nameOf(Path file) {
+    Path real = realPath(file);
+    Path shown = real.startsWith(realRoot) ? root.resolve(realRoot.relativize(real)) : file;
+    return shown.normalize().toString().replace('\\', '/');
+  }
+
+  /**
+   * Why a reference is not followed.
+   *
+   * @param base the file that holds the reference
+   * @param reference the value of {@code href}: a URI with a fragment
+   * @return empty if it may be followed
+   */
+  Optional<String> refusal(URI base, String reference) {
+    URI target;
+    try {
+      target = URI.createURI(reference).trimFragment();
+    } catch (IllegalArgumentException e) {
+      return Optional.of("`" + reference + "` is no URI.");
+    }
+    if (target.isEmpty() || isKnownMetamodel(target)) {
+      return Optional.empty();
+    }
+    if (target.scheme() != null && !target.isFile()) {
+      return Optional.of(
+          "The reference `" + reference + "` names the scheme `" + target.scheme() + "`.");
+    }
+    if (target.hasAuthority() && !target.authority().isEmpty()) {
+      return Optional.of("The reference `" + reference + "` names another machine.");
+    }
+    return isInside(target.resolve(base))
+        ? Optional.empty()
+        : Optional.of("The reference `" + reference + "` leaves the project's folder.");
+  }
+
+  boolean isKnownMetamodel(URI target) {
+    return target.equals(ECORE_IN_ECLIPSE) || registry.containsKey(target.toString());
+  }
+
+  /** Whether a file URI names a place in the project's folder, symbolic links followed. */
+  boolean isInside(URI file) {
+    if (!file.isFile()) {
+      return false;
+    }
+    try {
+      return realPath(Path.of(file.toFileString())).startsWith(realRoot);
+    } catch (InvalidPathException e) {
+      return false;
+    }
+  }
+
+  /** The real path of the longest part that exists, and the rest as it was given. */
+  private static Path realPath(Path path) {
+    Path absolute = path.toAbsolutePath().normalize();
+    for (Path existing = absolute; existing != null; existing = existing.getParent()) {
+      if (Files.exists(existing, LinkOption.NOFOLLOW_LINKS)) {
+        try {
+          return existing.toRealPath().resolve(existing.relativize(absolute)).normalize();
+        } catch (IOException e) {
+          return absolute;
+        }
+      }
+    }
+    return absolute;
+  }
+}

@@ -1,0 +1,140 @@
+package dev.eventchain.metamodel;
+
+import java.io.StringReader;
+import java.util.Map;
+import java.util.Optional;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EFactory;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.InternalEObject;
+import org.eclipse.emf.ecore.xmi.IllegalValueException;
+import org.eclipse.emf.ecore.xmi.PackageNotFoundException;
+import org.eclipse.emf.ecore.xmi.UnresolvedReferenceException;
+import org.eclipse.emf.ecore.xmi.XMIException;
+import org.eclipse.emf.ecore.xmi.XMLHelper;
+import org.eclipse.emf.ecore.xmi.impl.SAXXMIHandler;
+import org.xml.sax.Attributes;
+import org.xml.sax.InputSource;
+import org.xml.sax.SAXException;
+import org.xml.sax.SAXParseException;
+
+/**
+ * EMF's reader of XMI, made to note where each element starts, to report every problem instead of
+ * the first, and to follow nothing that a file names: no schema, no entity, no Java class.
+ */
+final class XmiHandler extends SAXXMIHandler {
+
+  private static final int DEEPEST_NESTING = 500;
+
+  private final XmiResource file;
+  private int depth;
+  private boolean ended;
+
+  XmiHandler(XmiResource file, XMLHelper helper, Map<?, ?> options) {
+    super(file, helper, options);
+    this.file = file;
+  }
+
+  @Override
+  public void startElement(String uri, String localName, String qName, Attributes attributes)
+      throws SAXException {
+    depth++;
+    if (depth > DEEPEST_NESTING) {
+      throw new SAXParseException(
+          "Elements are nested deeper than " + DEEPEST_NESTING + " levels.", locator);
+    }
+    super.startElement(uri, localName, qName, attributes);
+  }
+
+  @Override
+  public void endElement(String uri, String localName, String name) {
+    depth--;
+    super.endElement(uri, localName, name);
+  }
+
+  @Override
+  protected void processObject(EObject object) {
+    super.processObject(object);
+    if (object != null) {
+      file.noteOrigin(object, tagOffset());
+    }
+  }
+
+  @Override
+  protected void handleProxy(InternalEObject proxy, String reference) {
+    int place = file.problems().valueIn(tagOffset(), reference);
+    Optional<String> refusal = file.files().refusal(file.getURI(), reference);
+    if (refusal.isPresent()) {
+      file.problems()
+          .add(
+              "xmi.href.refused",
+              refusal.get(),
+              place,
+              "Refer to files in the project's folder by a relative path.");
+      return;
+    }
+    super.handleProxy(proxy, reference);
+    file.noteProxy(proxy, place);
+  }
+
+  private int tagOffset() {
+    return file.problems().tagEndingAt(getLineNumber(), getColumnNumber());
+  }
+
+  /** Only what is registered counts: EMF would load files and Java classes that a URI names. */
+  @Override
+  protected EPackage getPackageForURI(String uri) {
+    EPackage known = uri == null ? null : packageRegistry.getEPackage(uri);
+    if (known == null && uri != null) {
+      error(new PackageNotFoundException(uri, getLocation(), getLineNumber(), getColumnNumber()));
+    }
+    return known;
+  }
+
+  @Override
+  @SuppressWarnings("deprecation") // The path that EMF takes for XMI.
+  protected EObject createObjectFromFactory(EFactory factory, String typeName) {
+    boolean isClass =
+        factory != null && factory.getEPackage().getEClassifier(typeName) instanceof EClass;
+    return isClass ? super.createObjectFromFactory(factory, typeName) : null;
+  }
+
+  @Override
+  protected void handleXSISchemaLocation(String schemaLocations) {
+    // Metamodels come from the caller, never from a place that a model names.
+  }
+
+  @Override
+  protected void handleXSINoNamespaceSchemaLocation(String schemaLocation) {
+    // As above.
+  }
+
+  @Override
+  public InputSource resolveEntity(String publicId, String systemId) {
+    return new InputSource(new StringReader(""));
+  }
+
+  /** References inside the file are resolved at its end, when the parser is past their place. */
+  @Override
+  public void endDocument() {
+    ended = true;
+    super.endDocument();
+  }
+
+  @Override
+  public void error(XMIException problem) {
+    int tag = file.problems().tagEndingAt(problem.getLine(), problem.getColumn());
+    if (ended && problem instanceof IllegalValueException value) {
+      tag = file.offsetOf(value.getObject(), tag);
+    } else if (problem instanceof UnresolvedReferenceException reference) {
+      tag = file.offsetOf(reference.getObject(), tag);
+    }
+    file.problems().add(problem, tag);
+  }
+
+  @Override
+  public void fatalError(SAXParseException e) throws SAXException {
+    throw e;
+  }
+}

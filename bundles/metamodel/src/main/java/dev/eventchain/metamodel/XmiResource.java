@@ -1,0 +1,115 @@
+package dev.eventchain.metamodel;
+
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceText;
+import java.io.IOException;
+import java.io.StringReader;
+import java.nio.file.Path;
+import java.util.IdentityHashMap;
+import java.util.Map;
+import javax.xml.parsers.ParserConfigurationException;
+import javax.xml.parsers.SAXParser;
+import javax.xml.parsers.SAXParserFactory;
+import org.eclipse.emf.common.util.URI;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.xmi.XMLHelper;
+import org.eclipse.emf.ecore.xmi.XMLLoad;
+import org.eclipse.emf.ecore.xmi.impl.XMILoadImpl;
+import org.eclipse.emf.ecore.xmi.impl.XMIResourceImpl;
+import org.xml.sax.InputSource;
+import org.xml.sax.SAXException;
+import org.xml.sax.helpers.DefaultHandler;
+
+/** One XMI file of a project, read by {@link XmiHandler}. */
+final class XmiResource extends XMIResourceImpl {
+
+  private static final String NO_DOCTYPE = "http://apache.org/xml/features/disallow-doctype-decl";
+
+  private final ProjectFiles files;
+  private final EPackage.Registry registry;
+  private final Origins origins;
+  private final IdentityHashMap<EObject, Integer> proxies = new IdentityHashMap<>();
+  private XmiProblems problems;
+
+  XmiResource(URI uri, ProjectFiles files, EPackage.Registry registry, Origins origins) {
+    super(uri);
+    this.files = files;
+    this.registry = registry;
+    this.origins = origins;
+    this.problems = new XmiProblems(SourceText.of("", ""), registry);
+  }
+
+  ProjectFiles files() {
+    return files;
+  }
+
+  XmiProblems problems() {
+    return problems;
+  }
+
+  void noteOrigin(EObject object, int offset) {
+    origins.put(object, problems.text(), offset);
+  }
+
+  /** The offset of an element's start tag, or of another place if it is not known yet. */
+  int offsetOf(EObject element, int otherwise) {
+    return element == null ? otherwise : origins.offset(element).orElse(otherwise);
+  }
+
+  void noteProxy(EObject proxy, int offset) {
+    proxies.put(proxy, offset);
+  }
+
+  /** The offset of a reference to another file; 0 if it is none of this file. */
+  int offsetOfProxy(EObject proxy) {
+    return proxies.getOrDefault(proxy, 0);
+  }
+
+  /** Reads the file. What is wrong with it stands in {@link #problems()}; nothing is thrown. */
+  @Override
+  public void load(Map<?, ?> options) {
+    if (isLoaded()) {
+      return;
+    }
+    Path path = Path.of(getURI().toFileString());
+    try {
+      problems = new XmiProblems(XmlText.read(path, files.nameOf(path)), registry);
+      load(new InputSource(new StringReader(problems.text().text())), Map.of());
+      if (getContents().isEmpty() && problems.found().isEmpty()) {
+        problems.add("xmi.empty", "The file holds no model element.", 0, "");
+      }
+    } catch (DiagnosticException e) {
+      problems.found().addAll(e.diagnostics());
+    } catch (IOException e) {
+      problems.add(e);
+    } catch (RuntimeException e) {
+      // EMF's reader trusts its input; what it trips over is a fault of the file.
+      problems.add("xmi.syntax", "The file is no sound XMI: " + e, 0, "");
+    }
+  }
+
+  @Override
+  protected XMLLoad createXMLLoad() {
+    return new Load(createXMLHelper());
+  }
+
+  private final class Load extends XMILoadImpl {
+
+    private Load(XMLHelper helper) {
+      super(helper);
+    }
+
+    @Override
+    protected DefaultHandler makeDefaultHandler() {
+      return new XmiHandler(XmiResource.this, helper, options);
+    }
+
+    @Override
+    protected SAXParser makeParser() throws ParserConfigurationException, SAXException {
+      SAXParserFactory factory = SAXParserFactory.newInstance();
+      factory.setFeature(NO_DOCTYPE, true);
+      return factory.newSAXParser();
+    }
+  }
+}

@@ -1,0 +1,138 @@
+package dev.eventchain.metamodel;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceText;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.eclipse.emf.common.util.URI;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.impl.EPackageRegistryImpl;
+
+/**
+ * Reads and writes the XMI files of one project, for the event-chain metamodel and any other.
+ *
+ * <p>Files are read as data: no document type, no entity, no schema location and no Java class that
+ * a file names is followed, and references between files only inside the project's folder. Not
+ * meant for several threads.
+ */
+public final class XmiStore {
+
+  private final EPackage.Registry registry = new EPackageRegistryImpl();
+  private final ProjectFiles files;
+
+  /**
+   * A store for the files below a folder. The event-chain metamodel and Ecore are registered.
+   *
+   * @param projectRoot the folder that references must not leave
+   */
+  public XmiStore(Path projectRoot) {
+    ProjectResources.registerStandard(registry);
+    files = new ProjectFiles(projectRoot, registry);
+  }
+
+  /**
+   * Reads a metamodel and registers it, its subpackages and those of the {@code .ecore} files it
+   * refers to, in place of a registered one of the same nsURI.
+   *
+   * @return the packages at the top of the file, at least one
+   * @throws DiagnosticException (INPUT) with everything that is wrong with it
+   */
+  public List<EPackage> loadMetamodel(Path ecore) {
+    ProjectResources resources = new ProjectResources(files, registry);
+    XmiResource file = read(ecore, resources);
+    List<EPackage> packages = new ArrayList<>();
+    List<Diagnostic> problems = new ArrayList<>();
+    for (XmiResource each : resources.loaded()) {
+      for (EObject root : each.getContents()) {
+        if (root instanceof EPackage ePackage) {
+          problems.addAll(new MetamodelChecks(resources.origins()).check(ePackage));
+          packages.add(ePackage);
+        }
+      }
+    }
+    List<EPackage> top = packages.stream().filter(p -> p.eResource() == file).toList();
+    if (top.isEmpty()) {
+      problems.add(
+          Diagnostic.error(
+              "xmi.metamodel.unsound",
+              "The file holds no EPackage.",
+              resources.origins().locate(file.getContents().get(0))));
+    }
+    refuse(problems.stream().sorted().toList());
+    packages.forEach(this::register);
+    return top;
+  }
+
+  private void register(EPackage ePackage) {
+    registry.put(ePackage.getNsURI(), ePackage);
+    ePackage.getESubpackages().forEach(this::register);
+  }
+
+  /**
+   * Reads a model and the files of the project that it refers to.
+   *
+   * @throws DiagnosticException (INPUT) with everything that is wrong with these files
+   */
+  public LoadedModel load(Path model) {
+    ProjectResources resources = new ProjectResources(files, registry);
+    XmiResource file = read(model, resources);
+    return new LoadedModel(file, resources.origins());
+  }
+
+  private static XmiResource read(Path path, ProjectResources resources) {
+    URI uri = URI.createFileURI(path.toAbsolutePath().normalize().toString());
+    XmiResource file = resources.loadFile(uri);
+    new References(resources).resolve();
+    refuse(resources.problems());
+    return file;
+  }
+
+  private static void refuse(List<Diagnostic> problems) {
+    if (!problems.isEmpty()) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
+    }
+  }
+
+  /**
+   * A model as XMI: UTF-8, LF, the same bytes for the same model. Reading these bytes and writing
+   * them again gives the same bytes. The model is left as it is.
+   *
+   * @param root the root of a containment tree, in a resource or not
+   * @throws DiagnosticException (FINDINGS, {@code xmi.unwritable}) for a text with characters that
+   *     XML cannot hold, or a reference to an element that belongs to no model
+   */
+  public static byte[] toBytes(EObject root) {
+    return toBytes(List.of(root));
+  }
+
+  /** As {@link #toBytes(EObject)} for a model with several roots. */
+  public static byte[] toBytes(List<? extends EObject> roots) {
+    return XmiWriter.write(roots);
+  }
+
+  /** The text of the event-chain metamodel. */
+  public static String eventchainEcore() {
+    return resource("metamodel/eventchain.ecore");
+  }
+
+  /** The standard rules of event chains, in Complete OCL. */
+  public static SourceText standardConstraints() {
+    String name = "metamodel/eventchain.ocl";
+    return SourceText.of(name, resource(name));
+  }
+
+  private static String resource(String name) {
+    try (InputStream stream = XmiStore.class.getResourceAsStream("/" + name)) {
+      return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}

@@ -1,0 +1,230 @@
+package dev.eventchain.metamodel;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
+
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.EventchainFactory;
+import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class XmiStoreTest {
+
+  private static final Path CASES = Path.of("src/test/resources/xmi");
+
+  @TempDir Path folder;
+
+  static Stream<String> cases() throws IOException {
+    try (Stream<Path> folders = Files.list(CASES)) {
+      return folders.map(path -> path.getFileName().toString()).sorted().toList().stream();
+    }
+  }
+
+  /** A folder a case; {@code expected.txt} holds what is found, or the model as it is written. */
+  @ParameterizedTest
+  @MethodSource("cases")
+  void readsOrRefusesAFile(String name) throws IOException {
+    Path expected = CASES.resolve(name).resolve("expected.txt");
+    String actual = outcome(CASES.resolve(name));
+    if (!Files.exists(expected)) {
+      Files.writeString(expected, actual);
+      fail("Wrote the missing " + expected + "; check it.");
+    }
+    assertEquals(Files.readString(expected), actual);
+  }
+
+  private static String outcome(Path project) {
+    try {
+      XmiStore store = new XmiStore(project);
+      Path metamodel = project.resolve("metamodel.ecore");
+      if (Files.exists(metamodel)) {
+        store.loadMetamodel(metamodel);
+      }
+      Path ecore = project.resolve("model.ecore");
+      if (Files.exists(ecore)) {
+        return "loaded " + store.loadMetamodel(ecore).get(0).getName() + "\n";
+      }
+      List<EObject> roots = store.load(project.resolve("model.xmi")).roots();
+      return new String(XmiStore.toBytes(roots), StandardCharsets.UTF_8);
+    } catch (DiagnosticException e) {
+      assertEquals(DiagnosticException.Reason.INPUT, e.reason());
+      return DiagnosticFormat.TEXT.render(e.diagnostics()).replace(project + "/", "");
+    }
+  }
+
+  @Test
+  void locatesEveryElement() {
+    LoadedModel model = load("good-chain");
+    EventChain chain = (EventChain) model.roots().get(0);
+    SourceLocation node = model.origins().locate(chain.getSoftware().get(0));
+    assertEquals("src/test/resources/xmi/good-chain/model.xmi", node.file());
+    assertEquals(3, node.line());
+    assertEquals(3, node.column());
+    assertEquals("EventChain[aeb]/software[A]", node.element());
+    assertTrue(node.excerpt().startsWith("  <software name=\"A\""));
+    assertEquals(2, model.origins().locate(chain).line());
+    assertEquals(5, model.origins().locate(chain.getData().get(1)).line());
+  }
+
+  @Test
+  void locatesAnAddedElementAtItsContainer() {
+    LoadedModel model = load("good-chain");
+    EventChain chain = (EventChain) model.roots().get(0);
+    SoftwareNode added = EventchainFactory.eINSTANCE.createSoftwareNode();
+    assertEquals("SoftwareNode", model.origins().locate(added).element());
+    assertEquals(0, model.origins().locate(added).line());
+    chain.getSoftware().add(added);
+    assertEquals(2, model.origins().locate(added).line());
+    assertEquals("EventChain[aeb]/software[1]", model.origins().locate(added).element());
+  }
+
+  @Test
+  void resolvesReferencesBetweenFiles() {
+    EventChain chain = (EventChain) load("reference-to-another-file").roots().get(0);
+    SoftwareNode node = chain.getSoftware().get(0);
+    assertEquals("x", node.getInput().get(0).getName());
+    assertEquals("y", node.getOutput().get(0).getName());
+  }
+
+  @Test
+  void registersTheMetamodelsThatAMetamodelRefersTo() {
+    Path project = CASES.resolve("good-foreign-metamodel");
+    XmiStore store = new XmiStore(project);
+    List<EPackage> packages = store.loadMetamodel(project.resolve("metamodel.ecore"));
+    assertEquals(List.of("library"), packages.stream().map(EPackage::getName).toList());
+    EObject library = store.load(project.resolve("model.xmi")).roots().get(0);
+    assertEquals("Library", library.eClass().getName());
+  }
+
+  @Test
+  void readsTheEventChainMetamodelAsAnyOther() throws IOException {
+    Path ecore = Files.writeString(folder.resolve("eventchain.ecore"), XmiStore.eventchainEcore());
+    XmiStore store = new XmiStore(folder);
+    EPackage loaded = store.loadMetamodel(ecore).get(0);
+    assertEquals("eventchain", loaded.getName());
+    byte[] written = XmiStore.toBytes(loaded);
+    Path again = Files.write(folder.resolve("again.ecore"), written);
+    assertArrayEquals(written, XmiStore.toBytes(store.loadMetamodel(again).get(0)));
+  }
+
+  @Test
+  void keepsRegistriesApart() {
+    Path project = CASES.resolve("good-foreign-metamodel");
+    new XmiStore(project).loadMetamodel(project.resolve("metamodel.ecore"));
+    DiagnosticException refused =
+        assertThrows(
+            DiagnosticException.class,
+            () -> new XmiStore(project).load(project.resolve("model.xmi")));
+    assertEquals("xmi.package.unknown", refused.diagnostics().get(0).id());
+  }
+
+  @Test
+  void refusesASymbolicLinkThatLeavesTheProject() throws IOException {
+    Path outside = Files.createDirectory(folder.resolve("outside"));
+    Path project = Files.createDirectory(folder.resolve("project"));
+    Files.copy(CASES.resolve("good-chain/model.xmi"), outside.resolve("lib.xmi"));
+    Files.createSymbolicLink(project.resolve("link"), outside);
+    String text = Files.readString(CASES.resolve("good-chain/model.xmi"));
+    Path model =
+        Files.writeString(
+            project.resolve("model.xmi"), text.replace("//@data.0", "link/lib.xmi#//@data.0"));
+    DiagnosticException refused =
+        assertThrows(DiagnosticException.class, () -> new XmiStore(project).load(model));
+    assertEquals("xmi.href.refused", refused.diagnostics().get(0).id());
+  }
+
+  @Test
+  void saysThatAFileIsMissing() {
+    DiagnosticException refused =
+        assertThrows(
+            DiagnosticException.class, () -> new XmiStore(folder).load(folder.resolve("no.xmi")));
+    assertEquals("file.missing", refused.diagnostics().get(0).id());
+    assertEquals(1, refused.diagnostics().size());
+  }
+
+  @Test
+  void survivesEveryTruncation() throws IOException {
+    String text = Files.readString(CASES.resolve("good-foreign-metamodel/model.xmi"));
+    Path source = CASES.resolve("good-foreign-metamodel");
+    Files.createDirectory(folder.resolve("people"));
+    Files.copy(source.resolve("metamodel.ecore"), folder.resolve("metamodel.ecore"));
+    Files.copy(source.resolve("people/people.ecore"), folder.resolve("people/people.ecore"));
+    XmiStore store = new XmiStore(folder);
+    store.loadMetamodel(folder.resolve("metamodel.ecore"));
+    for (int length = 0; length < text.stripTrailing().length(); length++) {
+      Path model = Files.writeString(folder.resolve("model.xmi"), text.substring(0, length));
+      DiagnosticException refused =
+          assertThrows(DiagnosticException.class, () -> store.load(model));
+      assertFalse(refused.diagnostics().get(0).message().contains("Exception"));
+    }
+  }
+
+  @Test
+  void writesARootOfSeveralAlone() throws IOException {
+    EventChain first = EventchainFactory.eINSTANCE.createEventChain();
+    first.setName("first");
+    EventChain second = EventchainFactory.eINSTANCE.createEventChain();
+    second.setName("second");
+    byte[] both = XmiStore.toBytes(List.of(first, second));
+    LoadedModel model = new XmiStore(folder).load(Files.write(folder.resolve("model.xmi"), both));
+    assertEquals(2, model.roots().size());
+    assertArrayEquals(both, XmiStore.toBytes(model.roots()));
+    String alone = new String(XmiStore.toBytes(model.roots().get(1)), StandardCharsets.UTF_8);
+    assertTrue(alone.contains("name=\"second\""));
+    assertFalse(alone.contains("first"));
+    assertEquals(2, model.roots().size());
+    assertNotEquals(null, model.roots().get(1).eResource());
+  }
+
+  @Test
+  void refusesToWriteWhatXmlCannotHold() {
+    EventChain chain = EventchainFactory.eINSTANCE.createEventChain();
+    chain.setName("bell\u0007");
+    DiagnosticException refused =
+        assertThrows(DiagnosticException.class, () -> XmiStore.toBytes(chain));
+    assertEquals("xmi.unwritable", refused.diagnostics().get(0).id());
+    chain.setName("lone \uD800 surrogate");
+    assertThrows(DiagnosticException.class, () -> XmiStore.toBytes(chain));
+  }
+
+  @Test
+  void refusesToWriteAReferenceToAnElementOutsideOfAnyModel() {
+    EventChain chain = EventchainFactory.eINSTANCE.createEventChain();
+    SoftwareNode node = EventchainFactory.eINSTANCE.createSoftwareNode();
+    node.getInput().add(EventchainFactory.eINSTANCE.createData());
+    chain.getSoftware().add(node);
+    DiagnosticException refused =
+        assertThrows(DiagnosticException.class, () -> XmiStore.toBytes(chain));
+    assertEquals("xmi.unwritable", refused.diagnostics().get(0).id());
+    assertEquals(null, chain.eResource());
+  }
+
+  @Test
+  void holdsTheStandardRules() {
+    assertTrue(XmiStore.standardConstraints().text().contains("inv HasInputAndOutputData"));
+  }
+
+  private static LoadedModel load(String name) {
+    Path project = CASES.resolve(name);
+    return new XmiStore(project).load(project.resolve("model.xmi"));
+  }
+}
