@@ -1,0 +1,67 @@
+package dev.eventchain.simulation;
+
+import dev.eventchain.diagnostics.SourceLocation;
+import java.util.Locale;
+
+/**
+ * One thing that must hold in a scenario.
+ *
+ * @param kind what must hold
+ * @param limit the number it is compared with, in SI units; unused by kinds without one
+ * @param tolerances what is granted to the sensors and to the chain
+ * @param location where the scenario asks for it
+ */
+record Criterion(CriterionKind kind, double limit, Tolerances tolerances, SourceLocation location) {
+
+  /**
+   * What a comparison with the true time to collision grants.
+   *
+   * @param timeToCollision for the noise of the sensors, in s
+   * @param reaction the time that the command may lie behind the truth, in s
+   */
+  record Tolerances(double timeToCollision, double reaction) {
+
+    /** A tenth of a second; and 250 ms of the chain after at most 50 ms until the next scan. */
+    static final Tolerances USUAL = new Tolerances(0.1, 0.3);
+  }
+
+  /** What was found: whether it holds, and the figures that say so. */
+  record Outcome(boolean passed, String detail) {}
+
+  Outcome judge(Trace trace) {
+    return switch (kind) {
+      case NO_IMPACT -> ImpactRules.noImpact(trace);
+      case STOPS -> ImpactRules.stops(trace);
+      case MINIMAL_GAP -> ImpactRules.minimalGap(trace, limit);
+      case MAXIMAL_IMPACT_SPEED -> ImpactRules.maximalImpactSpeed(trace, limit);
+      case NEVER_BRAKES -> ImpactRules.neverBrakes(trace);
+      case NO_BRAKE_AT_TTC -> BrakingRules.forbidden(trace, this, Trace.Command::brakes);
+      case BRAKE_BELOW_TTC -> BrakingRules.demanded(trace, this, Trace.Command::brakes);
+      case NO_FULL_BRAKE_AT_TTC -> BrakingRules.forbidden(trace, this, Trace.Command::brakesFully);
+      case FULL_BRAKE_BELOW_TTC -> BrakingRules.demanded(trace, this, Trace.Command::brakesFully);
+      case BRAKE_NORMALIZED -> ImpactRules.brakeNormalized(trace);
+      case COMMANDS_ARRIVE -> BrakingRules.commandsArrive(trace);
+    };
+  }
+
+  /** What must hold, in words. */
+  String text() {
+    return switch (kind) {
+      case NO_IMPACT -> "no impact";
+      case STOPS -> "the vehicle stops";
+      case MINIMAL_GAP -> format("the gap is never below %.2f m", limit);
+      case MAXIMAL_IMPACT_SPEED -> format("an impact is at most %.1f km/h fast", limit * 3.6);
+      case NEVER_BRAKES -> "no braking at all";
+      case NO_BRAKE_AT_TTC -> format("no braking while TTC is %.1f s or more", limit);
+      case BRAKE_BELOW_TTC -> format("braking while TTC is below %.1f s", limit);
+      case NO_FULL_BRAKE_AT_TTC -> format("no full braking while TTC is %.1f s or more", limit);
+      case FULL_BRAKE_BELOW_TTC -> format("full braking while TTC is below %.1f s", limit);
+      case BRAKE_NORMALIZED -> "brake commands are from 0 to 1";
+      case COMMANDS_ARRIVE -> "control commands arrive at least once a second";
+    };
+  }
+
+  static String format(String pattern, Object... values) {
+    return String.format(Locale.ROOT, pattern, values);
+  }
+}

@@ -1,0 +1,32 @@
+package dev.eventchain.simulation;
+
+/**
+ * The vehicle that carries the software.
+ *
+ * @param speed at the start, in m/s
+ * @param brakeDelay from the brake command to the first change of the deceleration, in s
+ * @param brakeBuildUp from no to full deceleration, in s; the ramp is linear, also for less
+ * @param maximalDeceleration at full brake, in m/s2
+ * @param coastingDeceleration of a vehicle whose driver has lifted the throttle pedal, in m/s2
+ * @param lidarBehindBumper from the front bumper back to the lidar, in m
+ * @param lidarAboveRoad from the road up to the lidar, in m
+ * @param lidarNoise standard deviation of a measured range, in m
+ */
+record EgoVehicle(
+    double speed,
+    double brakeDelay,
+    double brakeBuildUp,
+    double maximalDeceleration,
+    double coastingDeceleration,
+    double lidarBehindBumper,
+    double lidarAboveRoad,
+    double lidarNoise) {
+
+  /** Width of the body, in m. */
+  static final double WIDTH = 1.8;
+
+  /** A passenger car with the mounting that the AEB example's object detection knows. */
+  static EgoVehicle withSpeed(double speed) {
+    return new EgoVehicle(speed, 0.2, 0.3, 9.0, 0.5, 2.4, 2.4, 0.01);
+  }
+}

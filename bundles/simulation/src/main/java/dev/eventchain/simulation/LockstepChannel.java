@@ -1,0 +1,114 @@
+package dev.eventchain.simulation;
+
+import java.io.DataInputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.List;
+
+/**
+ * Frames of the lock-step protocol over a pair of streams: u32 length of what follows, u8 kind,
+ * payload; all numbers little-endian.
+ */
+final class LockstepChannel {
+
+  static final int CONFIGURE = 1;
+  static final int READY = 2;
+  static final int STEP = 3;
+  static final int STEPPED = 4;
+  static final int FINISH = 5;
+  static final int FINISHED = 6;
+  static final int FAILED = 7;
+  static final int RESET = 8;
+
+  /** Longer frames are taken for garbage. */
+  private static final int LONGEST = 1 << 28;
+
+  private static final int HEADER = 5;
+
+  /** A frame from the other side. */
+  record Frame(int kind, ByteBuffer payload) {
+
+    byte[] bytes() {
+      byte[] bytes = new byte[payload.remaining()];
+      payload.duplicate().get(bytes);
+      return bytes;
+    }
+  }
+
+  /** A message for the topic with this index. */
+  record Inbound(int topic, ByteBuffer message) {}
+
+  /** What arrives is not the protocol. */
+  static final class GarbageException extends IOException {
+    private static final long serialVersionUID = 1L;
+
+    GarbageException(String message) {
+      super(message);
+    }
+  }
+
+  private final DataInputStream input;
+  private final OutputStream output;
+
+  LockstepChannel(InputStream input, OutputStream output) {
+    this.input = new DataInputStream(input);
+    this.output = output;
+  }
+
+  /** Sends a frame whole. */
+  void send(int kind, byte[] payload) throws IOException {
+    byte[] frame = new byte[HEADER + payload.length];
+    header(frame, kind).put(payload);
+    write(frame);
+  }
+
+  /** Sends the messages of an instant and lets time pass. */
+  void sendStep(long until, List<Inbound> messages) throws IOException {
+    int length = HEADER + Long.BYTES + Short.BYTES;
+    for (Inbound message : messages) {
+      length += Short.BYTES + Integer.BYTES + message.message().remaining();
+    }
+    byte[] frame = new byte[length];
+    ByteBuffer buffer = header(frame, STEP);
+    buffer.putLong(until).putShort((short) messages.size());
+    for (Inbound message : messages) {
+      buffer.putShort((short) message.topic()).putInt(message.message().remaining());
+      buffer.put(message.message().duplicate());
+    }
+    write(frame);
+  }
+
+  private static ByteBuffer header(byte[] frame, int kind) {
+    ByteBuffer buffer = ByteBuffer.wrap(frame).order(ByteOrder.LITTLE_ENDIAN);
+    return buffer.putInt(frame.length - Integer.BYTES).put((byte) kind);
+  }
+
+  private void write(byte[] frame) throws IOException {
+    output.write(frame);
+    output.flush();
+  }
+
+  /**
+   * Waits for the next frame.
+   *
+   * @throws EOFException the other side has ended
+   * @throws GarbageException what arrived is no frame
+   */
+  Frame receive() throws IOException {
+    byte[] header = new byte[HEADER];
+    input.readFully(header);
+    ByteBuffer numbers = ByteBuffer.wrap(header).order(ByteOrder.LITTLE_ENDIAN);
+    int length = numbers.getInt();
+    int kind = numbers.get();
+    if (length < 1 || length > LONGEST || kind < CONFIGURE || kind > RESET) {
+      throw new GarbageException("a frame of kind " + kind + " with length " + length);
+    }
+    byte[] payload = new byte[length - 1];
+    input.readFully(payload);
+    return new Frame(kind, ByteBuffer.wrap(payload).order(ByteOrder.LITTLE_ENDIAN));
+  }
+}

@@ -1,0 +1,77 @@
+package dev.eventchain.simulation;
+
+import dev.eventchain.metamodel.eventchain.ChainMeasurement;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.EventchainFactory;
+import dev.eventchain.metamodel.eventchain.NodeMeasurement;
+import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import dev.eventchain.metamodel.eventchain.Statistics;
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.emf.ecore.util.EcoreUtil;
+
+/** Writes measurements into a copy of a chain. */
+final class MeasuredModel {
+
+  private static final EventchainFactory FACTORY = EventchainFactory.eINSTANCE;
+
+  private final Measurements measurements;
+
+  private MeasuredModel(Measurements measurements) {
+    this.measurements = measurements;
+  }
+
+  static EventChain of(
+      EventChain chain, Measurements measurements, List<ScenarioVerdict> verdicts) {
+    EventChain copy = EcoreUtil.copy(chain);
+    MeasuredModel model = new MeasuredModel(measurements);
+    copy.getSoftware().forEach(software -> software.setMeasured(null));
+    measurements.nodes().forEach(node -> model.measure(copy, node));
+    copy.getMeasured().clear();
+    verdicts.forEach(verdict -> copy.getMeasured().add(model.measurement(copy, verdict)));
+    return copy;
+  }
+
+  private void measure(EventChain chain, Measurements.Node node) {
+    NodeMeasurement measurement = FACTORY.createNodeMeasurement();
+    measurement.setRunId(measurements.runId());
+    measurement.setActivations(node.activations());
+    statistics(node.period()).ifPresent(measurement::setPeriod);
+    statistics(node.jitter()).ifPresent(measurement::setJitter);
+    statistics(node.executionTime()).ifPresent(measurement::setExecutionTime);
+    find(chain, node.name()).ifPresent(software -> software.setMeasured(measurement));
+  }
+
+  private ChainMeasurement measurement(EventChain chain, ScenarioVerdict verdict) {
+    ChainMeasurement measurement = FACTORY.createChainMeasurement();
+    measurement.setRunId(measurements.runId());
+    measurement.setScenario(verdict.scenario());
+    find(chain, measurements.firstNode()).ifPresent(measurement::setFirst);
+    find(chain, measurements.lastNode()).ifPresent(measurement::setLast);
+    statistics(verdict.latency()).ifPresent(measurement::setLatency);
+    verdict.minimalGap().ifPresent(measurement::setMinimalGap);
+    verdict.impactSpeed().ifPresent(measurement::setImpactSpeed);
+    verdict
+        .timeToCollisionAtFirstBraking()
+        .ifPresent(measurement::setTimeToCollisionAtFirstBraking);
+    measurement.setPassed(verdict.passed());
+    return measurement;
+  }
+
+  private static Optional<SoftwareNode> find(EventChain chain, String name) {
+    return chain.getSoftware().stream().filter(node -> name.equals(node.getName())).findFirst();
+  }
+
+  private static Optional<Statistics> statistics(Optional<Measurements.Statistics> values) {
+    return values.map(
+        value -> {
+          Statistics statistics = FACTORY.createStatistics();
+          statistics.setCount(Math.toIntExact(value.count()));
+          statistics.setMinimum(value.minimum());
+          statistics.setMedian(value.median());
+          statistics.setPercentile99(value.percentile99());
+          statistics.setMaximum(value.maximum());
+          return statistics;
+        });
+  }
+}

@@ -1,0 +1,171 @@
+package dev.eventchain.simulation;
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.core.util.DefaultIndenter;
+import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.ToDoubleFunction;
+
+/** Writes {@code measurements.json}. Numbers are rounded to what they are worth. */
+final class MeasurementsWriter {
+
+  private final JsonGenerator json;
+
+  private MeasurementsWriter(JsonGenerator json) {
+    this.json = json;
+  }
+
+  static byte[] write(SimulationResult result) {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    DefaultPrettyPrinter printer = new DefaultPrettyPrinter();
+    printer.indentObjectsWith(new DefaultIndenter("  ", "\n"));
+    try (JsonGenerator json = new JsonFactory().createGenerator(bytes)) {
+      json.setPrettyPrinter(printer);
+      new MeasurementsWriter(json).result(result);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    bytes.write('\n');
+    return bytes.toByteArray();
+  }
+
+  private void result(SimulationResult result) throws IOException {
+    json.writeStartObject();
+    json.writeStringField("runId", result.measurements().runId());
+    json.writeBooleanField("passed", result.passed());
+    json.writeArrayFieldStart("scenarios");
+    for (ScenarioVerdict verdict : result.verdicts()) {
+      scenario(verdict);
+    }
+    json.writeEndArray();
+    json.writeArrayFieldStart("nodes");
+    for (Measurements.Node node : result.measurements().nodes()) {
+      node(node);
+    }
+    json.writeEndArray();
+    host(result);
+    json.writeEndObject();
+  }
+
+  private void scenario(ScenarioVerdict verdict) throws IOException {
+    json.writeStartObject();
+    json.writeStringField("name", verdict.scenario());
+    json.writeStringField("title", verdict.title());
+    json.writeArrayFieldStart("requirements");
+    for (String requirement : verdict.requirements()) {
+      json.writeString(requirement);
+    }
+    json.writeEndArray();
+    json.writeBooleanField("passed", verdict.passed());
+    json.writeArrayFieldStart("criteria");
+    for (ScenarioVerdict.CriterionResult criterion : verdict.criteria()) {
+      json.writeStartObject();
+      json.writeStringField("text", criterion.text());
+      json.writeBooleanField("passed", criterion.passed());
+      json.writeStringField("measured", criterion.measured());
+      json.writeEndObject();
+    }
+    json.writeEndArray();
+    optional("minimalGap", verdict.minimalGap());
+    optional("impactSpeed", verdict.impactSpeed());
+    optional("timeToCollisionAtFirstBraking", verdict.timeToCollisionAtFirstBraking());
+    optional("firstBraking", verdict.firstBraking());
+    statistics("latency", verdict.latency());
+    series(verdict.series());
+    json.writeEndObject();
+  }
+
+  private void series(List<ScenarioVerdict.Moment> moments) throws IOException {
+    json.writeObjectFieldStart("series");
+    column("time", moments, ScenarioVerdict.Moment::time);
+    column("egoSpeed", moments, ScenarioVerdict.Moment::egoSpeed);
+    column("gap", moments, ScenarioVerdict.Moment::gap);
+    column("timeToCollision", moments, ScenarioVerdict.Moment::timeToCollision);
+    column("brake", moments, ScenarioVerdict.Moment::brake);
+    column("deceleration", moments, ScenarioVerdict.Moment::deceleration);
+    json.writeEndObject();
+  }
+
+  private void column(
+      String name,
+      List<ScenarioVerdict.Moment> moments,
+      ToDoubleFunction<ScenarioVerdict.Moment> value)
+      throws IOException {
+    json.writeArrayFieldStart(name);
+    for (ScenarioVerdict.Moment moment : moments) {
+      number(value.applyAsDouble(moment));
+    }
+    json.writeEndArray();
+  }
+
+  private void node(Measurements.Node node) throws IOException {
+    json.writeStartObject();
+    json.writeStringField("name", node.name());
+    json.writeNumberField("activations", node.activations());
+    statistics("period", node.period());
+    statistics("jitter", node.jitter());
+    statistics("executionTime", node.executionTime());
+    json.writeEndObject();
+  }
+
+  /** What differs from run to run stands apart. */
+  private void host(SimulationResult result) throws IOException {
+    SimulationResult.Host host = result.host();
+    json.writeObjectFieldStart("host");
+    json.writeStringField("confinement", host.confinement());
+    json.writeStringField("python", host.python());
+    json.writeNumberField("processes", host.processes());
+    field("simulatedSeconds", host.simulatedSeconds());
+    field("wallSeconds", host.wallSeconds());
+    field("realTimeFactor", host.realTimeFactor());
+    json.writeArrayFieldStart("nodes");
+    for (Measurements.Node node : result.measurements().nodes()) {
+      json.writeStartObject();
+      json.writeStringField("name", node.name());
+      statistics("hostExecutionTime", node.hostExecutionTime());
+      json.writeEndObject();
+    }
+    json.writeEndArray();
+    json.writeEndObject();
+  }
+
+  private void statistics(String name, Optional<Measurements.Statistics> values)
+      throws IOException {
+    json.writeFieldName(name);
+    if (values.isEmpty()) {
+      json.writeNull();
+      return;
+    }
+    json.writeStartObject();
+    field("minimum", values.get().minimum());
+    field("median", values.get().median());
+    field("percentile99", values.get().percentile99());
+    field("maximum", values.get().maximum());
+    json.writeNumberField("count", values.get().count());
+    json.writeEndObject();
+  }
+
+  private void optional(String name, OptionalDouble value) throws IOException {
+    field(name, value.orElse(Double.NaN));
+  }
+
+  private void field(String name, double value) throws IOException {
+    json.writeFieldName(name);
+    number(value);
+  }
+
+  /** Four decimals; what is no number becomes null. */
+  private void number(double value) throws IOException {
+    if (Double.isFinite(value)) {
+      json.writeNumber(Math.rint(value * 1e4) / 1e4);
+    } else {
+      json.writeNull();
+    }
+  }
+}

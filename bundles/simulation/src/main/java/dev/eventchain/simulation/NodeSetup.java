@@ -1,0 +1,131 @@
+package dev.eventchain.simulation;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.metamodel.eventchain.ComponentImplementation;
+import dev.eventchain.metamodel.eventchain.Data;
+import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.SplittableRandom;
+import java.util.TreeSet;
+import java.util.zip.CRC32;
+
+/** What of a chain is simulated, and how: the nodes that were generated, their times and topics. */
+final class NodeSetup {
+
+  private static final double MILLISECONDS = 1e3;
+
+  private final SimulationRequest request;
+  private final List<SoftwareNode> nodes;
+
+  NodeSetup(SimulationRequest request) {
+    this.request = request;
+    this.nodes =
+        request.chain().getSoftware().stream()
+            .filter(node -> node.getImplementation() == ComponentImplementation.COMPONENT)
+            .toList();
+  }
+
+  /** The nodes, in chain order. */
+  List<SoftwareNode> nodes() {
+    return nodes;
+  }
+
+  /** All topics that a node reads. */
+  Set<String> topicsRead() {
+    Set<String> topics = new TreeSet<>();
+    for (SoftwareNode node : nodes) {
+      node.getInput().stream().map(Data::getTopicName).forEach(topics::add);
+    }
+    return topics;
+  }
+
+  /** Name of the first node that reads a topic; empty if none does. */
+  String reader(String topic) {
+    return nodes.stream()
+        .filter(node -> has(node.getInput(), topic))
+        .findFirst()
+        .map(SoftwareNode::getName)
+        .orElse("");
+  }
+
+  /** Name of the last node that writes a topic; empty if none does. */
+  String writer(String topic) {
+    return nodes.stream()
+        .filter(node -> has(node.getOutput(), topic))
+        .reduce((first, second) -> second)
+        .map(SoftwareNode::getName)
+        .orElse("");
+  }
+
+  private static boolean has(List<Data> data, String topic) {
+    return data.stream().anyMatch(item -> topic.equals(item.getTopicName()));
+  }
+
+  /** The configuration of the process that runs the nodes. */
+  ObjectNode configuration(Scenario scenario, CarlaBridge bridge) {
+    ObjectNode json = JsonNodeFactory.instance.objectNode();
+    json.putArray("path").add(absolute(request.packageFolder()));
+    ArrayNode messages = json.putArray("messages");
+    request.messageFolders().forEach(folder -> messages.add(absolute(folder)));
+    ArrayNode configured = json.putArray("nodes");
+    nodes.forEach(node -> configured.add(configuration(node, scenario.seed())));
+    ArrayNode publishes = json.putArray("world_publishes");
+    bridge.published().forEach(topic -> publishes.add(configuration(topic)));
+    json.putArray("world_subscribes").add(configuration(CarlaBridge.CONTROL));
+    json.put("step_limit_s", request.stepLimit().toNanos() / 1e9);
+    return json;
+  }
+
+  private static String absolute(Path folder) {
+    return folder.toAbsolutePath().normalize().toString();
+  }
+
+  private ObjectNode configuration(SoftwareNode node, long seed) {
+    String name = node.getName();
+    ObjectNode json = JsonNodeFactory.instance.objectNode();
+    String module = name.toLowerCase(Locale.ROOT) + "_node";
+    json.put("module", request.packageName() + "." + module);
+    json.put("class", name + "_node");
+    json.put("name", name);
+    json.put("execution_time_ms", executionTime(node));
+    json.put("phase_ms", phase(node, seed));
+    ArrayNode outputs = json.putArray("outputs");
+    node.getOutput().forEach(data -> outputs.add(data.getName()));
+    return json;
+  }
+
+  private static ObjectNode configuration(CarlaBridge.Topic topic) {
+    ObjectNode json = JsonNodeFactory.instance.objectNode();
+    return json.put("topic", topic.name()).put("type", topic.type());
+  }
+
+  /** In ms: the model's worst case; none if it does not know one. */
+  private static double executionTime(SoftwareNode node) {
+    return node.isSetWorstCaseExecutionTime() ? node.getWorstCaseExecutionTime() : 0.0;
+  }
+
+  /** In ms; empty period is taken for none. */
+  static double period(SoftwareNode node) {
+    return node.isSetFrequency() && node.getFrequency() > 0
+        ? MILLISECONDS / node.getFrequency()
+        : 0.0;
+  }
+
+  /**
+   * In ms: somewhere in the node's period, since nodes on a vehicle start when they start. It
+   * depends on the scenario's seed and the node's name only.
+   */
+  private static double phase(SoftwareNode node, long seed) {
+    CRC32 digest = new CRC32();
+    digest.update(node.getName().getBytes(StandardCharsets.UTF_8));
+    SplittableRandom random = new SplittableRandom(seed * 0x1_0000_0001L ^ digest.getValue());
+    long microseconds = (long) (random.nextDouble() * period(node) * 1000);
+    return microseconds / 1000.0;
+  }
+}

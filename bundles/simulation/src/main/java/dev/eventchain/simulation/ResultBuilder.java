@@ -1,0 +1,170 @@
+package dev.eventchain.simulation;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import dev.eventchain.simulation.RunLog.Activation;
+import dev.eventchain.simulation.ScenarioRunner.Run;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.stream.DoubleStream;
+import java.util.zip.CRC32;
+
+/** Judges what happened, and makes figures of it. */
+final class ResultBuilder {
+
+  private static final double MILLISECOND = 1e6;
+  private static final long SERIES_STEP = 50_000_000L;
+
+  private final NodeSetup setup;
+  private final List<Run> runs;
+
+  ResultBuilder(NodeSetup setup, List<Run> runs) {
+    this.setup = setup;
+    this.runs = runs;
+  }
+
+  SimulationResult build(String confinement, int processes, double wallSeconds) {
+    List<ScenarioVerdict> verdicts = runs.stream().map(ResultBuilder::verdict).toList();
+    List<Measurements.Node> nodes = setup.nodes().stream().map(this::measure).toList();
+    Measurements measurements =
+        new Measurements(
+            runId(verdicts, nodes),
+            setup.reader(CarlaBridge.LIDAR.name()),
+            setup.writer(CarlaBridge.CONTROL.name()),
+            nodes);
+    SimulationResult.Host host =
+        new SimulationResult.Host(
+            confinement,
+            runs.get(0).ready().path("python").asText(),
+            processes,
+            runs.stream().mapToDouble(run -> World.seconds(run.trace().end().time())).sum(),
+            wallSeconds,
+            runs.stream().mapToDouble(run -> World.seconds(run.hostNanos())).sum());
+    return new SimulationResult(verdicts, measurements, warnings(), host);
+  }
+
+  static ScenarioVerdict verdict(Run run) {
+    Scenario scenario = run.scenario();
+    Trace trace = run.trace();
+    List<ScenarioVerdict.CriterionResult> criteria =
+        scenario.criteria().stream().map(criterion -> judge(criterion, trace)).toList();
+    return new ScenarioVerdict(
+        scenario.name(),
+        scenario.title(),
+        scenario.requirements(),
+        criteria.stream().allMatch(ScenarioVerdict.CriterionResult::passed),
+        criteria,
+        trace.minimalGap(),
+        trace.impactSpeed(),
+        trace.timeToCollisionAtFirstBraking(),
+        trace
+            .firstBraking()
+            .map(command -> OptionalDouble.of(World.seconds(command.time())))
+            .orElse(OptionalDouble.empty()),
+        latency(run.log()),
+        series(trace));
+  }
+
+  private static ScenarioVerdict.CriterionResult judge(Criterion criterion, Trace trace) {
+    Criterion.Outcome outcome = criterion.judge(trace);
+    return new ScenarioVerdict.CriterionResult(
+        criterion.text(), outcome.passed(), outcome.detail(), criterion.location());
+  }
+
+  private static Optional<Measurements.Statistics> latency(RunLog log) {
+    List<Long> latencies =
+        ChainLatency.of(log, CarlaBridge.LIDAR.name(), CarlaBridge.CONTROL.name());
+    return Measurements.Statistics.of(
+        latencies.stream().mapToDouble(value -> value / MILLISECOND).toArray());
+  }
+
+  private static List<ScenarioVerdict.Moment> series(Trace trace) {
+    List<ScenarioVerdict.Moment> moments = new ArrayList<>();
+    List<Trace.Command> commands = trace.commands();
+    double brake = 0;
+    int next = 0;
+    for (Trace.State state : trace.states()) {
+      while (next < commands.size() && commands.get(next).time() <= state.time()) {
+        brake = commands.get(next++).pedal();
+      }
+      if (state.time() % SERIES_STEP == 0 || state.equals(trace.end())) {
+        moments.add(
+            new ScenarioVerdict.Moment(
+                World.seconds(state.time()),
+                state.speed(),
+                state.gap(),
+                state.timeToCollision(),
+                brake,
+                state.deceleration()));
+      }
+    }
+    return moments;
+  }
+
+  private Measurements.Node measure(SoftwareNode node) {
+    DoubleStream.Builder periods = DoubleStream.builder();
+    DoubleStream.Builder executionTimes = DoubleStream.builder();
+    DoubleStream.Builder hostTimes = DoubleStream.builder();
+    int activations = 0;
+    for (Run run : runs) {
+      Activation previous = null;
+      for (Activation activation : run.log().nodes().getOrDefault(node.getName(), List.of())) {
+        activations++;
+        executionTimes.add((activation.end() - activation.start()) / MILLISECOND);
+        hostTimes.add(activation.host() / MILLISECOND);
+        if (previous != null) {
+          periods.add((activation.start() - previous.start()) / MILLISECOND);
+        }
+        previous = activation;
+      }
+    }
+    double[] found = periods.build().toArray();
+    double nominal = NodeSetup.period(node);
+    double[] jitter =
+        nominal > 0
+            ? DoubleStream.of(found).map(period -> Math.abs(period - nominal)).toArray()
+            : new double[0];
+    return new Measurements.Node(
+        node.getName(),
+        activations,
+        Measurements.Statistics.of(found),
+        Measurements.Statistics.of(jitter),
+        Measurements.Statistics.of(executionTimes.build().toArray()),
+        Measurements.Statistics.of(hostTimes.build().toArray()));
+  }
+
+  /** Connections that the nodes wanted but that were not made: the same in every scenario. */
+  private List<Diagnostic> warnings() {
+    Map<String, Diagnostic> warnings = new LinkedHashMap<>();
+    for (Run run : runs) {
+      for (JsonNode warning : run.ready().path("warnings")) {
+        String id = warning.path("id").asText();
+        String message = warning.path("message").asText();
+        SourceLocation topic = SourceLocation.NONE.withElement(warning.path("topic").asText());
+        warnings.putIfAbsent(id + message, Diagnostic.warning(id, message, topic));
+      }
+    }
+    return List.copyOf(warnings.values());
+  }
+
+  /** A digest of everything that was measured in simulated time. */
+  private static String runId(List<ScenarioVerdict> verdicts, List<Measurements.Node> nodes) {
+    CRC32 digest = new CRC32();
+    for (ScenarioVerdict verdict : verdicts) {
+      String text = verdict.scenario() + verdict.passed() + verdict.latency() + verdict.series();
+      digest.update(text.getBytes(StandardCharsets.UTF_8));
+    }
+    for (Measurements.Node node : nodes) {
+      String text = node.name() + node.activations() + node.period() + node.executionTime();
+      digest.update(text.getBytes(StandardCharsets.UTF_8));
+    }
+    return String.format("simulation-%08x", digest.getValue());
+  }
+}

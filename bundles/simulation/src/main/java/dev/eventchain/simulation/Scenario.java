@@ -1,0 +1,184 @@
+package dev.eventchain.simulation;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import java.io.IOException;
+import java.nio.file.DirectoryStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * A situation on the road with the criteria that the software must meet in it. Read from a YAML
+ * file; the physics, the noise and the phases of the nodes follow from its content alone.
+ * Immutable.
+ */
+public final class Scenario {
+
+  private final String name;
+  private final String title;
+  private final String description;
+  private final List<String> requirements;
+  private final long seed;
+  private final double duration;
+  private final EgoVehicle ego;
+  private final List<TargetVehicle> targets;
+  private final List<Criterion> criteria;
+  private final SourceLocation location;
+
+  Scenario(
+      Heading heading,
+      long seed,
+      double duration,
+      EgoVehicle ego,
+      List<TargetVehicle> targets,
+      List<Criterion> criteria) {
+    this.name = heading.name();
+    this.title = heading.title();
+    this.description = heading.description();
+    this.requirements = List.copyOf(heading.requirements());
+    this.location = heading.location();
+    this.seed = seed;
+    this.duration = duration;
+    this.ego = ego;
+    this.targets = List.copyOf(targets);
+    this.criteria = List.copyOf(criteria);
+  }
+
+  /** What people read of a scenario. */
+  record Heading(
+      String name,
+      String title,
+      String description,
+      List<String> requirements,
+      SourceLocation location) {}
+
+  /**
+   * Reads one scenario.
+   *
+   * @throws DiagnosticException (INPUT) with every problem of the file: {@code scenario.syntax},
+   *     {@code scenario.key.unknown}, {@code scenario.key.duplicate}, {@code scenario.key.missing},
+   *     {@code scenario.value.type}, {@code scenario.value.range}, or that it cannot be read
+   */
+  public static Scenario read(Path file) {
+    return parse(SourceText.read(file));
+  }
+
+  /** As {@link #read} for a text that is in memory already. */
+  public static Scenario parse(SourceText text) {
+    return ScenarioReader.read(text);
+  }
+
+  /**
+   * Reads all {@code *.yaml} files of a folder, in the order of their names.
+   *
+   * @throws DiagnosticException (INPUT) with every problem of every file; also if there is no such
+   *     folder or no scenario in it ({@code scenario.none}), or if two scenarios have one name
+   *     ({@code scenario.name.duplicate})
+   */
+  public static List<Scenario> readFolder(Path folder) {
+    List<Diagnostic> problems = new ArrayList<>();
+    Map<String, Scenario> byName = new HashMap<>();
+    List<Scenario> scenarios = new ArrayList<>();
+    for (Path file : files(folder)) {
+      try {
+        Scenario scenario = read(file);
+        Scenario earlier = byName.putIfAbsent(scenario.name, scenario);
+        if (earlier != null) {
+          problems.add(duplicate(scenario, earlier));
+        }
+        scenarios.add(scenario);
+      } catch (DiagnosticException e) {
+        problems.addAll(e.diagnostics());
+      }
+    }
+    if (scenarios.isEmpty() && problems.isEmpty()) {
+      problems.add(
+          Diagnostic.error(
+                  "scenario.none", "There is no scenario to simulate.", SourceLocation.of(folder))
+              .withHint("Put at least one scenario file (*.yaml) into this folder."));
+    }
+    if (!problems.isEmpty()) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
+    }
+    return List.copyOf(scenarios);
+  }
+
+  private static List<Path> files(Path folder) {
+    List<Path> files = new ArrayList<>();
+    if (Files.isDirectory(folder)) {
+      try (DirectoryStream<Path> stream = Files.newDirectoryStream(folder, "*.yaml")) {
+        stream.forEach(files::add);
+      } catch (IOException e) {
+        throw new DiagnosticException(
+            DiagnosticException.Reason.INPUT,
+            Diagnostic.error(
+                "file.unreadable",
+                "The folder cannot be read: " + e.getMessage(),
+                SourceLocation.of(folder)));
+      }
+    }
+    Collections.sort(files);
+    return files;
+  }
+
+  private static Diagnostic duplicate(Scenario scenario, Scenario earlier) {
+    return Diagnostic.error(
+            "scenario.name.duplicate",
+            "The name " + scenario.name + " is taken by " + earlier.location + ".",
+            scenario.location)
+        .withHint("Give each scenario its own name; reports and measurements use it.");
+  }
+
+  /** The name, unique in a folder: lower-case letters, digits and hyphens. */
+  public String name() {
+    return name;
+  }
+
+  /** A title for people. */
+  public String title() {
+    return title;
+  }
+
+  /** What happens in it and why it is there; may be empty. */
+  public String description() {
+    return description;
+  }
+
+  /** Ids of the requirements that it tests. */
+  public List<String> requirements() {
+    return requirements;
+  }
+
+  /** Where it was read from. */
+  public SourceLocation location() {
+    return location;
+  }
+
+  /** The longest simulated time, in s. */
+  public double duration() {
+    return duration;
+  }
+
+  long seed() {
+    return seed;
+  }
+
+  EgoVehicle ego() {
+    return ego;
+  }
+
+  List<TargetVehicle> targets() {
+    return targets;
+  }
+
+  List<Criterion> criteria() {
+    return criteria;
+  }
+}

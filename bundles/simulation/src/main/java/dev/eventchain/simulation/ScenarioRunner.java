@@ -1,0 +1,52 @@
+package dev.eventchain.simulation;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.simulation.LockstepSession.Outbound;
+
+/** Drives one scenario: the vehicle senses, the nodes think, the vehicle moves. */
+final class ScenarioRunner {
+
+  /** Time between two messages of a sensor, in ns: 20 Hz. */
+  static final long SENSOR_PERIOD = 50_000_000L;
+
+  /** How long it goes on after the ego has stopped, in ns. */
+  private static final long AFTER_STOP = 1_000_000_000L;
+
+  /**
+   * What happened.
+   *
+   * @param ready what the process said of itself and the connections of the nodes
+   * @param hostNanos time on this machine for the steps
+   */
+  record Run(Scenario scenario, Trace trace, RunLog log, JsonNode ready, long hostNanos) {}
+
+  private final NodeSetup setup;
+  private final LockstepSession session;
+
+  ScenarioRunner(NodeSetup setup, LockstepSession session) {
+    this.setup = setup;
+    this.session = session;
+  }
+
+  Run run(Scenario scenario) {
+    CarlaBridge bridge = new CarlaBridge(setup.topicsRead());
+    JsonNode ready = session.configure(setup.configuration(scenario, bridge));
+    World world = new World(scenario.ego(), scenario.targets());
+    Lidar lidar = new Lidar(scenario.ego(), scenario.seed());
+    long end = World.nanoseconds(scenario.duration());
+    long stoppedAt = scenario.ego().speed() > 0 ? Long.MAX_VALUE : end;
+    long started = System.nanoTime();
+    while (world.now() < end && !world.impacted() && world.now() - AFTER_STOP < stoppedAt) {
+      long until = Math.min(end, world.now() + SENSOR_PERIOD);
+      for (Outbound command : session.step(until, bridge.sense(world, lidar))) {
+        world.command(command.time(), CarlaBridge.brake(command.message()));
+      }
+      world.advanceTo(until);
+      if (world.egoSpeed() == 0.0 && stoppedAt == Long.MAX_VALUE) {
+        stoppedAt = world.now();
+      }
+    }
+    long hostNanos = System.nanoTime() - started;
+    return new Run(scenario, world.trace(), session.finish(), ready, hostNanos);
+  }
+}

@@ -1,0 +1,120 @@
+package dev.eventchain.simulation;
+
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.python.Confinement;
+import dev.eventchain.python.PythonEnvironment;
+import dev.eventchain.simulation.ScenarioRunner.Run;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
+
+/**
+ * Simulates the generated nodes of a chain in a closed loop with a vehicle on a road, in lock-step:
+ * the world waits for the nodes and the nodes for the world, so that the result depends on the
+ * nodes and the scenarios alone.
+ */
+public final class Simulation {
+
+  private final SimulationRequest request;
+  private final NodeSetup setup;
+  private final Consumer<ScenarioVerdict> progress;
+  private final PythonEnvironment python;
+  private final Confinement confinement = Confinement.detect();
+  private final AtomicInteger next = new AtomicInteger();
+  private final AtomicBoolean stopped = new AtomicBoolean();
+  private final List<LockstepProcess> open = new ArrayList<>();
+  private final SortedMap<Integer, Run> runs = new TreeMap<>();
+  private final SortedMap<Integer, DiagnosticException> failures = new TreeMap<>();
+
+  private Simulation(
+      SimulationRequest request, PythonEnvironment python, Consumer<ScenarioVerdict> progress) {
+    this.request = request;
+    this.setup = new NodeSetup(request);
+    this.python = python;
+    this.progress = progress;
+  }
+
+  /**
+   * Simulates all scenarios and judges them.
+   *
+   * @param python the Python that runs the nodes
+   * @param progress gets each verdict as it is found, one at a time, from threads of the
+   *     simulation; the order may differ from that of the request
+   * @throws DiagnosticException (FINDINGS) if the nodes cannot be driven through a scenario: one
+   *     raises, hangs ({@code simulation.step.timeout}), ends the process ({@code
+   *     simulation.process.ended}), returns something else than its signature says, or breaks the
+   *     protocol ({@code simulation.protocol}); (UNAVAILABLE) if the process cannot be started
+   * @throws InterruptedException if the calling thread was interrupted; the processes are ended
+   */
+  public static SimulationResult run(
+      SimulationRequest request, PythonEnvironment python, Consumer<ScenarioVerdict> progress)
+      throws InterruptedException {
+    return new Simulation(request, python, progress).run();
+  }
+
+  private SimulationResult run() throws InterruptedException {
+    long started = System.nanoTime();
+    int processes = Math.min(request.processes(), request.scenarios().size());
+    List<Thread> workers = new ArrayList<>();
+    for (int i = 0; i < processes; i++) {
+      Thread worker = new Thread(this::work, "simulation " + (i + 1));
+      workers.add(worker);
+      worker.start();
+    }
+    try {
+      for (Thread worker : workers) {
+        worker.join();
+      }
+    } catch (InterruptedException e) {
+      stop(workers);
+      throw e;
+    }
+    if (!failures.isEmpty()) {
+      throw failures.get(failures.firstKey());
+    }
+    double wallSeconds = (System.nanoTime() - started) / 1e9;
+    return new ResultBuilder(setup, List.copyOf(runs.values()))
+        .build(confinement.describe(), processes, wallSeconds);
+  }
+
+  /** Ends the processes, so that the threads that wait for their answers end. */
+  private void stop(List<Thread> workers) throws InterruptedException {
+    stopped.set(true);
+    synchronized (open) {
+      open.forEach(LockstepProcess::close);
+    }
+    for (Thread worker : workers) {
+      worker.join();
+    }
+  }
+
+  /** Takes scenario after scenario until none is left. */
+  private void work() {
+    int scenario = -1;
+    try (LockstepProcess process = new LockstepProcess(request, python, confinement)) {
+      synchronized (open) {
+        open.add(process);
+      }
+      ScenarioRunner runner = new ScenarioRunner(setup, process.session());
+      while (!stopped.get() && (scenario = next.getAndIncrement()) < request.scenarios().size()) {
+        done(scenario, runner.run(request.scenarios().get(scenario)));
+      }
+    } catch (DiagnosticException e) {
+      failed(scenario, e);
+    }
+  }
+
+  private synchronized void done(int scenario, Run run) {
+    runs.put(scenario, run);
+    progress.accept(ResultBuilder.verdict(run));
+  }
+
+  private synchronized void failed(int scenario, DiagnosticException failure) {
+    stopped.set(true);
+    failures.put(scenario, failure);
+  }
+}

@@ -1,0 +1,179 @@
+package dev.eventchain.simulation;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * The road with the ego and the other vehicles on it, as point masses along the lane. Gaps are
+ * measured from bumper to bumper. An impact ends the movement of time.
+ */
+final class World {
+
+  /** Distance of two states in the trace, in ns. */
+  static final long TRACE_STEP = 10_000_000L;
+
+  private record PendingPedal(long effectiveAt, double pedal) {}
+
+  private final EgoVehicle vehicle;
+  private final List<TargetVehicle> targets;
+  private final EgoMotion ego;
+  private final Trace trace = new Trace();
+  private final Deque<PendingPedal> pendingPedals = new ArrayDeque<>();
+  private long now;
+  private double pedal;
+  private double impactSpeed = Double.NaN;
+
+  World(EgoVehicle vehicle, List<TargetVehicle> targets) {
+    this.vehicle = vehicle;
+    this.targets = List.copyOf(targets);
+    this.ego = new EgoMotion(vehicle);
+    record();
+  }
+
+  /** Simulated time, in ns. */
+  long now() {
+    return now;
+  }
+
+  /** The ego's way since the start, in m. */
+  double egoPosition() {
+    return ego.position();
+  }
+
+  /** The ego's speed, in m/s. */
+  double egoSpeed() {
+    return ego.speed();
+  }
+
+  /** The ego's deceleration, in m/s2. */
+  double egoDeceleration() {
+    return ego.deceleration();
+  }
+
+  /** The brake pedal of the last command received, as it was received. */
+  double pedal() {
+    return pedal;
+  }
+
+  /** Whether the ego has hit another vehicle. */
+  boolean impacted() {
+    return !Double.isNaN(impactSpeed);
+  }
+
+  /** Everything that happened up to now. */
+  Trace trace() {
+    return trace;
+  }
+
+  /** All other vehicles. */
+  List<TargetVehicle> targets() {
+    return targets;
+  }
+
+  /** Place of a vehicle's rear bumper ahead of the ego's front bumper, in m. */
+  double distanceTo(TargetVehicle target) {
+    return target.position(seconds(now)) - ego.position();
+  }
+
+  /**
+   * Takes a brake command; it takes effect after the delay of the brake.
+   *
+   * @param time when it was published, in ns: not before now and not before the last one
+   */
+  void command(long time, double newPedal) {
+    pendingPedals.add(new PendingPedal(time + nanoseconds(vehicle.brakeDelay()), newPedal));
+    trace.command(time, newPedal);
+    pedal = newPedal;
+  }
+
+  /** Moves time on, or up to the impact. */
+  void advanceTo(long until) {
+    while (now < until && !impacted()) {
+      long next = Math.min(until, (now / TRACE_STEP + 1) * TRACE_STEP);
+      PendingPedal pending = pendingPedals.peek();
+      if (pending != null && pending.effectiveAt() <= now) {
+        ego.brake(pendingPedals.remove().pedal());
+        continue;
+      }
+      if (pending != null) {
+        next = Math.min(next, pending.effectiveAt());
+      }
+      advancePiece(next);
+    }
+  }
+
+  private void advancePiece(long until) {
+    EgoMotion before = ego.copy();
+    ego.advance(seconds(until - now));
+    Optional<TargetVehicle> hit = nearest(until, ego);
+    if (hit.isPresent() && gap(hit.get(), until, ego) <= 0.0) {
+      impact(before, until, hit.get());
+    } else {
+      now = until;
+    }
+    if (impacted() || now % TRACE_STEP == 0) {
+      record();
+    }
+  }
+
+  /** Finds the instant of the impact to a nanosecond. */
+  private void impact(EgoMotion before, long until, TargetVehicle target) {
+    long apart = now;
+    long touching = until;
+    while (touching - apart > 1) {
+      long middle = (apart + touching) / 2;
+      EgoMotion tried = before.copy();
+      tried.advance(seconds(middle - now));
+      if (gap(target, middle, tried) > 0.0) {
+        apart = middle;
+      } else {
+        touching = middle;
+      }
+    }
+    EgoMotion touched = before.copy();
+    touched.advance(seconds(touching - now));
+    now = touching;
+    impactSpeed = Math.max(0.0, touched.speed() - target.speed(seconds(touching)));
+    trace.impact(impactSpeed);
+  }
+
+  private void record() {
+    Optional<TargetVehicle> ahead = nearest(now, ego);
+    double gap = ahead.map(target -> gap(target, now, ego)).orElse(Double.POSITIVE_INFINITY);
+    double closing = ego.speed() - ahead.map(target -> target.speed(seconds(now))).orElse(0.0);
+    double timeToCollision =
+        ahead.isPresent() && closing > 0.0
+            ? Math.max(0.0, gap) / closing
+            : Double.POSITIVE_INFINITY;
+    trace.state(
+        new Trace.State(now, ego.speed(), Math.max(0.0, gap), timeToCollision, ego.deceleration()));
+  }
+
+  /** The nearest vehicle that is in the ego's path and not behind it. */
+  private Optional<TargetVehicle> nearest(long time, EgoMotion motion) {
+    TargetVehicle nearest = null;
+    for (TargetVehicle target : targets) {
+      double gap = gap(target, time, motion);
+      if (target.inPath()
+          && gap > -target.length()
+          && (nearest == null || gap < gap(nearest, time, motion))) {
+        nearest = target;
+      }
+    }
+    return Optional.ofNullable(nearest);
+  }
+
+  private static double gap(TargetVehicle target, long time, EgoMotion motion) {
+    return target.position(seconds(time)) - motion.position();
+  }
+
+  static double seconds(long nanoseconds) {
+    return nanoseconds / 1e9;
+  }
+
+  static long nanoseconds(double seconds) {
+    return Math.round(seconds * 1e9);
+  }
+}

@@ -1,0 +1,148 @@
+package dev.eventchain.simulation;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvFileSource;
+
+/** Real nodes in a real confined process, driven through the AEB example's scenarios. */
+class SimulationTest {
+
+  @TempDir Path folder;
+
+  @Test
+  void softwareThatFollowsTheRequirementsPassesEveryScenario() throws Exception {
+    SimulationResult result = new AebProject(folder).simulate(AebProject.scenarios());
+    assertEquals(
+        List.of(),
+        result.verdicts().stream().flatMap(verdict -> verdict.diagnostics().stream()).toList());
+    assertTrue(result.passed());
+    assertEquals(List.of(), result.diagnostics());
+  }
+
+  @ParameterizedTest
+  @CsvFileSource(resources = "/mutants.csv", numLinesToSkip = 1)
+  void scenarioFailsWrongSoftware(String component, String mutant, String scenario)
+      throws Exception {
+    AebProject project = new AebProject(folder).with(component, "mutants/" + mutant);
+    SimulationResult result = project.simulate(List.of(AebProject.scenario(scenario)));
+    assertFalse(result.passed());
+    Diagnostic finding = result.verdicts().get(0).diagnostics().get(0);
+    assertEquals("simulation.criterion.failed", finding.id());
+    assertTrue(finding.location().file().endsWith(scenario + ".yaml"));
+    assertTrue(finding.location().line() > 0);
+  }
+
+  @ParameterizedTest
+  @CsvFileSource(resources = "/failing.csv", numLinesToSkip = 1)
+  void failingComponentIsNamedWithItsPlace(String file, String id, int line) throws Exception {
+    AebProject project = new AebProject(folder).with("Braking_Decision", "failing/" + file);
+    SimulationRequest request =
+        project
+            .request(List.of(AebProject.scenario("stopped-vehicle-50")))
+            .withStepLimit(Duration.ofMillis(400));
+    DiagnosticException failure =
+        assertThrows(DiagnosticException.class, () -> AebProject.simulate(request));
+    assertEquals(DiagnosticException.Reason.FINDINGS, failure.reason());
+    Diagnostic finding = failure.diagnostics().get(0);
+    assertEquals(id, finding.id(), finding::toString);
+    assertEquals(line, finding.location().line(), finding::toString);
+    Path expected = line > 0 ? project.component("Braking_Decision") : folder;
+    assertEquals(expected.toString(), finding.location().file());
+  }
+
+  @Test
+  void lastWordsOfAProcessThatEndsAreShown() throws Exception {
+    AebProject project =
+        new AebProject(folder).with("Braking_Decision", "failing/ends_the_process.py");
+    List<Scenario> scenarios = List.of(AebProject.scenario("empty-road"));
+    DiagnosticException failure =
+        assertThrows(DiagnosticException.class, () -> project.simulate(scenarios));
+    assertTrue(failure.diagnostics().get(0).hint().contains("giving up"));
+  }
+
+  @Test
+  void resultDependsNeitherOnTheNumberOfProcessesNorOnTheOrder() throws Exception {
+    AebProject project = new AebProject(folder);
+    List<Scenario> scenarios = AebProject.scenarios();
+    SimulationResult one = AebProject.simulate(project.request(scenarios).withProcesses(1));
+    SimulationResult two = AebProject.simulate(project.request(scenarios));
+    assertEquals(one.verdicts(), two.verdicts());
+    assertEquals(one.measurements().runId(), two.measurements().runId());
+    assertArrayEquals(withoutHost(one), withoutHost(two));
+
+    List<Scenario> reversed = new ArrayList<>(scenarios);
+    Collections.reverse(reversed);
+    List<ScenarioVerdict> verdicts = new ArrayList<>(project.simulate(reversed).verdicts());
+    Collections.reverse(verdicts);
+    assertEquals(one.verdicts(), verdicts);
+  }
+
+  private static String[] withoutHost(SimulationResult result) {
+    return new String(result.toJson(), java.nio.charset.StandardCharsets.UTF_8)
+        .split("\"host\"", 2)[0].split("\n");
+  }
+
+  @Test
+  void progressHearsOfEveryVerdict() throws Exception {
+    AebProject project = new AebProject(folder);
+    List<String> heard = Collections.synchronizedList(new ArrayList<>());
+    Simulation.run(
+        project.request(AebProject.scenarios()),
+        dev.eventchain.python.PythonEnvironment.ensure(line -> {}),
+        verdict -> heard.add(verdict.scenario()));
+    Collections.sort(heard);
+    assertEquals(AebProject.scenarios().stream().map(Scenario::name).toList(), heard);
+  }
+
+  @Test
+  void interruptEndsTheSimulationAndItsProcesses() throws Exception {
+    AebProject project = new AebProject(folder).with("Braking_Decision", "failing/hangs.py");
+    List<Scenario> scenarios = AebProject.scenarios();
+    Thread caller = Thread.currentThread();
+    Thread interrupter =
+        new Thread(
+            () -> {
+              try {
+                Thread.sleep(1500);
+              } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+              }
+              caller.interrupt();
+            });
+    interrupter.start();
+    assertThrows(InterruptedException.class, () -> project.simulate(scenarios));
+    interrupter.join();
+    assertEquals(
+        0,
+        Thread.getAllStackTraces().keySet().stream()
+            .filter(thread -> thread.getName().startsWith("simulation "))
+            .count());
+  }
+
+  @Test
+  void phasesOfTheNodesFollowFromTheSeed() throws Exception {
+    AebProject project = new AebProject(folder);
+    Path file = folder.resolve("other.yaml");
+    String text = Files.readString(AebProject.EXAMPLE.resolve("scenarios/empty-road.yaml"));
+    Files.writeString(file, text.replace("seed: 10", "seed: 11"));
+    List<Scenario> scenarios = List.of(AebProject.scenario("empty-road"), Scenario.read(file));
+    List<ScenarioVerdict> verdicts = project.simulate(scenarios).verdicts();
+    assertNotEquals(verdicts.get(0).latency(), verdicts.get(1).latency());
+  }
+}

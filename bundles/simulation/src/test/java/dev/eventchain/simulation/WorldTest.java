@@ -1,0 +1,183 @@
+package dev.eventchain.simulation;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.util.DoubleSummaryStatistics;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvFileSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class WorldTest {
+
+  private static final long SECOND = 1_000_000_000L;
+  private static final long PERIOD = 50_000_000L;
+
+  private static World empty(double speed) {
+    return new World(EgoVehicle.withSpeed(speed), List.of());
+  }
+
+  @Test
+  void driverHoldsTheSpeedUntilTheFirstBrakeCommand() {
+    World world = empty(20);
+    world.command(0, 0.0);
+    world.advanceTo(3 * SECOND);
+    assertEquals(20, world.egoSpeed());
+    assertEquals(60, world.egoPosition(), 1e-9);
+  }
+
+  @Test
+  void brakeActsAfterTheDelayAndBuildsUpLinearly() {
+    World world = empty(20);
+    world.command(0, 1.0);
+    world.advanceTo(SECOND / 5);
+    assertEquals(20, world.egoSpeed());
+    world.advanceTo(SECOND / 5 + SECOND * 15 / 100);
+    assertEquals(4.5, world.egoDeceleration(), 1e-9);
+    assertEquals(20 - 0.5 * 4.5 * 0.15, world.egoSpeed(), 1e-9);
+    world.advanceTo(SECOND / 2);
+    assertEquals(9, world.egoDeceleration(), 1e-9);
+    assertEquals(20 - 0.5 * 9 * 0.3, world.egoSpeed(), 1e-9);
+  }
+
+  /** Way = delay + ramp (v t - j t^3 / 6) + v^2 / (2 a), from the definition of the point mass. */
+  @Test
+  void stoppingDistanceIsThatOfThePointMass() {
+    World world = empty(50 / 3.6);
+    world.command(0, 1.0);
+    world.advanceTo(5 * SECOND);
+    double v = 50 / 3.6;
+    double afterRamp = v - 0.5 * 9 * 0.3;
+    double expected =
+        v * 0.2 + v * 0.3 - 30 * 0.3 * 0.3 * 0.3 / 6 + afterRamp * afterRamp / (2 * 9);
+    assertEquals(0, world.egoSpeed());
+    assertEquals(0, world.egoDeceleration());
+    assertEquals(expected, world.egoPosition(), 1e-6);
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {1_000_000L, 7_000_003L, 50_000_000L})
+  void resultDoesNotDependOnTheStep(long step) {
+    World coarse = braked(4 * SECOND);
+    World fine = braked(step);
+    assertEquals(coarse.egoPosition(), fine.egoPosition(), 1e-9);
+    assertEquals(coarse.egoSpeed(), fine.egoSpeed(), 1e-9);
+    assertTrue(fine.egoSpeed() > 0);
+  }
+
+  private static World braked(long step) {
+    World world = empty(30);
+    world.command(123_456_789L, 0.5);
+    world.command(SECOND, 0.0);
+    world.command(2 * SECOND, 0.7);
+    while (world.now() < 4 * SECOND) {
+      world.advanceTo(Math.min(4 * SECOND, world.now() + step));
+    }
+    return world;
+  }
+
+  @Test
+  void releasedVehicleCoastsAndNeverDrivesBackwards() {
+    World world = empty(5);
+    world.command(0, 1.0);
+    world.command(SECOND * 3 / 10, 0.0);
+    world.advanceTo(SECOND);
+    assertEquals(0.5, world.egoDeceleration(), 1e-9);
+    double before = world.egoSpeed();
+    world.advanceTo(2 * SECOND);
+    assertEquals(before - 0.5, world.egoSpeed(), 1e-9);
+    world.advanceTo(30 * SECOND);
+    assertEquals(0, world.egoSpeed());
+  }
+
+  @Test
+  void pedalIsLimitedAndNoNumberDoesNotBrake() {
+    World over = empty(20);
+    over.command(0, 7.0);
+    over.advanceTo(SECOND);
+    assertEquals(9, over.egoDeceleration(), 1e-9);
+    World none = empty(20);
+    none.command(0, Double.NaN);
+    none.command(0, -1.0);
+    none.advanceTo(SECOND);
+    assertEquals(20, none.egoSpeed());
+  }
+
+  @Test
+  void impactIsFoundAtItsInstantWithTheRelativeSpeed() {
+    TargetVehicle slower = TargetVehicle.passengerCar(10, 5, 0);
+    World world = new World(EgoVehicle.withSpeed(15), List.of(slower));
+    world.advanceTo(3 * SECOND);
+    assertTrue(world.impacted());
+    assertTrue(Math.abs(world.now() - SECOND) <= 2);
+    assertEquals(10, world.trace().impactSpeed().orElseThrow(), 1e-6);
+    assertEquals(0, world.trace().minimalGap().orElseThrow(), 1e-6);
+  }
+
+  @Test
+  void vehicleInTheNextLaneIsNeitherHitNorApproached() {
+    TargetVehicle beside = TargetVehicle.passengerCar(10, 0, 3.5);
+    World world = new World(EgoVehicle.withSpeed(15), List.of(beside));
+    world.advanceTo(3 * SECOND);
+    assertFalse(world.impacted());
+    assertTrue(world.trace().minimalGap().isEmpty());
+    assertEquals(Double.POSITIVE_INFINITY, world.trace().end().timeToCollision());
+  }
+
+  @Test
+  void targetBrakesToStandstillAndStaysThere() {
+    TargetVehicle target = new TargetVehicle(40, 10, 0, 1.8, 1.5, 4.5, 1, 5);
+    assertEquals(50, target.position(1));
+    assertEquals(7.5, target.speed(1.5));
+    assertEquals(50 + 10, target.position(3), 1e-12);
+    assertEquals(60, target.position(9), 1e-12);
+    assertEquals(0, target.speed(9));
+  }
+
+  @Test
+  void timeToCollisionIsTheGapOverTheClosingSpeed() {
+    World world =
+        new World(EgoVehicle.withSpeed(20), List.of(TargetVehicle.passengerCar(30, 10, 0)));
+    assertEquals(3, world.trace().end().timeToCollision(), 1e-12);
+    world.advanceTo(SECOND);
+    assertEquals(2, world.trace().end().timeToCollision(), 1e-12);
+  }
+
+  /**
+   * An ideal controller with the paper's thresholds, given the true TTC every 50 ms: an independent
+   * calculation of the impact speed lies between those of the best and the worst instant of
+   * control.
+   */
+  @ParameterizedTest
+  @CsvFileSource(resources = "/impact-speeds.csv", numLinesToSkip = 1)
+  void impactSpeedsWithThePapersThresholds(
+      double deceleration,
+      double delay,
+      double buildUp,
+      double partial,
+      double kmh,
+      double impact) {
+    EgoVehicle ego = new EgoVehicle(kmh / 3.6, delay, buildUp, deceleration, 0, 2.4, 2.4, 0);
+    DoubleSummaryStatistics impacts = new DoubleSummaryStatistics();
+    for (double early = 0.0005; early < 0.05; early += 0.007) {
+      World world =
+          new World(ego, List.of(TargetVehicle.passengerCar((4 + early) * ego.speed(), 0, 0)));
+      drive(world, partial);
+      impacts.accept(world.trace().impactSpeed().orElse(0) * 3.6);
+    }
+    assertTrue(
+        impacts.getMin() - 0.5 <= impact && impact <= impacts.getMax() + 0.5, impacts::toString);
+    assertTrue(impacts.getMax() - impacts.getMin() < 13, impacts::toString);
+  }
+
+  private static void drive(World world, double partial) {
+    while (!world.impacted() && world.egoSpeed() > 0.01 && world.now() < 20 * SECOND) {
+      double ttc = world.trace().end().timeToCollision();
+      world.command(world.now(), ttc < 1 ? 1 : ttc < 2 ? partial : 0);
+      world.advanceTo(world.now() + PERIOD);
+    }
+  }
+}
