@@ -1,0 +1,120 @@
+package dev.eventchain.ocl;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
+import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestFactory;
+
+/**
+ * The standard rules of event chains, each with a bad model in {@code standard/RULE/bad.xmi} and
+ * what is found, {@code expected.txt}. One good model breaks no rule.
+ */
+class StandardRulesTest {
+
+  private static final Path METAMODEL = Path.of("..", "..", "metamodel");
+  private static final Path MODELS = Path.of("src", "test", "resources", "standard");
+  private static final String PAPER =
+      """
+      context SoftwareNode
+        inv HasInputAndOutputData:
+          self.input->notEmpty() and self.output->notEmpty()
+        inv NextstepFrequencyEqualOrHigher:
+          self.nextstep->notEmpty() implies (self.nextstep.
+          frequency >= self.frequency)
+      """;
+
+  private final TestModels models = new TestModels(MODELS, METAMODEL);
+  private final EPackage metamodel = models.metamodel(METAMODEL.resolve("eventchain.ecore"));
+
+  private OclRules rules(String text) {
+    OclRules rules =
+        OclRules.parse(List.of(SourceText.of("eventchain.ocl", text)), List.of(metamodel));
+    assertEquals(List.of(), rules.diagnostics());
+    return rules;
+  }
+
+  private OclRules standardRules() throws IOException {
+    return rules(Files.readString(METAMODEL.resolve("eventchain.ocl")));
+  }
+
+  private static OclResult validate(OclRules rules, EObject model) {
+    return OclValidator.validate(
+        rules,
+        List.of(model),
+        element ->
+            SourceLocation.of(element.eResource().getURI().lastSegment())
+                .withElement(element.eResource().getURIFragment(element)));
+  }
+
+  @Test
+  void theGoodModelBreaksNoRule() throws IOException {
+    OclResult result = validate(standardRules(), models.load("good.xmi"));
+    assertEquals("", DiagnosticFormat.TEXT.render(result.diagnostics()));
+    assertEquals(15, result.constraints());
+  }
+
+  @Test
+  void thePapersConstraintsStandWordForWordAndRunWithoutPackageClause() throws IOException {
+    assertTrue(Files.readString(METAMODEL.resolve("eventchain.ocl")).contains(PAPER));
+    OclResult result = validate(rules(PAPER), models.load("good.xmi"));
+    assertEquals(2, result.constraints());
+    assertEquals(4, result.evaluations());
+    assertEquals(List.of(), result.diagnostics());
+  }
+
+  @Test
+  void theDataFlowIsDerivedFromTopicsAndFields() throws IOException {
+    OclRules rules =
+        rules(
+            Files.readString(METAMODEL.resolve("eventchain.ocl"))
+                + """
+                context EventChain
+                  inv Flow: software->first().successors = OrderedSet{software->last()}
+                    and software->last().predecessors = OrderedSet{software->first()}
+                    and software->last().successors->isEmpty()
+                """);
+    assertEquals(List.of(), validate(rules, models.load("good.xmi")).diagnostics());
+  }
+
+  @TestFactory
+  Stream<DynamicTest> everyRuleIsBrokenByItsBadModel() throws IOException {
+    List<DynamicTest> tests = new ArrayList<>();
+    OclRules rules = standardRules();
+    for (OclConstraint constraint : rules.constraints()) {
+      tests.add(DynamicTest.dynamicTest(constraint.name(), () -> check(rules, constraint)));
+    }
+    return tests.stream();
+  }
+
+  private void check(OclRules rules, OclConstraint constraint) throws IOException {
+    EObject model = models.load(constraint.name() + "/bad.xmi");
+    OclResult result = validate(rules, model);
+    String found = DiagnosticFormat.TEXT.render(result.diagnostics());
+    Path expected = MODELS.resolve(constraint.name()).resolve("expected.txt");
+    if (!Files.exists(expected)) {
+      Files.writeString(expected, found);
+      fail("wrote " + expected + "; check it");
+    }
+    assertEquals(Files.readString(expected), found);
+    assertTrue(
+        result.diagnostics().stream()
+            .map(Diagnostic::rule)
+            .anyMatch(constraint.qualifiedName()::equals),
+        "the bad model does not break " + constraint);
+  }
+}
