@@ -1,0 +1,53 @@
+package dev.eventchain.modeler;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.metamodel.XmiStore;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.OptionalDouble;
+import org.junit.jupiter.api.Test;
+
+class EventChainWriterTest {
+
+  private static final Path EXAMPLE = Path.of("../../examples/aeb");
+
+  @Test
+  void whatIsWrittenIsReadBackAsTheSameModel() {
+    SourceText text = SourceText.read(EXAMPLE.resolve("software-base/components.json"));
+    EventChain chain = read(text);
+    String written = EventChainWriter.write(chain);
+    assertEquals(xmi(chain), xmi(read(SourceText.of("written.json", written))));
+    assertEquals(written, EventChainWriter.write(chain));
+  }
+
+  @Test
+  void policiesSurvive() {
+    String json =
+        """
+        [{"name": "A", "input": [], "output": [{"topic": "/a", "message_type": "std_msgs/msg/Float32",
+          "qos_profile": {"profile": "sensor_data", "reliability": "RELIABLE", "depth": 3, "deadline": 50.0},
+          "values": [{"name": "a", "field": "data"}]}]}]
+        """;
+    EventChain chain = read(SourceText.of("a.json", json));
+    String written = EventChainWriter.write(chain);
+    assertTrue(written.contains("\"reliability\": \"RELIABLE\""), written);
+    assertEquals(xmi(chain), xmi(read(SourceText.of("b.json", written))));
+  }
+
+  private static EventChain read(SourceText text) {
+    Modeled<EventChain> modeled =
+        EventChainReader.read(
+            text, "aeb", new Requirements(List.of(), List.of()), OptionalDouble.empty());
+    assertEquals(List.of(), modeled.diagnostics());
+    return modeled.root();
+  }
+
+  private static String xmi(EventChain chain) {
+    return new String(XmiStore.toBytes(chain), StandardCharsets.UTF_8);
+  }
+}
