@@ -129,7 +129,7 @@ public final class ConfinedProcess implements AutoCloseable {
     }
   }
 
-  private void kill(Cause why) {
+  void kill(Cause why) {
     if (process.isAlive() && cause.compareAndSet(Cause.EXITED, why)) {
       process.descendants().forEach(ProcessHandle::destroyForcibly);
       process.destroyForcibly();

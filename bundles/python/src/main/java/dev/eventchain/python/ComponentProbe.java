@@ -1,0 +1,157 @@
+package dev.eventchain.python;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.core.json.JsonWriteFeature;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceText;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Base64;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+
+/**
+ * Checks that a Python file is a component: a class whose {@code execute} takes the inputs by name
+ * and returns a dict with exactly the outputs. The file is read first; only if nothing is wrong
+ * then, it is imported and called, in a {@link ConfinedProcess}.
+ *
+ * <p>Findings, each an error with the place in the file: {@code component.syntax}, {@code
+ * component.class.missing}, {@code component.constructor.signature}, {@code
+ * component.execute.signature}, {@code component.import.forbidden}, {@code
+ * component.import.effect}, {@code component.call.forbidden}; and from running it {@code
+ * component.raised}, {@code component.timeout}, {@code component.ended}, {@code
+ * component.result.type}, {@code component.result.keys}, {@code component.result.nan}.
+ */
+public final class ComponentProbe {
+
+  private static final ObjectMapper JSON =
+      JsonMapper.builder().disable(JsonWriteFeature.WRITE_NAN_AS_STRINGS).build();
+  private static final Duration START = Duration.ofSeconds(5);
+  private static final int MEMORY_MIB = 512;
+  private static final int MAXIMAL_OUTPUT = 1 << 20;
+
+  private final PythonEnvironment environment;
+  private final Duration timeLimit;
+  private final Confinement confinement;
+
+  /** Checks components on this Python: two seconds for the import and for each call. */
+  public ComponentProbe(PythonEnvironment environment) {
+    this(environment, Duration.ofSeconds(2), Confinement.detect());
+  }
+
+  ComponentProbe(PythonEnvironment environment, Duration timeLimit, Confinement confinement) {
+    this.environment = environment;
+    this.timeLimit = timeLimit;
+    this.confinement = confinement;
+  }
+
+  /** The same with another time limit for the import and for each call. */
+  public ComponentProbe withTimeLimit(Duration newTimeLimit) {
+    return new ComponentProbe(environment, newTimeLimit, confinement);
+  }
+
+  /**
+   * Checks a file.
+   *
+   * @param calls made one after the other on one component, so that state shows
+   * @return what is wrong, by place in the file; empty if nothing is
+   * @throws dev.eventchain.diagnostics.DiagnosticException the file is missing or no UTF-8 text, or
+   *     there is no Python
+   */
+  public List<Diagnostic> check(
+      Path file, ComponentSignature signature, List<ComponentCall> calls) {
+    SourceText source = SourceText.read(file);
+    Path absolute = file.toAbsolutePath().normalize();
+    try {
+      Path workFolder = Files.createTempDirectory("eventchain-component-");
+      try {
+        return run(absolute, request(absolute, signature, calls), calls.size(), workFolder)
+            .diagnostics(source, absolute);
+      } finally {
+        delete(workFolder);
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private ProbeReport run(Path file, byte[] request, int calls, Path workFolder)
+      throws IOException {
+    Path sources = PythonSources.unpack(getClass().getClassLoader(), "dev/eventchain/python");
+    Duration all = timeLimit.multipliedBy(calls + 2L).plus(START);
+    try (ConfinedProcess process =
+        ConfinedProcess.on(environment)
+            .script(sources.resolve("component_probe.py"))
+            .pythonPath(sources)
+            .readable(file)
+            .workFolder(workFolder)
+            .limits(new ConfinedProcess.Limits(all, all, MEMORY_MIB))
+            .confinement(confinement)
+            .start()) {
+      try (OutputStream input = process.stdin()) {
+        input.write(request);
+      } catch (IOException e) {
+        // It ended before it read: how it ended says why.
+      }
+      byte[] output = process.stdout().readNBytes(MAXIMAL_OUTPUT);
+      if (output.length == MAXIMAL_OUTPUT) {
+        process.kill(ConfinedProcess.Cause.CLOSED);
+      }
+      ConfinedProcess.Termination end = process.await();
+      return new ProbeReport(
+          new String(output, StandardCharsets.UTF_8), end, process.standardError(), timeLimit);
+    }
+  }
+
+  private byte[] request(Path file, ComponentSignature signature, List<ComponentCall> calls)
+      throws IOException {
+    ObjectNode request = JSON.createObjectNode();
+    request.put("file", file.toString());
+    request.put("class", signature.className());
+    request.set("inputs", JSON.valueToTree(signature.inputs()));
+    request.set("outputs", JSON.valueToTree(signature.outputs()));
+    request.put("seconds", timeLimit.toMillis() / 1000.0);
+    var list = request.putArray("calls");
+    for (ComponentCall call : calls) {
+      ObjectNode entry = list.addObject().put("name", call.name());
+      ObjectNode arguments = entry.putObject("arguments");
+      call.arguments()
+          .forEach((name, value) -> arguments.set(name, JSON.valueToTree(encode(value))));
+    }
+    return JSON.writer()
+        .without(JsonGenerator.Feature.AUTO_CLOSE_TARGET)
+        .writeValueAsBytes(request);
+  }
+
+  /** Arrays as {@code decode} of component_probe.py reads them. */
+  private static Object encode(Object value) {
+    if (value instanceof byte[] bytes) {
+      return Map.of("$bytes", Base64.getEncoder().encodeToString(bytes));
+    }
+    if (value instanceof float[]) {
+      return Map.of("$array", "f", "values", value);
+    }
+    if (value instanceof double[]) {
+      return Map.of("$array", "d", "values", value);
+    }
+    return value instanceof int[] ? Map.of("$array", "i", "values", value) : value;
+  }
+
+  private static void delete(Path folder) throws IOException {
+    try (Stream<Path> files = Files.walk(folder)) {
+      for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+        Files.deleteIfExists(file);
+      }
+    }
+  }
+}

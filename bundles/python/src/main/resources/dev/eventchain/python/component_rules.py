@@ -1,0 +1,322 @@
+"""The rules of a component file that reading it can check: nothing of the file is run.
+
+Each finding has the id of its rule page, the place in the file, what is wrong and what to do about it.
+"""
+
+from __future__ import annotations
+
+import ast
+from collections.abc import Callable, Iterable, Iterator
+from typing import NamedTuple
+
+ALLOWED_MODULES = frozenset(
+    {
+        *("__future__", "abc", "array", "bisect", "cmath", "collections", "copy", "dataclasses", "decimal", "enum"),
+        *("fractions", "functools", "heapq", "itertools", "math", "numbers", "numpy", "operator", "statistics"),
+        *("string", "struct", "typing"),
+    }
+)
+MIDDLEWARE = frozenset(
+    {"ackermann_msgs", "ament_index_python", "carla", "cyclonedds", "fastdds", "launch", "message_filters", "rclpy"}
+    | {"rosidl_runtime_py", "rospy", "tf2_ros", "tf2_py", "zenoh"}
+)
+CLOCKS = frozenset({"asyncio", "datetime", "sched", "threading", "time", "timeit"})
+RANDOMNESS = frozenset({"random", "secrets", "uuid"})
+FORBIDDEN_NAMES = frozenset(
+    {
+        *("__builtins__", "__import__", "__loader__", "__spec__", "breakpoint", "compile", "delattr", "eval", "exec"),
+        *("exit", "globals", "help", "input", "locals", "memoryview", "open", "quit", "setattr", "vars"),
+    }
+)
+HARMLESS_ATTRIBUTES = frozenset({"__class__", "__init__", "__name__", "__post_init__", "__doc__"})
+# Built-in functions that make a constant out of constants.
+CONSTANT_MAKERS = frozenset(
+    {"abs", "bool", "bytes", "complex", "dict", "float", "frozenset", "int", "len", "list", "max", "min", "pow"}
+    | {"range", "round", "set", "sorted", "str", "sum", "tuple", "zip"}
+)
+
+
+class Finding(NamedTuple):
+    """A broken rule; `line` and `column` count from 1, the column in characters."""
+
+    id: str
+    line: int
+    column: int
+    message: str
+    hint: str
+
+
+class Component(NamedTuple):
+    """What a component file has to define."""
+
+    class_name: str
+    inputs: list[str]
+    outputs: list[str]
+
+
+class Rules:
+    """Checks one file against the description of its component."""
+
+    def __init__(self, source: str, component: Component) -> None:
+        self._lines = source.split("\n")
+        self._source = source
+        self._component = component
+        self._tree = ast.Module(body=[], type_ignores=[])
+
+    def check(self) -> list[Finding]:
+        """Return all findings, in the order of the file."""
+        try:
+            self._tree = ast.parse(self._source)
+        except (SyntaxError, ValueError, RecursionError, MemoryError) as problem:
+            return [self._syntax(problem)]
+        found = [*self._imports(), *self._names(), *self._effects(), *self._definition()]
+        return sorted(set(found), key=lambda finding: (finding.line, finding.column, finding.id, finding.message))
+
+    def marked_tree(self, marker: str) -> ast.Module:
+        """The file with each `return value` of execute() as `return marker(line, column, value)`."""
+        execute = self._method(self._class(), "execute")
+        if execute is not None:
+            marks = _ReturnMarks(marker, self._place)
+            execute.body = [marks.visit(statement) for statement in execute.body]
+        return ast.fix_missing_locations(self._tree)
+
+    def execute_place(self) -> tuple[int, int]:
+        """Where execute() is defined."""
+        execute = self._method(self._class(), "execute")
+        return self._place(execute) if execute is not None else (1, 1)
+
+    def _place(self, node: ast.AST) -> tuple[int, int]:
+        line: int = getattr(node, "lineno", 1)
+        offset: int = getattr(node, "col_offset", 0)
+        if isinstance(node, ast.Attribute) and node.end_lineno is not None and node.end_col_offset is not None:
+            line, offset = node.end_lineno, node.end_col_offset - len(node.attr.encode())
+        text = self._lines[line - 1] if line <= len(self._lines) else ""
+        return line, len(text.encode()[:offset].decode(errors="ignore")) + 1
+
+    def _finding(self, rule: str, node: ast.AST, message: str, hint: str) -> Finding:
+        return Finding(rule, *self._place(node), message, hint)
+
+    def _syntax(self, problem: Exception) -> Finding:
+        line = max(1, getattr(problem, "lineno", None) or 1)
+        column = max(1, getattr(problem, "offset", None) or 1)
+        text = getattr(problem, "msg", None) or str(problem) or type(problem).__name__
+        hint = "Give the file as plain Python, without text or code fences around it."
+        return Finding("component.syntax", line, column, f"This is not valid Python: {text}.", hint)
+
+    def _imports(self) -> Iterator[Finding]:
+        for node in ast.walk(self._tree):
+            if isinstance(node, ast.Import):
+                for name in node.names:
+                    yield from self._import(node, name.name)
+            elif isinstance(node, ast.ImportFrom):
+                yield from self._import(node, "." * node.level + (node.module or ""))
+
+    def _import(self, node: ast.stmt, module: str) -> Iterator[Finding]:
+        package = module.partition(".")[0]
+        if package not in ALLOWED_MODULES:
+            message = f"A component must not import '{module}'."
+            yield self._finding("component.import.forbidden", node, message, _import_hint(package))
+
+    def _names(self) -> Iterator[Finding]:
+        own = set(_bound_names(self._tree))
+        for node in ast.walk(self._tree):
+            if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
+                if node.id in FORBIDDEN_NAMES and node.id not in own:
+                    yield self._forbidden(node, node.id)
+                elif node.id == "getattr" and node.id not in own:
+                    yield from self._getattr(node)
+            elif isinstance(node, ast.Attribute) and _is_special(node.attr) and node.attr not in HARMLESS_ATTRIBUTES:
+                yield self._forbidden(node, node.attr)
+
+    def _getattr(self, name: ast.Name) -> Iterator[Finding]:
+        """getattr(x, "plain_name") is another way to write x.plain_name; any other use can reach everything."""
+        for node in ast.walk(self._tree):
+            if isinstance(node, ast.Call) and node.func is name and len(node.args) >= 2:
+                wanted = node.args[1]
+                if isinstance(wanted, ast.Constant) and isinstance(wanted.value, str) and not _is_special(wanted.value):
+                    return
+        yield self._forbidden(name, "getattr")
+
+    def _forbidden(self, node: ast.AST, name: str) -> Finding:
+        hint = "A component computes its outputs from its inputs and its own fields; it needs nothing else."
+        return self._finding("component.call.forbidden", node, f"A component must not use '{name}'.", hint)
+
+    def _effects(self) -> Iterator[Finding]:
+        for node in self._tree.body:
+            problem = self._effect(node)
+            if problem is not None:
+                message = "Importing the file must only define things; this statement does something."
+                hint = "Put it into a method of the class, or into a constant made of constants."
+                yield self._finding("component.import.effect", problem, message, hint)
+        for cls in [node for node in ast.walk(self._tree) if isinstance(node, ast.ClassDef)]:
+            for node in cls.body:
+                if isinstance(node, (ast.For, ast.While, ast.With, ast.Try)):
+                    message = "A class body must only define things; this statement does something."
+                    yield self._finding("component.import.effect", node, message, "Put it into a method of the class.")
+
+    def _effect(self, node: ast.stmt) -> ast.AST | None:
+        """The part of a top-level statement that does more than define something."""
+        if isinstance(
+            node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Import, ast.ImportFrom, ast.Pass)
+        ):
+            return None
+        if isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant):
+            return None
+        if isinstance(node, (ast.Assign, ast.AnnAssign)):
+            return self._not_constant(node.value) if node.value is not None else None
+        if isinstance(node, ast.If) and _is_guard(node.test):
+            return None
+        return node
+
+    def _not_constant(self, value: ast.expr) -> ast.AST | None:
+        imported = set(_imported_names(self._tree))
+        for node in ast.walk(value):
+            if isinstance(node, (ast.Await, ast.Yield, ast.YieldFrom, ast.NamedExpr)):
+                return node
+            if isinstance(node, ast.Call):
+                base: ast.expr = node.func
+                while isinstance(base, ast.Attribute):
+                    base = base.value
+                if not isinstance(base, ast.Name) or base.id not in imported | CONSTANT_MAKERS:
+                    return node
+        return None
+
+    def _class(self) -> ast.ClassDef | None:
+        return self._class_named(self._component.class_name)
+
+    def _class_named(self, name: str) -> ast.ClassDef | None:
+        found = [node for node in self._tree.body if isinstance(node, ast.ClassDef) and node.name == name]
+        return found[-1] if found else None
+
+    def _method(self, cls: ast.ClassDef | None, name: str) -> ast.FunctionDef | ast.AsyncFunctionDef | None:
+        """The method of a class, or of a base class in the same file."""
+        seen: set[str] = set()
+        while cls is not None and cls.name not in seen:
+            seen.add(cls.name)
+            for node in reversed(cls.body):
+                if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)) and node.name == name:
+                    return node
+            bases = [base.id for base in cls.bases if isinstance(base, ast.Name)]
+            cls = self._class_named(bases[0]) if bases else None
+        return None
+
+    def _definition(self) -> Iterator[Finding]:
+        name = self._component.class_name
+        cls = self._class()
+        if cls is None:
+            others = [node for node in self._tree.body if isinstance(node, ast.ClassDef)]
+            found = f"The file defines {', '.join(other.name for other in others)}." if others else ""
+            place = self._place(others[0]) if others else (1, 1)
+            message = f"The file does not define the class '{name}'."
+            yield Finding("component.class.missing", *place, message, f"Name the class '{name}'. {found}".strip())
+            return
+        execute = self._method(cls, "execute")
+        if execute is None:
+            yield self._signature(cls, f"The class '{name}' has no method execute().")
+        else:
+            yield from self._execute(execute)
+        constructor = self._method(cls, "__init__")
+        if constructor is not None and _required(constructor):
+            message = f"{name}() is made without arguments, but __init__ needs {', '.join(_required(constructor))}."
+            hint = "Give each parameter of __init__ a default, or make it a constant."
+            yield self._finding("component.constructor.signature", constructor, message, hint)
+
+    def _execute(self, node: ast.FunctionDef | ast.AsyncFunctionDef) -> Iterator[Finding]:
+        inputs = self._component.inputs
+        named = [argument.arg for argument in (*node.args.args, *node.args.kwonlyargs)]
+        if isinstance(node, ast.AsyncFunctionDef):
+            yield self._signature(node, "execute() must not be async.")
+        if not _is_static(node) and not (node.args.posonlyargs or node.args.args):
+            yield self._signature(node, "execute() is a method: its first parameter has to be self.")
+            return
+        missing = [name for name in inputs if name not in named]
+        if missing:
+            yield self._signature(node, f"execute() does not take {_names(missing)}.")
+        extra = [name for name in _required(node) if name not in inputs]
+        if extra:
+            yield self._signature(node, f"execute() takes {_names(extra)}, which nobody gives it.")
+
+    def _signature(self, node: ast.AST, message: str) -> Finding:
+        expected = f"def execute({', '.join(['self', *self._component.inputs])}):"
+        return self._finding("component.execute.signature", node, message, f"Write it as: {expected}")
+
+
+class _ReturnMarks(ast.NodeTransformer):
+    """Marks the return statements of one function, not those of functions inside it."""
+
+    def __init__(self, marker: str, place: Callable[[ast.AST], tuple[int, int]]) -> None:
+        self._marker = marker
+        self._place = place
+
+    def visit_Return(self, node: ast.Return) -> ast.Return:
+        place = [ast.Constant(number) for number in self._place(node)]
+        value = node.value or ast.Constant(None)
+        node.value = ast.copy_location(ast.Call(ast.Name(self._marker, ast.Load()), [*place, value], []), value)
+        return node
+
+    def visit_FunctionDef(self, node: ast.FunctionDef) -> ast.FunctionDef:
+        return node
+
+    def visit_ClassDef(self, node: ast.ClassDef) -> ast.ClassDef:
+        return node
+
+
+def _names(names: Iterable[str]) -> str:
+    return ", ".join(f"'{name}'" for name in names)
+
+
+def _import_hint(package: str) -> str:
+    if package in MIDDLEWARE or package.endswith(("_msgs", "_srvs", "_interfaces")):
+        return (
+            "A component does no communication: it gets plain values as arguments of execute() and returns a dict; "
+            "the generated node around it does the rest."
+        )
+    if package in CLOCKS:
+        return "A component runs in simulated time too: it counts its own calls, which come at the node's frequency."
+    if package in RANDOMNESS:
+        return "The same inputs have to give the same outputs."
+    if not package:
+        return "A component is one file."
+    return f"Allowed are {', '.join(sorted(ALLOWED_MODULES - {'__future__'}))}."
+
+
+def _is_special(name: str) -> bool:
+    return name.startswith("__") and name.endswith("__")
+
+
+def _is_guard(test: ast.expr) -> bool:
+    """`if TYPE_CHECKING:` and `if __name__ == "__main__":`, whose bodies an import does not run."""
+    if isinstance(test, ast.Compare):
+        return isinstance(test.left, ast.Name) and test.left.id == "__name__" and isinstance(test.ops[0], ast.Eq)
+    return isinstance(test, ast.Name) and test.id == "TYPE_CHECKING"
+
+
+def _is_static(node: ast.FunctionDef | ast.AsyncFunctionDef) -> bool:
+    return any(isinstance(mark, ast.Name) and mark.id == "staticmethod" for mark in node.decorator_list)
+
+
+def _required(node: ast.FunctionDef | ast.AsyncFunctionDef) -> list[str]:
+    """The parameters that a call has to give, without self."""
+    positional = [argument.arg for argument in (*node.args.posonlyargs, *node.args.args)]
+    needed = positional[: len(positional) - len(node.args.defaults)]
+    if not _is_static(node):
+        needed = needed[1:] if positional[:1] == needed[:1] else needed
+    keyword = zip(node.args.kwonlyargs, node.args.kw_defaults, strict=True)
+    return [*needed, *(argument.arg for argument, default in keyword if default is None)]
+
+
+def _bound_names(tree: ast.AST) -> Iterator[str]:
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            yield node.id
+        elif isinstance(node, ast.arg):
+            yield node.arg
+        elif isinstance(node, (ast.FunctionDef, ast.ClassDef)):
+            yield node.name
+
+
+def _imported_names(tree: ast.Module) -> Iterator[str]:
+    for node in tree.body:
+        if isinstance(node, (ast.Import, ast.ImportFrom)):
+            for name in node.names:
+                yield (name.asname or name.name).partition(".")[0]

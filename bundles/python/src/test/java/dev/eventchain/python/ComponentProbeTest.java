@@ -1,0 +1,101 @@
+package dev.eventchain.python;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.fail;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticFormat;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * Each file {@code components/RULE/NAME.py} is checked against {@code NAME.expected} beside it; a
+ * file without one must have no findings if its name starts with {@code good}, and gets one written
+ * otherwise. {@code signature.json} of the folder says what the component has to be.
+ */
+class ComponentProbeTest {
+
+  private static final Path FIXTURES = Path.of("src/test/resources/components");
+  private static final ObjectMapper JSON = new ObjectMapper();
+
+  static Stream<Path> components() throws IOException {
+    try (Stream<Path> files = Files.walk(FIXTURES)) {
+      return files.filter(file -> file.toString().endsWith(".py")).sorted().toList().stream();
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("components")
+  void findingsAreAsExpected(Path component) throws IOException {
+    String actual = DiagnosticFormat.TEXT.render(check(component, Confinement.detect()));
+    String name = component.getFileName().toString().replace(".py", "");
+    Path expected = component.resolveSibling(name + ".expected");
+    if (name.startsWith("good")) {
+      assertEquals("", actual);
+    } else if (Files.exists(expected)) {
+      assertEquals(Files.readString(expected), actual);
+    } else {
+      Files.writeString(expected, actual);
+      fail("wrote " + expected + ": look at it and commit it");
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource(Confinement.class)
+  void findingsDoNotDependOnTheConfinement(Confinement confinement) throws IOException {
+    for (Path component : components().toList()) {
+      assertEquals(
+          check(component, Confinement.detect()),
+          check(component, confinement),
+          component::toString);
+    }
+  }
+
+  private static List<Diagnostic> check(Path component, Confinement confinement)
+      throws IOException {
+    Path description = component.resolveSibling("signature.json");
+    JsonNode settings =
+        JSON.readTree(
+            Files.exists(description)
+                ? description.toFile()
+                : FIXTURES.resolve("signature.json").toFile());
+    ComponentSignature signature =
+        new ComponentSignature(
+            settings.get("class").asText(),
+            strings(settings.get("inputs")),
+            strings(settings.get("outputs")));
+    List<ComponentCall> calls = new ArrayList<>();
+    for (JsonNode call : settings.get("calls")) {
+      calls.add(new ComponentCall(call.get("name").asText(), arguments(call.get("arguments"))));
+    }
+    Duration timeLimit = Duration.ofMillis(800);
+    return new ComponentProbe(TestEnvironment.PYTHON, timeLimit, confinement)
+        .check(component, signature, calls);
+  }
+
+  private static List<String> strings(JsonNode array) {
+    List<String> strings = new ArrayList<>();
+    array.forEach(entry -> strings.add(entry.asText()));
+    return strings;
+  }
+
+  private static Map<String, Object> arguments(JsonNode object) {
+    Map<String, Object> arguments = new LinkedHashMap<>();
+    for (var entry : object.properties()) {
+      arguments.put(entry.getKey(), JSON.convertValue(entry.getValue(), Object.class));
+    }
+    return arguments;
+  }
+}

@@ -1,0 +1,118 @@
+package dev.eventchain.python;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class PythonEnvironmentTest {
+
+  @TempDir Path folder;
+
+  @Test
+  void hasThePinnedPackages() throws Exception {
+    Process process =
+        new ProcessBuilder(
+                TestEnvironment.PYTHON.executable().toString(),
+                "-c",
+                "import importlib.metadata as m, sys;"
+                    + "print('.'.join(map(str, sys.version_info[:3])), m.version('rosbags'))")
+            .start();
+    String output = new String(process.getInputStream().readAllBytes()).strip();
+    assertEquals(TestEnvironment.PYTHON.version() + " 0.11.9", output);
+  }
+
+  @Test
+  void isFoundAgainWithoutStartingPython() throws IOException {
+    Path log = folder.resolve("log");
+    Path python = script("python3", "echo started >> " + log + "\nexec python3 \"$@\"");
+    Map<String, String> settings = settings(Map.of("EVENTCHAIN_PYTHON", python.toString()));
+    settings.put("XDG_CACHE_HOME", CacheFolder.of(System.getenv()).getParent().toString());
+    Path first = find(settings).executable();
+    Files.deleteIfExists(log);
+    assertEquals(first, find(settings).executable());
+    assertTrue(Files.notExists(log), "Python was started");
+  }
+
+  @Test
+  void missingPythonIsNamed() {
+    Diagnostic none = failure(settings(Map.of("PATH", folder.toString())));
+    assertEquals("There is no python3 on the PATH.", none.message());
+    Diagnostic wrong = failure(settings(Map.of("EVENTCHAIN_PYTHON", "/no/such/python")));
+    assertTrue(wrong.message().contains("/no/such/python"), wrong.message());
+    assertTrue(wrong.hint().contains("3.10"), wrong.hint());
+  }
+
+  @Test
+  void problemAndHintOfTheScriptAreReported() throws IOException {
+    Path old =
+        script("python3", "echo 'error: Python 3.7 is too old' >&2; echo 'hint: newer' >&2; exit 3");
+    Diagnostic problem = failure(settings(Map.of("EVENTCHAIN_PYTHON", old.toString())));
+    assertEquals("Python 3.7 is too old", problem.message());
+    assertEquals("newer", problem.hint());
+  }
+
+  @Test
+  void cacheThatCannotBeWrittenIsNamed() {
+    Diagnostic problem = failure(settings(Map.of("XDG_CACHE_HOME", "/proc/nowhere")));
+    assertTrue(problem.message().contains("/proc/nowhere/eventchain"), problem.message());
+    assertTrue(problem.hint().contains("XDG_CACHE_HOME"), problem.hint());
+  }
+
+  @Test
+  void pythonWithoutVenvSaysWhatToInstall() throws IOException {
+    Path modules = Files.createDirectory(folder.resolve("modules"));
+    Files.writeString(modules.resolve("venv.py"), "raise ImportError('split off')\n");
+    Path python =
+        script("python3", "PYTHONPATH=" + modules + " exec python3 -c \"" + WITHOUT_VENV + "\" \"$@\"");
+    Diagnostic problem =
+        failure(
+            settings(
+                Map.of("EVENTCHAIN_PYTHON", python.toString(), "XDG_CACHE_HOME", folder + "/cache")));
+    assertTrue(problem.message().contains("venv"), problem.message());
+    assertTrue(problem.hint().contains("apt-get install python3-venv"), problem.hint());
+  }
+
+  private static final String WITHOUT_VENV =
+      "import runpy, sys; sys.argv = sys.argv[1:]; module = runpy.run_path(sys.argv[0]);"
+          + "module['main'].__globals__['has_module'] = lambda name: name != 'venv';"
+          + "module['os'].environ.pop('EVENTCHAIN_PYTHON', None);"
+          + "sys.exit(module['main'](sys.argv[1:]))";
+
+  private Path script(String name, String body) throws IOException {
+    Path script = Files.writeString(folder.resolve(name), "#!/bin/sh\n" + body + "\n");
+    assertTrue(script.toFile().setExecutable(true));
+    return script;
+  }
+
+  private static Map<String, String> settings(Map<String, String> changes) {
+    Map<String, String> settings = new LinkedHashMap<>(System.getenv());
+    settings.remove("EVENTCHAIN_PYTHON");
+    settings.putAll(changes);
+    return settings;
+  }
+
+  private static PythonEnvironment find(Map<String, String> settings) {
+    List<String> progress = new ArrayList<>();
+    return new EnvironmentFinder(settings, progress::add).find();
+  }
+
+  private static Diagnostic failure(Map<String, String> settings) {
+    DiagnosticException failure =
+        assertThrows(DiagnosticException.class, () -> find(settings));
+    assertEquals(DiagnosticException.Reason.UNAVAILABLE, failure.reason());
+    assertEquals("python.unavailable", failure.diagnostics().get(0).id());
+    return failure.diagnostics().get(0);
+  }
+}

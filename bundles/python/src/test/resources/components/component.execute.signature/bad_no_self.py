@@ -1,0 +1,3 @@
+class TTC:
+    def execute():
+        return {"ttc": 1.0}

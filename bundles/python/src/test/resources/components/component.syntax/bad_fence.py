@@ -1,0 +1,5 @@
+Here is the component:
+```python
+class TTC:
+    pass
+```
