@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -29,7 +30,7 @@ class PythonEnvironmentTest {
                 "import importlib.metadata as m, sys;"
                     + "print('.'.join(map(str, sys.version_info[:3])), m.version('rosbags'))")
             .start();
-    String output = new String(process.getInputStream().readAllBytes()).strip();
+    String output = process.inputReader(StandardCharsets.UTF_8).readLine();
     assertEquals(TestEnvironment.PYTHON.version() + " 0.11.9", output);
   }
 
@@ -57,7 +58,8 @@ class PythonEnvironmentTest {
   @Test
   void problemAndHintOfTheScriptAreReported() throws IOException {
     Path old =
-        script("python3", "echo 'error: Python 3.7 is too old' >&2; echo 'hint: newer' >&2; exit 3");
+        script(
+            "python3", "echo 'error: Python 3.7 is too old' >&2; echo 'hint: newer' >&2; exit 3");
     Diagnostic problem = failure(settings(Map.of("EVENTCHAIN_PYTHON", old.toString())));
     assertEquals("Python 3.7 is too old", problem.message());
     assertEquals("newer", problem.hint());
@@ -72,14 +74,12 @@ class PythonEnvironmentTest {
 
   @Test
   void pythonWithoutVenvSaysWhatToInstall() throws IOException {
-    Path modules = Files.createDirectory(folder.resolve("modules"));
-    Files.writeString(modules.resolve("venv.py"), "raise ImportError('split off')\n");
-    Path python =
-        script("python3", "PYTHONPATH=" + modules + " exec python3 -c \"" + WITHOUT_VENV + "\" \"$@\"");
+    Path python = script("python3", "exec python3 -c \"" + WITHOUT_VENV + "\" \"$@\"");
     Diagnostic problem =
         failure(
             settings(
-                Map.of("EVENTCHAIN_PYTHON", python.toString(), "XDG_CACHE_HOME", folder + "/cache")));
+                Map.of(
+                    "EVENTCHAIN_PYTHON", python.toString(), "XDG_CACHE_HOME", folder + "/cache")));
     assertTrue(problem.message().contains("venv"), problem.message());
     assertTrue(problem.hint().contains("apt-get install python3-venv"), problem.hint());
   }
@@ -109,8 +109,7 @@ class PythonEnvironmentTest {
   }
 
   private static Diagnostic failure(Map<String, String> settings) {
-    DiagnosticException failure =
-        assertThrows(DiagnosticException.class, () -> find(settings));
+    DiagnosticException failure = assertThrows(DiagnosticException.class, () -> find(settings));
     assertEquals(DiagnosticException.Reason.UNAVAILABLE, failure.reason());
     assertEquals("python.unavailable", failure.diagnostics().get(0).id());
     return failure.diagnostics().get(0);
