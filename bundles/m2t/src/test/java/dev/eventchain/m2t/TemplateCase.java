@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
+import java.io.Reader;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -12,6 +13,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Properties;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Function;
@@ -27,8 +29,9 @@ import org.eclipse.emf.ecore.xmi.impl.XMIResourceFactoryImpl;
 
 /**
  * A template, a metamodel ({@code *.ecore}) and a model ({@code model.xmi}) in a folder; what it
- * lacks of the last two is looked for in the folders around it. Files of an earlier run may stand
- * in {@code earlier/}.
+ * lacks of the last two is looked for in the folders around it. Instead of a template there may be
+ * a {@code links.properties} that says where in the repository the {@code template} and the {@code
+ * metamodel} are. Files of an earlier run may stand in {@code earlier/}.
  */
 record TemplateCase(Path folder) {
   /** What came of it: files, and findings one a line. */
@@ -44,7 +47,7 @@ record TemplateCase(Path folder) {
     Resource model = resources.getResource(uri(nearest("model.xmi")), true);
     EcoreUtil.resolveAll(model);
     try {
-      TemplateModule module = TemplateModule.compile(source("template"), this::find, packages);
+      TemplateModule module = compile(packages);
       GenerationResult result = module.generate(model.getContents(), context());
       List<Diagnostic> findings = new ArrayList<>(module.warnings());
       findings.addAll(result.diagnostics());
@@ -54,12 +57,39 @@ record TemplateCase(Path folder) {
     }
   }
 
+  static boolean isCase(Path folder) {
+    return Files.exists(folder.resolve("template.mtl"))
+        || Files.exists(folder.resolve("links.properties"));
+  }
+
+  private TemplateModule compile(List<EPackage> packages) throws IOException {
+    Optional<Path> linked = linked("template");
+    return linked.isPresent()
+        ? TemplateModule.compile(linked.get(), packages)
+        : TemplateModule.compile(source("template"), this::find, packages);
+  }
+
+  /** A file elsewhere in the repository. */
+  private Optional<Path> linked(String what) throws IOException {
+    Path links = folder.resolve("links.properties");
+    if (!Files.exists(links)) {
+      return Optional.empty();
+    }
+    Properties properties = new Properties();
+    try (Reader reader = Files.newBufferedReader(links)) {
+      properties.load(reader);
+    }
+    return Optional.of(Path.of("../..").resolve(properties.getProperty(what)));
+  }
+
   private GenerationContext context() {
     Function<EObject, SourceLocation> locator =
         object -> SourceLocation.of("model.xmi").withElement(EcoreUtil.getURI(object).fragment());
     return GenerationContext.of(locator)
         .withEarlier(this::earlier)
-        .withProperties(Map.of("greeting", "hello"));
+        .withProperties(
+            Map.of(
+                "greeting", "hello", "eventchain.version", "1.0", "eventchain.model", "model.xmi"));
   }
 
   private Optional<byte[]> earlier(String name) {
@@ -72,6 +102,10 @@ record TemplateCase(Path folder) {
   }
 
   private List<EPackage> metamodels(ResourceSet resources) throws IOException {
+    Optional<Path> linked = linked("metamodel");
+    if (linked.isPresent()) {
+      return List.of(metamodel(resources, linked.get()));
+    }
     for (Path place = folder; place != null; place = place.getParent()) {
       try (var files = Files.list(place)) {
         List<Path> ecores = files.filter(f -> f.toString().endsWith(".ecore")).sorted().toList();

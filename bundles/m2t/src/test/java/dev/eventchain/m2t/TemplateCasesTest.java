@@ -16,7 +16,7 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 
 /**
- * One test for each folder that holds a {@code template.mtl}. Beside the template stand the files
+ * One test for each folder that holds a {@link TemplateCase}. Beside the template stand the files
  * it is expected to write ({@code expected/}) and the findings it is expected to give ({@code
  * findings.txt}, absent if there are none). A case without expectations gets the actual ones
  * written, and fails once.
@@ -28,7 +28,7 @@ class TemplateCasesTest {
   Stream<DynamicTest> cases() throws IOException {
     List<Path> folders;
     try (Stream<Path> all = Files.walk(CASES)) {
-      folders = all.filter(f -> Files.exists(f.resolve("template.mtl"))).sorted().toList();
+      folders = all.filter(TemplateCase::isCase).sorted().toList();
     }
     assertTrue(folders.size() >= 1, "cases were found");
     return folders.stream()
