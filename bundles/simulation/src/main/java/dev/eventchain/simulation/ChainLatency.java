@@ -12,95 +12,78 @@ import java.util.Set;
 
 /**
  * The time from a sensor sample to the first command that is based on it, along the activation
- * graph: an activation's outputs are based on all that it read. Where paths of different length
- * join, the oldest sensor sample counts. A command that repeats an older sample adds nothing: what
- * counts is the reaction to each sample (first-to-first, as in the maximum reaction time).
+ * graph: an activation's outputs are based on all that it read from nodes before it in the chain;
+ * what it reads from itself or from later nodes is feedback and not followed. Where paths of
+ * different length join, the oldest sensor sample counts. A command that repeats an older sample
+ * adds nothing: what counts is the reaction to each sample (first-to-first, as in the maximum
+ * reaction time).
  */
 final class ChainLatency {
 
+  /** An activation of the node at a position in the chain. */
+  private record Step(int position, Activation activation) {}
+
+  /** What a written sample is based on: the oldest sensor sample behind it. */
+  private record Origin(int writer, long sensorSample) {}
+
   private static final long NOTHING = -1;
 
-  private final RunLog log;
-  private final String source;
-  private final List<Activation> activations = new ArrayList<>();
-  private final Set<SampleId> written = new HashSet<>();
-
-  /** For each sample that an activation wrote: the oldest sensor sample behind it, or nothing. */
-  private final Map<SampleId, Long> origins = new HashMap<>();
-
-  private ChainLatency(RunLog log, String source) {
-    this.log = log;
-    this.source = source;
-    log.nodes().values().forEach(activations::addAll);
-    activations.sort(Comparator.comparingLong(Activation::start));
-    activations.forEach(activation -> written.addAll(activation.writes()));
-  }
+  private ChainLatency() {}
 
   /**
    * Follows the graph.
    *
+   * @param log what the nodes did, the nodes in chain order
    * @param source the sensor's topic
    * @param target the command's topic
    * @return latencies in ns, in the order of the commands
    */
   static List<Long> of(RunLog log, String source, String target) {
-    ChainLatency graph = new ChainLatency(log, source);
-    graph.findOrigins();
-    return graph.latencies(target);
-  }
-
-  /**
-   * An activation can read only what was visible when it started, so its producers are met before
-   * it; unless they start at the same instant and take no time, which a further round finds.
-   */
-  private void findOrigins() {
-    List<Activation> open = activations;
-    int before;
-    do {
-      before = open.size();
-      List<Activation> later = new ArrayList<>();
-      for (Activation activation : open) {
-        if (isReady(activation)) {
-          propagate(activation);
-        } else {
-          later.add(activation);
-        }
-      }
-      open = later;
-    } while (!open.isEmpty() && open.size() < before);
-  }
-
-  private boolean isReady(Activation activation) {
-    return activation.reads().stream()
-        .allMatch(read -> !written.contains(read) || origins.containsKey(read));
-  }
-
-  private void propagate(Activation activation) {
-    long oldest = NOTHING;
-    for (SampleId read : activation.reads()) {
-      boolean sensed = read.topic().equals(source);
-      long origin = sensed ? read.sequence() : origins.getOrDefault(read, NOTHING);
-      if (origin != NOTHING && (oldest == NOTHING || origin < oldest)) {
-        oldest = origin;
-      }
-    }
-    for (SampleId sample : activation.writes()) {
-      origins.put(sample, oldest);
-    }
-  }
-
-  private List<Long> latencies(String target) {
+    Map<SampleId, Origin> origins = new HashMap<>();
     Set<Long> answered = new HashSet<>();
     List<Long> latencies = new ArrayList<>();
-    for (Activation activation : activations) {
-      for (SampleId command : activation.writes()) {
-        long origin =
-            command.topic().equals(target) ? origins.getOrDefault(command, NOTHING) : NOTHING;
-        if (origin != NOTHING && answered.add(origin)) {
-          latencies.add(log.time(command) - log.time(new SampleId(source, origin)));
+    for (Step step : steps(log)) {
+      long origin = origin(step, origins, source);
+      for (SampleId sample : step.activation().writes()) {
+        origins.put(sample, new Origin(step.position(), origin));
+        if (sample.topic().equals(target) && origin != NOTHING && answered.add(origin)) {
+          latencies.add(log.time(sample) - log.time(new SampleId(source, origin)));
         }
       }
     }
     return latencies;
+  }
+
+  /** All activations, each after those whose samples it can have read. */
+  private static List<Step> steps(RunLog log) {
+    List<Step> steps = new ArrayList<>();
+    int position = 0;
+    for (List<Activation> activations : log.nodes().values()) {
+      for (Activation activation : activations) {
+        steps.add(new Step(position, activation));
+      }
+      position++;
+    }
+    steps.sort(
+        Comparator.comparingLong((Step step) -> step.activation().start())
+            .thenComparingInt(Step::position));
+    return steps;
+  }
+
+  private static long origin(Step step, Map<SampleId, Origin> origins, String source) {
+    long oldest = NOTHING;
+    for (SampleId read : step.activation().reads()) {
+      long found = NOTHING;
+      Origin origin = origins.get(read);
+      if (read.topic().equals(source)) {
+        found = read.sequence();
+      } else if (origin != null && origin.writer() < step.position()) {
+        found = origin.sensorSample();
+      }
+      if (found != NOTHING && (oldest == NOTHING || found < oldest)) {
+        oldest = found;
+      }
+    }
+    return oldest;
   }
 }
