@@ -2,7 +2,6 @@ package dev.eventchain.ocl;
 
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -32,7 +31,6 @@ import org.eclipse.ocl.expressions.OperationCallExp;
 import org.eclipse.ocl.expressions.PropertyCallExp;
 import org.eclipse.ocl.parser.AbstractOCLAnalyzer;
 import org.eclipse.ocl.types.CollectionType;
-import org.eclipse.ocl.types.OrderedSetType;
 import org.eclipse.ocl.util.OCLStandardLibraryUtil;
 import org.eclipse.ocl.utilities.PredefinedType;
 
@@ -260,125 +258,14 @@ final class Evaluator extends EvaluationVisitorImpl {
       return super.visitIteratorExp(loop);
     }
     Object source = loop.getSource().accept(getVisitor());
-    if (isUndefined(source)) {
-      return getInvalid();
-    }
-    Collection<?> elements = (Collection<?>) source;
-    Object sourceType = loop.getSource().getType();
-    CollectionKind selected = CollectionOperations.kindOfSelection(sourceType);
-    CollectionKind collected = CollectionOperations.kindOfCollection(sourceType);
-    return switch (code) {
-      case PredefinedType.SELECT -> select(loop, elements, selected, true);
-      case PredefinedType.REJECT -> select(loop, elements, selected, false);
-      case PredefinedType.COLLECT -> collect(loop, elements, collected, true);
-      case PredefinedType.COLLECT_NESTED -> collect(loop, elements, collected, false);
-      default -> closure(loop, elements);
-    };
+    return isUndefined(source)
+        ? getInvalid()
+        : new LoopEvaluator(this, loop).evaluate(code, (Collection<?>) source);
   }
 
-  private Object select(
-      IteratorExp<EClassifier, EParameter> loop,
-      Collection<?> elements,
-      CollectionKind kind,
-      boolean wanted) {
-    Collection<Object> result = CollectionOperations.create(kind);
-    String variable = loop.getIterator().get(0).getName();
-    getEvaluationEnvironment().add(variable, null);
-    try {
-      for (Object element : elements) {
-        Object value = body(loop, variable, element);
-        if (isUndefined(value)) {
-          return getInvalid();
-        }
-        if ((Boolean) value == wanted) {
-          result.add(element);
-        }
-      }
-    } finally {
-      getEvaluationEnvironment().remove(variable);
-    }
-    return result;
-  }
-
-  private Object collect(
-      IteratorExp<EClassifier, EParameter> loop,
-      Collection<?> elements,
-      CollectionKind kind,
-      boolean flatten) {
-    Collection<Object> result = CollectionOperations.create(kind);
-    String variable = loop.getIterator().get(0).getName();
-    getEvaluationEnvironment().add(variable, null);
-    try {
-      for (Object element : elements) {
-        Object value = body(loop, variable, element);
-        if (value == getInvalid()) {
-          return value;
-        }
-        if (flatten && value instanceof Collection<?> several) {
-          result.addAll(CollectionOperations.flatten(several));
-        } else {
-          result.add(value);
-        }
-      }
-    } finally {
-      getEvaluationEnvironment().remove(variable);
-    }
-    return result;
-  }
-
-  /**
-   * Depth first, like Eclipse OCL, but with a stack of its own, so that a long chain of elements
-   * does not need a deep Java stack. As there, the sources themselves are left out unless they are
-   * reached again.
-   */
-  private Object closure(IteratorExp<EClassifier, EParameter> loop, Collection<?> sources) {
-    Collection<Object> result =
-        loop.getType() instanceof OrderedSetType<?, ?>
-            ? new LinkedHashSet<>()
-            : new InsertionOrderedSet<>();
-    String variable = loop.getIterator().get(0).getName();
-    getEvaluationEnvironment().add(variable, null);
-    try {
-      for (Object source : sources) {
-        Object next = body(loop, variable, source);
-        if (next == getInvalid() || !addReachable(loop, variable, next, result)) {
-          return getInvalid();
-        }
-      }
-    } finally {
-      getEvaluationEnvironment().remove(variable);
-    }
-    return result;
-  }
-
-  /** Adds what can be reached from one step; false if a step is invalid. */
-  private boolean addReachable(
-      IteratorExp<EClassifier, EParameter> loop,
-      String variable,
-      Object first,
-      Collection<Object> result) {
-    java.util.Deque<java.util.Iterator<?>> open = new java.util.ArrayDeque<>();
-    open.push(CollectionCalls.elementsOf(first).iterator());
-    while (!open.isEmpty()) {
-      if (!open.peek().hasNext()) {
-        open.pop();
-        continue;
-      }
-      Object element = open.peek().next();
-      if (result.add(element)) {
-        Object next = body(loop, variable, element);
-        if (next == getInvalid()) {
-          return false;
-        }
-        open.push(CollectionCalls.elementsOf(next).iterator());
-      }
-    }
-    return true;
-  }
-
-  private Object body(IteratorExp<EClassifier, EParameter> loop, String variable, Object element) {
-    getEvaluationEnvironment().replace(variable, element);
-    return safeVisitExpression(loop.getBody());
+  /** The value that stands for OCL's invalid inside the evaluator. */
+  Object invalid() {
+    return getInvalid();
   }
 
   @Override

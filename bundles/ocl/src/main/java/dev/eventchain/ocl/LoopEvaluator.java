@@ -1,0 +1,140 @@
+package dev.eventchain.ocl;
+
+import java.util.ArrayDeque;
+import java.util.Collection;
+import java.util.Deque;
+import java.util.Iterator;
+import java.util.LinkedHashSet;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EOperation;
+import org.eclipse.emf.ecore.EParameter;
+import org.eclipse.emf.ecore.EStructuralFeature;
+import org.eclipse.ocl.EvaluationEnvironment;
+import org.eclipse.ocl.expressions.CollectionKind;
+import org.eclipse.ocl.expressions.IteratorExp;
+import org.eclipse.ocl.types.OrderedSetType;
+import org.eclipse.ocl.utilities.PredefinedType;
+
+/** Evaluates the iterators that make collections, keeping the order of sets and bags. */
+final class LoopEvaluator {
+
+  private final Evaluator evaluator;
+  private final Object invalid;
+  private final EvaluationEnvironment<EClassifier, EOperation, EStructuralFeature, EClass, EObject>
+      values;
+  private final IteratorExp<EClassifier, EParameter> loop;
+  private final String variable;
+
+  LoopEvaluator(Evaluator evaluator, IteratorExp<EClassifier, EParameter> loop) {
+    this.evaluator = evaluator;
+    this.invalid = evaluator.invalid();
+    this.values = evaluator.getEvaluationEnvironment();
+    this.loop = loop;
+    this.variable = loop.getIterator().get(0).getName();
+  }
+
+  Object evaluate(int code, Collection<?> elements) {
+    Object sourceType = loop.getSource().getType();
+    CollectionKind selected = CollectionOperations.kindOfSelection(sourceType);
+    CollectionKind collected = CollectionOperations.kindOfCollection(sourceType);
+    return switch (code) {
+      case PredefinedType.SELECT -> select(elements, selected, true);
+      case PredefinedType.REJECT -> select(elements, selected, false);
+      case PredefinedType.COLLECT -> collect(elements, collected, true);
+      case PredefinedType.COLLECT_NESTED -> collect(elements, collected, false);
+      default -> closure(elements);
+    };
+  }
+
+  private Object select(Collection<?> elements, CollectionKind kind, boolean wanted) {
+    Collection<Object> result = CollectionOperations.create(kind);
+    values.add(variable, null);
+    try {
+      for (Object element : elements) {
+        Object value = body(element);
+        if (value == null || value == invalid) {
+          return invalid;
+        }
+        if ((Boolean) value == wanted) {
+          result.add(element);
+        }
+      }
+    } finally {
+      values.remove(variable);
+    }
+    return result;
+  }
+
+  private Object collect(Collection<?> elements, CollectionKind kind, boolean flatten) {
+    Collection<Object> result = CollectionOperations.create(kind);
+    values.add(variable, null);
+    try {
+      for (Object element : elements) {
+        Object value = body(element);
+        if (value == invalid) {
+          return value;
+        }
+        if (flatten && value instanceof Collection<?> several) {
+          result.addAll(CollectionOperations.flatten(several));
+        } else {
+          result.add(value);
+        }
+      }
+    } finally {
+      values.remove(variable);
+    }
+    return result;
+  }
+
+  /**
+   * Depth first, like Eclipse OCL, but with a stack of its own, so that a long chain of elements
+   * does not need a deep Java stack. As there, the sources themselves are left out unless they are
+   * reached again.
+   */
+  private Object closure(Collection<?> sources) {
+    Collection<Object> result =
+        loop.getType() instanceof OrderedSetType<?, ?>
+            ? new LinkedHashSet<>()
+            : new InsertionOrderedSet<>();
+    values.add(variable, null);
+    try {
+      for (Object source : sources) {
+        Object next = body(source);
+        if (next == invalid || !addReachable(next, result)) {
+          return invalid;
+        }
+      }
+    } finally {
+      values.remove(variable);
+    }
+    return result;
+  }
+
+  /** Adds what can be reached from one step; false if a step is invalid. */
+  private boolean addReachable(Object first, Collection<Object> result) {
+    Deque<Iterator<?>> open = new ArrayDeque<>();
+    open.push(CollectionCalls.elementsOf(first).iterator());
+    while (!open.isEmpty()) {
+      if (!open.peek().hasNext()) {
+        open.pop();
+        continue;
+      }
+      Object element = open.peek().next();
+      if (result.add(element)) {
+        Object next = body(element);
+        if (next == invalid) {
+          return false;
+        }
+        open.push(CollectionCalls.elementsOf(next).iterator());
+      }
+    }
+    return true;
+  }
+
+  private Object body(Object element) {
+    values.replace(variable, element);
+    return evaluator.safeVisitExpression(loop.getBody());
+  }
+}
