@@ -2,7 +2,10 @@ package dev.eventchain.ocl;
 
 import java.time.Duration;
 import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.Set;
+import java.util.regex.Matcher;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.ocl.EvaluationHaltedException;
@@ -21,6 +24,7 @@ public final class Evaluation {
 
   private final Extents extents;
   private final ValueStack values = new ValueStack();
+  private final Map<String, Matcher> matchers = new MatcherCache();
   private Object attachment;
   private Duration timeLimit = Duration.ofDays(1);
   private long deadline;
@@ -54,8 +58,9 @@ public final class Evaluation {
   }
 
   /**
-   * Sets how long one {@link Expression#evaluate} may take before it becomes {@link Invalid}.
-   * Evaluations that a library starts inside another one count as part of that.
+   * Sets how long one {@link Expression#evaluate} may take before it becomes {@link Invalid}; until
+   * this is called there is no limit to speak of. Evaluations that a library starts inside another
+   * one count as part of that.
    */
   public Evaluation withTimeLimit(Duration limit) {
     timeLimit = limit;
@@ -98,6 +103,11 @@ public final class Evaluation {
 
   ValueStack values() {
     return values;
+  }
+
+  /** The regular expressions that were used last, which are dear to compile. */
+  Map<String, Matcher> matchers() {
+    return matchers;
   }
 
   /** Starts an evaluation and says whether it is not inside another one. */
@@ -167,5 +177,15 @@ public final class Evaluation {
     return duration.toMillis() % 1000 == 0
         ? duration.toSeconds() + " s"
         : duration.toMillis() + " ms";
+  }
+
+  private static final class MatcherCache extends LinkedHashMap<String, Matcher> {
+    private static final long serialVersionUID = 1L;
+    private static final int CAPACITY = 64;
+
+    @Override
+    protected boolean removeEldestEntry(Map.Entry<String, Matcher> eldest) {
+      return size() > CAPACITY;
+    }
   }
 }

@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.function.Supplier;
+import java.util.regex.Matcher;
 import org.eclipse.emf.ecore.EAnnotation;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
@@ -311,6 +312,11 @@ final class Evaluator extends EvaluationVisitorImpl {
     return annotation != null
         && Boolean.parseBoolean(
             annotation.getDetails().get(AbstractOCLAnalyzer.IMPLICIT_SET_CONVERSION));
+  }
+
+  @Override
+  protected Map<String, Matcher> createRegexCache() {
+    return run.matchers();
   }
 
   @Override

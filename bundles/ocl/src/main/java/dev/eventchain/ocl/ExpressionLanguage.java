@@ -34,7 +34,7 @@ public final class ExpressionLanguage {
 
   private static final String EXPRESSION_PREFIX = "inv:\n";
   private static final String TYPE_PREFIX = "inv:\nlet type : ";
-  private static final String TYPE_SUFFIX = " = null in true";
+  private static final String TYPE_SUFFIX = "\n = null in true";
 
   private final OclEnvironmentFactory factory;
   private final OclEnvironment root;
@@ -141,6 +141,9 @@ public final class ExpressionLanguage {
       return collector.failed() ? Optional.empty() : Optional.of(body);
     } catch (RuntimeException e) {
       collector.add("ocl.syntax", true, "The expression cannot be read: " + e.getMessage(), "", 0);
+      return Optional.empty();
+    } catch (StackOverflowError e) {
+      collector.add("ocl.syntax", true, "The expression is nested too deeply.", "", 0);
       return Optional.empty();
     } finally {
       root.clean();

@@ -2,6 +2,7 @@ package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
+import java.time.Duration;
 import java.util.List;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
@@ -24,6 +25,8 @@ public final class OclConstraint {
    * @param type the class it is read of
    */
   public record Navigation(EClass type, EStructuralFeature feature) {}
+
+  private static final Duration TIME_LIMIT = Duration.ofSeconds(10);
 
   private final String name;
   private final EClass context;
@@ -89,12 +92,12 @@ public final class OclConstraint {
   }
 
   /**
-   * Evaluates it on one element.
+   * Evaluates it on one element; undefined also if that takes more than ten seconds.
    *
    * @param element an instance of {@link #context}; extents cover its whole resource set
    */
   public Verdict evaluate(EObject element) {
-    Object value = evaluate(element, Evaluation.over(List.of(element)));
+    Object value = evaluate(element, Evaluation.over(List.of(element)).withTimeLimit(TIME_LIMIT));
     if (value instanceof Boolean holds) {
       return holds ? Verdict.TRUE : Verdict.FALSE;
     }

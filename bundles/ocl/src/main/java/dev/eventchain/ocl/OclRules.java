@@ -13,7 +13,8 @@ import org.eclipse.emf.ecore.EPackage;
  *
  * <p>A document may do without {@code package} clause; its classes are then looked for in all given
  * packages. {@code import} lines must name a given metamodel. A definition can be used before it
- * and in other documents. Comments above an invariant say how its violations are reported: {@code --
+ * and in other documents. An invariant that stands in several documents word for word counts once.
+ * Comments above an invariant say how its violations are reported: {@code --
  * @severity warning}, {@code -- @message {self.name} is wrong}, {@code -- @hint ...}.
  */
 public final class OclRules {
@@ -34,7 +35,16 @@ public final class OclRules {
    * @return the rules without those that have an error; {@link #diagnostics()} has the errors
    */
   public static OclRules parse(List<SourceText> documents, Collection<EPackage> packages) {
-    return new RuleParser(ExpressionLanguage.of(packages)).parse(documents);
+    return parse(documents, ExpressionLanguage.of(packages));
+  }
+
+  /**
+   * Parses and checks documents in a language, which has their definitions from then on.
+   *
+   * @param documents the documents, which see each other's definitions
+   */
+  public static OclRules parse(List<SourceText> documents, ExpressionLanguage language) {
+    return new RuleParser(language).parse(documents);
   }
 
   /** All errors and warnings of the documents, in the order of their places. */

@@ -6,10 +6,11 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.ENamedElement;
 import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EcorePackage;
 import org.eclipse.emf.ecore.impl.EPackageRegistryImpl;
-import org.eclipse.ocl.ecore.internal.EcoreForeignMethods;
+import org.eclipse.ocl.parser.AbstractOCLAnalyzer;
 
 /** The packages that expressions can name, with all that are nested in them. */
 final class PackageIndex {
@@ -78,9 +79,10 @@ final class PackageIndex {
       EPackage candidate, List<String> path, List<EClassifier> found) {
     int last = path.size() - 1;
     if (endsWith(candidate, path.subList(0, last))) {
-      EClassifier classifier = EcoreForeignMethods.getEClassifier(candidate, path.get(last));
-      if (classifier != null) {
-        found.add(classifier);
+      for (EClassifier classifier : candidate.getEClassifiers()) {
+        if (isNamed(path.get(last), classifier)) {
+          found.add(classifier);
+        }
       }
     }
   }
@@ -88,11 +90,16 @@ final class PackageIndex {
   private static boolean endsWith(EPackage candidate, List<String> path) {
     EPackage each = candidate;
     for (int i = path.size() - 1; i >= 0; i--) {
-      if (each == null || !EcoreForeignMethods.isNamed(path.get(i), each)) {
+      if (each == null || !isNamed(path.get(i), each)) {
         return false;
       }
       each = each.getESuperPackage();
     }
     return true;
+  }
+
+  /** Whether a name in a text, which may be escaped as {@code _name}, means an element. */
+  private static boolean isNamed(String name, ENamedElement element) {
+    return element.getName() != null && AbstractOCLAnalyzer.equalName(name, element.getName());
   }
 }

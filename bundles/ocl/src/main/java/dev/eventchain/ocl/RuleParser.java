@@ -26,12 +26,26 @@ final class RuleParser {
     Scope scope() {
       return Scope.EMPTY.with("self", context);
     }
+
+    SourceLocation location() {
+      return source.at(clause.keyword());
+    }
+
+    /** The expression, whatever its white space and comments. */
+    String words() {
+      Tokens tokens = new Tokens(source.text().substring(clause.start(), clause.end()));
+      StringBuilder words = new StringBuilder();
+      for (int i = 0; i < tokens.size(); i++) {
+        words.append(tokens.text(i)).append(' ');
+      }
+      return words.toString();
+    }
   }
 
   private final ExpressionLanguage language;
   private final List<Diagnostic> problems = new ArrayList<>();
   private final List<OclConstraint> constraints = new ArrayList<>();
-  private final Map<String, SourceLocation> names = new HashMap<>();
+  private final Map<String, Resolved> names = new HashMap<>();
   private final Map<EClass, Integer> unnamed = new HashMap<>();
 
   RuleParser(ExpressionLanguage language) {
@@ -192,9 +206,10 @@ final class RuleParser {
   private void addInvariant(Resolved resolved) {
     RuleDocument.Clause clause = resolved.clause();
     SourceText source = resolved.source();
-    SourceLocation location = source.at(clause.keyword());
     String name = nameOf(resolved);
-    boolean unique = isUnique(resolved.context(), name, location);
+    if (!isNew(resolved, name)) {
+      return;
+    }
     RuleComments comments = RuleComments.read(source, clause.comments(), problems);
     Optional<MessageTemplate> message =
         MessageTemplate.parse(
@@ -215,7 +230,7 @@ final class RuleParser {
                 resolved.contextPackage(),
                 problems)
             .filter(expression -> isBoolean(expression, name, source, clause));
-    if (unique && condition.isPresent()) {
+    if (condition.isPresent()) {
       constraints.add(
           new OclConstraint(
               name,
@@ -223,7 +238,7 @@ final class RuleParser {
               condition.get(),
               comments,
               message.orElse(null),
-              location,
+              resolved.location(),
               Navigations.of(condition.get().ast(), language.environment())));
     }
   }
@@ -233,17 +248,25 @@ final class RuleParser {
     return given.isEmpty() ? "inv" + unnamed.merge(resolved.context(), 1, Integer::sum) : given;
   }
 
-  private boolean isUnique(EClass context, String name, SourceLocation location) {
-    SourceLocation first = names.putIfAbsent(Names.qualified(context) + "::" + name, location);
-    if (first != null) {
+  /** Whether a name is new; the same words in another document are no fault, but count once. */
+  private boolean isNew(Resolved resolved, String name) {
+    Resolved first = names.putIfAbsent(Names.qualified(resolved.context()) + "::" + name, resolved);
+    if (first == null) {
+      return true;
+    }
+    boolean repeated =
+        first.source() != resolved.source() && first.words().equals(resolved.words());
+    if (!repeated) {
+      String context = resolved.context().getName();
       problems.add(
           Diagnostic.error(
                   "ocl.duplicate",
-                  "The invariant '" + name + "' of " + context.getName() + " is there twice.",
-                  location)
-              .withHint("The first one is at " + first + ". Give one of them another name."));
+                  "The invariant '" + name + "' of " + context + " is there twice.",
+                  resolved.location())
+              .withHint(
+                  "The first one is at " + first.location() + ". Give one of them another name."));
     }
-    return first == null;
+    return false;
   }
 
   private boolean isBoolean(

@@ -208,9 +208,17 @@ class ExpressionLanguageTest {
   }
 
   @Test
+  void nestingThatIsTooDeepIsAnError() {
+    List<Diagnostic> problems = problems("not ".repeat(50_000) + "true", 0);
+    assertEquals(
+        List.of("The expression is nested too deeply."),
+        problems.stream().map(Diagnostic::message).toList());
+  }
+
+  @Test
   void typesAreParsed() {
     assertEquals("Sequence(Book)", language.type("Sequence(Book)").getName());
-    assertEquals("Member", language.type("people::Member").getName());
+    assertEquals("Member", language.type("people::Member -- of a library").getName());
     List<Diagnostic> problems = new ArrayList<>();
     assertTrue(language.type(SourceText.of("t", "x : Boook"), 4, 9, problems).isEmpty());
     assertEquals("t:1:5", problems.get(0).location().toString());

@@ -115,6 +115,30 @@ class ScaleTest {
   }
 
   @Test
+  void setsOfObjectsAreWalkedInTheOrderOfTheModelWhateverTheirHashCodes() {
+    EObject machine = machine(50);
+    ExpressionLanguage language = ExpressionLanguage.of(List.of(metamodel));
+    Scope scope = language.root().with("self", machine.eClass());
+    String text =
+        "states->asSet()->select(s | s.name <> 's7')->union(states->asSet())->asSequence().name";
+    Evaluation run = Evaluation.over(List.of(machine));
+    run.bind("self", machine);
+    Object names =
+        language
+            .parse(SourceText.of("", text), 0, text.length(), scope, new ArrayList<>())
+            .orElseThrow()
+            .evaluate(run);
+    List<String> expected = new ArrayList<>();
+    for (int i = 0; i < 50; i++) {
+      if (i != 7) {
+        expected.add("s" + i);
+      }
+    }
+    expected.add("s7");
+    assertEquals(expected, names);
+  }
+
+  @Test
   void longChainsDoNotOverflow() {
     OclResult result =
         validate(
