@@ -9,7 +9,6 @@ import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Locale;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.TreeSet;
@@ -89,14 +88,13 @@ final class NodeSetup {
   private ObjectNode configuration(SoftwareNode node, long seed) {
     String name = node.getName();
     ObjectNode json = JsonNodeFactory.instance.objectNode();
-    String module = name.toLowerCase(Locale.ROOT) + "_node";
-    json.put("module", request.packageName() + "." + module);
-    json.put("class", name + "_node");
+    json.put("module", request.packageName() + "." + PythonNames.nodeModule(name));
+    json.put("class", PythonNames.nodeClass(name));
     json.put("name", name);
     json.put("execution_time_ms", executionTime(node));
     json.put("phase_ms", phase(node, seed));
     ArrayNode outputs = json.putArray("outputs");
-    node.getOutput().forEach(data -> outputs.add(data.getName()));
+    node.getOutput().forEach(data -> outputs.add(PythonNames.identifier(data.getName())));
     return json;
   }
 

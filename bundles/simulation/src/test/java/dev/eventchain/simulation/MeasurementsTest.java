@@ -1,0 +1,145 @@
+package dev.eventchain.simulation;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.metamodel.XmiStore;
+import dev.eventchain.metamodel.eventchain.ChainMeasurement;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.EventchainPackage;
+import dev.eventchain.metamodel.eventchain.NodeMeasurement;
+import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import dev.eventchain.ocl.OclRules;
+import dev.eventchain.ocl.OclValidator;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class MeasurementsTest {
+
+  private static final Path RULES = Path.of("src/test/resources/latency.ocl");
+
+  @TempDir Path folder;
+
+  private static List<Diagnostic> validate(EventChain model) {
+    OclRules rules =
+        OclRules.parse(List.of(SourceText.read(RULES)), List.of(EventchainPackage.eINSTANCE));
+    assertEquals(List.of(), rules.diagnostics());
+    return OclValidator.validate(rules, List.of(model), element -> SourceLocation.NONE)
+        .diagnostics();
+  }
+
+  @Test
+  void measuredModelKeepsTheDesignRuleOnTheLatency() throws Exception {
+    AebProject project = new AebProject(folder);
+    EventChain measured = measured(project);
+    assertEquals(List.of(), validate(measured));
+  }
+
+  @Test
+  void slowNodeBreaksTheDesignRuleOnTheLatency() throws Exception {
+    AebProject project = new AebProject(folder);
+    SoftwareNode slow = project.chain().getSoftware().get(1);
+    slow.setWorstCaseExecutionTime(300);
+    EventChain measured = measured(project);
+    List<Diagnostic> findings = validate(measured);
+    assertEquals(2, findings.size());
+    assertEquals("ocl.violated", findings.get(0).id());
+    assertEquals("ChainMeasurement::BrakeCommandWithin250ms", findings.get(0).rule());
+    NodeMeasurement node = measured.getSoftware().get(1).getMeasured();
+    assertEquals(300, node.getExecutionTime().getMinimum());
+    assertTrue(node.getPeriod().getMinimum() >= 300);
+    assertTrue(node.getJitter().getMinimum() >= 250);
+  }
+
+  private static EventChain measured(AebProject project) throws InterruptedException {
+    List<Scenario> scenarios =
+        List.of(AebProject.scenario("empty-road"), AebProject.scenario("stopped-vehicle-20"));
+    return project.simulate(scenarios).measuredModel(project.chain());
+  }
+
+  @Test
+  void measuredModelHoldsWhatWasMeasuredAndLeavesTheChainAlone() throws Exception {
+    AebProject project = new AebProject(folder);
+    byte[] before = XmiStore.toBytes(project.chain());
+    EventChain measured = measured(project);
+    assertArrayEquals(before, XmiStore.toBytes(project.chain()));
+    assertArrayEquals(XmiStore.toBytes(measured), XmiStore.toBytes(measured(project)));
+
+    assertEquals(2, measured.getMeasured().size());
+    ChainMeasurement empty = measured.getMeasured().get(0);
+    assertEquals("empty-road", empty.getScenario());
+    assertTrue(empty.isPassed());
+    assertFalse(empty.isSetMinimalGap());
+    assertFalse(empty.isSetTimeToCollisionAtFirstBraking());
+    assertEquals(measured.getSoftware().get(0), empty.getFirst());
+    assertEquals(measured.getSoftware().get(3), empty.getLast());
+    assertTrue(empty.getLatency().getCount() > 90);
+    ChainMeasurement stopped = measured.getMeasured().get(1);
+    assertTrue(stopped.getMinimalGap() > 0.5);
+    assertTrue(stopped.getTimeToCollisionAtFirstBraking() < 2.1);
+    assertFalse(stopped.isSetImpactSpeed());
+
+    NodeMeasurement node = measured.getSoftware().get(0).getMeasured();
+    assertEquals(50, node.getPeriod().getMedian());
+    assertEquals(0, node.getJitter().getMaximum());
+    assertEquals(15, node.getExecutionTime().getPercentile99());
+    assertEquals(stopped.getRunId(), node.getRunId());
+  }
+
+  @Test
+  void measuringAgainReplacesWhatWasMeasuredBefore() throws Exception {
+    AebProject project = new AebProject(folder);
+    SimulationResult result = project.simulate(List.of(AebProject.scenario("empty-road")));
+    EventChain once = result.measuredModel(project.chain());
+    assertArrayEquals(XmiStore.toBytes(once), XmiStore.toBytes(result.measuredModel(once)));
+  }
+
+  @Test
+  void measurementsFileHasScenariosNodesAndTheHostApart() throws Exception {
+    SimulationResult result =
+        new AebProject(folder).simulate(List.of(AebProject.scenario("stopped-vehicle-50")));
+    JsonNode json = new ObjectMapper().readTree(result.toJson());
+    assertEquals(
+        List.of("runId", "passed", "scenarios", "nodes", "host"),
+        json.properties().stream().map(java.util.Map.Entry::getKey).toList());
+    JsonNode scenario = json.get("scenarios").get(0);
+    assertEquals("stopped-vehicle-50", scenario.get("name").asText());
+    assertTrue(scenario.get("impactSpeed").isNull());
+    assertTrue(scenario.get("latency").get("maximum").asDouble() <= 250);
+    JsonNode series = scenario.get("series");
+    int moments = series.get("time").size();
+    series.properties().forEach(column -> assertEquals(moments, column.getValue().size()));
+    assertEquals(0.05, series.get("time").get(1).asDouble());
+    assertEquals(13.8889, series.get("egoSpeed").get(0).asDouble());
+    assertEquals(0, series.get("egoSpeed").get(moments - 1).asDouble());
+    assertEquals(4, json.get("nodes").size());
+    assertFalse(json.get("nodes").get(0).has("hostExecutionTime"));
+    assertTrue(
+        json.get("host").get("nodes").get(0).get("hostExecutionTime").get("count").asInt() > 100);
+    assertFalse(json.get("host").get("confinement").asText().isEmpty());
+  }
+
+  @Test
+  void percentilesAreValuesThatOccurred() {
+    double[] values = new double[200];
+    for (int i = 0; i < values.length; i++) {
+      values[i] = 200 - i;
+    }
+    assertEquals(
+        new Measurements.Statistics(200, 1, 100, 198, 200),
+        Measurements.Statistics.of(values).orElseThrow());
+    assertTrue(Measurements.Statistics.of(new double[0]).isEmpty());
+    assertEquals(
+        new Measurements.Statistics(1, 7, 7, 7, 7),
+        Measurements.Statistics.of(new double[] {7}).orElseThrow());
+  }
+}
