@@ -1,0 +1,205 @@
+package dev.eventchain.messages;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.SortedSet;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.Stream;
+
+/**
+ * The message types that can be used: the standard ones of ROS 2 Humble, and those in folders of
+ * the user. Definitions are read when they are asked for.
+ */
+public final class MessageCatalog {
+
+  private static final String STANDARD = "humble.msgs";
+  private static final String HEADING = "MSG: ";
+  private static final String SEPARATOR = "=".repeat(80) + "\n";
+
+  private final Map<String, String> standard;
+  private final SortedMap<String, Path> files;
+  private final Map<String, MessageType> types = new HashMap<>();
+
+  private MessageCatalog(Map<String, String> standard, SortedMap<String, Path> files) {
+    this.standard = standard;
+    this.files = files;
+  }
+
+  /**
+   * The standard types, and those of folders.
+   *
+   * @param folders each holds {@code PACKAGE/msg/NAME.msg}; a later folder hides an earlier one,
+   *     and both hide standard types
+   * @throws DiagnosticException {@code file.unreadable}: a folder is missing or cannot be listed
+   */
+  public static MessageCatalog of(Collection<Path> folders) {
+    SortedMap<String, Path> files = new TreeMap<>();
+    folders.forEach(folder -> list(folder, files));
+    return new MessageCatalog(StandardTypes.TEXTS, files);
+  }
+
+  private static void list(Path folder, Map<String, Path> files) {
+    try (Stream<Path> found = Files.walk(folder, 3)) {
+      for (Path file : found.filter(path -> path.toString().endsWith(".msg")).sorted().toList()) {
+        Path relative = folder.relativize(file);
+        String name = relative.toString().replace('\\', '/').replaceAll("\\.msg$", "");
+        if (MessageParser.isFullName(name)) {
+          files.put(name, file);
+        }
+      }
+    } catch (IOException | UncheckedIOException e) {
+      throw new DiagnosticException(
+          DiagnosticException.Reason.INPUT,
+          Diagnostic.error(
+              "file.unreadable",
+              "The folder of message definitions cannot be read: " + e.getMessage(),
+              SourceLocation.of(folder)));
+    }
+  }
+
+  /** The full names of all types. */
+  public SortedSet<String> names() {
+    SortedSet<String> names = new TreeSet<>(standard.keySet());
+    names.addAll(files.keySet());
+    return names;
+  }
+
+  /** Everything that is wrong with the definitions in the user's folders. */
+  public List<Diagnostic> diagnostics() {
+    Set<Diagnostic> found = new TreeSet<>();
+    for (String name : files.keySet()) {
+      try {
+        find(name);
+      } catch (DiagnosticException e) {
+        found.addAll(e.diagnostics());
+      }
+    }
+    return List.copyOf(found);
+  }
+
+  /**
+   * A type by its name, {@code sensor_msgs/msg/LaserScan} or {@code sensor_msgs/LaserScan}.
+   *
+   * @return empty if there is none of this name
+   * @throws DiagnosticException its definition, or one that it uses, is wrong: {@code
+   *     message.syntax}, {@code message.name.duplicate}, {@code message.value}, {@code
+   *     message.type.unknown}, {@code message.cycle}; or its file cannot be read
+   */
+  public synchronized Optional<MessageType> find(String name) {
+    String fullName = MessageParser.fullName(name, "");
+    if (!standard.containsKey(fullName) && !files.containsKey(fullName)) {
+      return Optional.empty();
+    }
+    return Optional.of(type(fullName, new LinkedHashSet<>()));
+  }
+
+  private MessageType type(String name, Set<String> users) {
+    MessageType known = types.get(name);
+    if (known == null) {
+      known = link(definition(name), users);
+      types.put(name, known);
+    }
+    return known;
+  }
+
+  private Definition definition(String name) {
+    Path file = files.get(name);
+    SourceText source =
+        file == null ? SourceText.of(name, standard.get(name)) : SourceText.read(file);
+    Definition definition = MessageParser.parse(name, source);
+    if (!definition.problems().isEmpty()) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, definition.problems());
+    }
+    return definition;
+  }
+
+  private MessageType link(Definition definition, Set<String> users) {
+    List<Diagnostic> problems = new ArrayList<>();
+    List<MessageType.Field> fields = new ArrayList<>();
+    users.add(definition.name());
+    for (Definition.Member field : definition.fields()) {
+      Optional<FieldType> type = fieldType(field, users, problems);
+      type.ifPresent(
+          found ->
+              fields.add(
+                  new MessageType.Field(field.name(), found, Optional.ofNullable(field.value()))));
+    }
+    users.remove(definition.name());
+    if (!problems.isEmpty()) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
+    }
+    List<MessageType.Constant> constants = new ArrayList<>();
+    for (Definition.Member constant : definition.constants()) {
+      constants.add(new MessageType.Constant(constant.name(), constant.type(), constant.value()));
+    }
+    return new MessageType(definition.name(), fields, constants);
+  }
+
+  private Optional<FieldType> fieldType(
+      Definition.Member field, Set<String> users, List<Diagnostic> problems) {
+    FieldType type = field.type();
+    String base = field.base();
+    if (type.kind() != FieldType.Kind.MESSAGE) {
+      return Optional.of(type);
+    }
+    if (users.contains(base)) {
+      String message = "'" + field.name() + "' makes " + base + " contain itself.";
+      problems.add(Diagnostic.error("message.cycle", message, field.place()));
+      return Optional.empty();
+    }
+    if (!standard.containsKey(base) && !files.containsKey(base)) {
+      problems.add(
+          Diagnostic.error(
+                  "message.type.unknown", "There is no message type " + base + ".", field.place())
+              .withHint("Put its definition into PACKAGE/msg/NAME.msg beside the others."));
+      return Optional.empty();
+    }
+    try {
+      return Optional.of(
+          new FieldType(type.kind(), Optional.of(type(base, users)), type.shape(), type.size(), 0));
+    } catch (DiagnosticException e) {
+      problems.addAll(e.diagnostics());
+      return Optional.empty();
+    }
+  }
+
+  /** The texts of the standard types by name, cut out of one resource. */
+  private static final class StandardTypes {
+    private static final Map<String, String> TEXTS = read();
+
+    private static Map<String, String> read() {
+      Map<String, String> texts = new HashMap<>();
+      for (String part : text().split(SEPARATOR, -1)) {
+        int end = part.indexOf('\n');
+        texts.put(part.substring(HEADING.length(), end).strip(), part.substring(end + 1));
+      }
+      return texts;
+    }
+
+    private static String text() {
+      try (InputStream input = MessageCatalog.class.getResourceAsStream(STANDARD)) {
+        return new String(input.readAllBytes(), StandardCharsets.UTF_8);
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
+      }
+    }
+  }
+}

@@ -1,0 +1,124 @@
+package dev.eventchain.messages;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class CdrCodecTest {
+
+  /** Written by src/test/python/random_messages.py in this build. */
+  private static final Path MESSAGES_OF_ROSBAGS = Path.of("target/random-messages.jsonl");
+
+  private static final ObjectMapper JSON = new ObjectMapper();
+  private static final MessageCatalog CATALOG = MessageCatalog.of(List.of());
+
+  static List<String> messagesOfRosbags() throws IOException {
+    return Files.readAllLines(MESSAGES_OF_ROSBAGS);
+  }
+
+  @Test
+  void everyStandardTypeIsTried() throws IOException {
+    Set<String> tried = new TreeSet<>();
+    for (String line : messagesOfRosbags()) {
+      tried.add(JSON.readTree(line).get("type").asText());
+    }
+    assertEquals(CATALOG.names(), tried);
+    assertTrue(tried.size() >= 150);
+  }
+
+  @Test
+  void bytesAndValuesAreThoseOfRosbags() throws IOException {
+    for (String line : messagesOfRosbags()) {
+      JsonNode expected = JSON.readTree(line);
+      MessageType type = CATALOG.find(expected.get("type").asText()).orElseThrow();
+      byte[] bytes = HexFormat.of().parseHex(expected.get("cdr").asText());
+      MessageValue decoded = CdrCodec.decode(type, bytes);
+      assertEquals(PlainMessages.read(type, expected.get("value")), decoded);
+      assertArrayEquals(bytes, CdrCodec.encode(decoded), type::name);
+    }
+  }
+
+  @Test
+  void messagesMadeFromValuesHaveTheBytesOfRosbags() throws IOException {
+    for (String line : messagesOfRosbags()) {
+      JsonNode expected = JSON.readTree(line);
+      MessageType type = CATALOG.find(expected.get("type").asText()).orElseThrow();
+      MessageValue made = PlainMessages.read(type, expected.get("value"));
+      assertEquals(
+          expected.get("cdr").asText(),
+          HexFormat.of().formatHex(CdrCodec.encode(made)),
+          type::name);
+    }
+  }
+
+  @Test
+  void truncatedBytesAreRefusedAtEveryLength() throws IOException {
+    MessageType type = CATALOG.find("sensor_msgs/msg/PointCloud2").orElseThrow();
+    MessageValue cloud = MessageValue.of(type).set("data", new byte[7]);
+    MessageType field = CATALOG.find("sensor_msgs/msg/PointField").orElseThrow();
+    cloud.set("fields", List.of(MessageValue.of(field).set("name", "x")));
+    byte[] bytes = CdrCodec.encode(cloud);
+    for (int length = 0; length < bytes.length; length++) {
+      int cut = length;
+      assertThrows(
+          IllegalArgumentException.class, () -> CdrCodec.decode(type, bytes, 0, cut), "" + cut);
+    }
+    assertEquals(cloud, CdrCodec.decode(type, bytes));
+  }
+
+  @Test
+  void wrongCountDoesNotTakeMemory() {
+    MessageType type = CATALOG.find("std_msgs/msg/Float64MultiArray").orElseThrow();
+    byte[] bytes = HexFormat.of().parseHex("00010000ffffff7fffffff7fffffff7fffffff7f");
+    assertThrows(IllegalArgumentException.class, () -> CdrCodec.decode(type, bytes));
+  }
+
+  @Test
+  void bigEndianAndPartsOfArraysAreRead() {
+    MessageType type = CATALOG.find("std_msgs/msg/Int32MultiArray").orElseThrow();
+    byte[] bytes = HexFormat.of().parseHex("aa0000000000000000000000050000000100000002bb");
+    MessageValue value = CdrCodec.decode(type, bytes, 1, bytes.length - 2);
+    assertEquals(5.0, value.number("layout.data_offset"));
+    assertArrayEquals(new int[] {2}, (int[]) value.get("data"));
+  }
+
+  @Test
+  void otherRepresentationsAreNamed() {
+    MessageType type = CATALOG.find("std_msgs/msg/Bool").orElseThrow();
+    byte[] parameterList = {0, 3, 0, 0, 1};
+    IllegalArgumentException problem =
+        assertThrows(IllegalArgumentException.class, () -> CdrCodec.decode(type, parameterList));
+    assertEquals("Representation 3 is not plain CDR (0 or 1).", problem.getMessage());
+  }
+
+  @ParameterizedTest
+  @MethodSource("pointCounts")
+  void largeDataSurvivesUnchanged(int points) {
+    MessageType type = CATALOG.find("sensor_msgs/msg/PointCloud2").orElseThrow();
+    byte[] data = new byte[points * 16];
+    new java.util.Random(points).nextBytes(data);
+    MessageValue cloud = MessageValue.of(type).set("data", data).set("header.frame_id", "lidar");
+    MessageValue decoded = CdrCodec.decode(type, CdrCodec.encode(cloud));
+    assertArrayEquals(data, (byte[]) decoded.get("data"));
+    assertEquals("lidar", decoded.get("header.frame_id"));
+  }
+
+  static List<Integer> pointCounts() {
+    return new ArrayList<>(List.of(0, 1, 31, 2000, 100_000));
+  }
+}

@@ -1,0 +1,192 @@
+package dev.eventchain.messages;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
+
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.DiagnosticFormat;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+
+class MessageCatalogTest {
+
+  private static final Path FOLDERS = Path.of("src/test/resources/folders");
+  private static final MessageCatalog STANDARD = MessageCatalog.of(List.of());
+
+  static Stream<Path> folders() throws IOException {
+    try (Stream<Path> folders = Files.list(FOLDERS)) {
+      return folders.filter(Files::isDirectory).sorted().toList().stream();
+    }
+  }
+
+  /** The findings of a folder stand beside it; a missing expectation is written. */
+  @ParameterizedTest
+  @MethodSource("folders")
+  void findingsAreAsExpected(Path folder) throws IOException {
+    MessageCatalog catalog = MessageCatalog.of(List.of(folder));
+    String actual = DiagnosticFormat.TEXT.render(catalog.diagnostics());
+    Path expected = folder.resolveSibling(folder.getFileName() + ".expected");
+    if (Files.notExists(expected)) {
+      Files.writeString(expected, actual);
+      fail("wrote " + expected + ": look at it and commit it");
+    }
+    assertEquals(Files.readString(expected), actual);
+  }
+
+  @Test
+  void definitionIsReadWithDefaultsAndConstants() {
+    MessageCatalog catalog = MessageCatalog.of(List.of(FOLDERS.resolve("message.syntax")));
+    MessageType type = catalog.find("good_msgs/Good").orElseThrow();
+    assertEquals(
+        List.of(
+            "std_msgs/msg/Header header",
+            "geometry_msgs/msg/Vector3[2] positions",
+            "float64[<=9] values",
+            "string<=5[] names",
+            "uint8 level",
+            "bool on"),
+        type.fields().stream().map(field -> field.type() + " " + field.name()).toList());
+    assertEquals(
+        List.of("int32 FIRST=1", "string TEXT=a = b"),
+        type.constants().stream().map(c -> c.type() + " " + c.name() + "=" + c.value()).toList());
+    MessageValue value = MessageValue.of(type);
+    assertArrayEquals(new double[] {1.0, -2500.0}, (double[]) value.get("values"));
+    assertEquals(List.of("a", "b"), value.get("names"));
+    assertEquals(16, value.get("level"));
+    assertEquals(true, value.get("on"));
+    assertEquals(value, CdrCodec.decode(type, CdrCodec.encode(value)));
+  }
+
+  @Test
+  void usingABrokenDefinitionFailsWithItsFindings() {
+    MessageCatalog catalog = MessageCatalog.of(List.of(FOLDERS.resolve("message.cycle")));
+    DiagnosticException failure =
+        assertThrows(DiagnosticException.class, () -> catalog.find("bad_msgs/msg/First"));
+    assertEquals(DiagnosticException.Reason.INPUT, failure.reason());
+    assertEquals("message.cycle", failure.diagnostics().get(0).id());
+  }
+
+  @Test
+  void laterFolderHidesEarlierOnesAndStandardTypes(@TempDir Path folder) throws IOException {
+    Path first = folder.resolve("first/std_msgs/msg");
+    Path second = folder.resolve("second/std_msgs/msg");
+    Files.createDirectories(first);
+    Files.createDirectories(second);
+    Files.writeString(first.resolve("Bool.msg"), "int8 first\n");
+    Files.writeString(second.resolve("Bool.msg"), "int8 second\r\n");
+    List<Path> folders = List.of(folder.resolve("first"), folder.resolve("second"));
+    MessageType type = MessageCatalog.of(folders).find("std_msgs/Bool").orElseThrow();
+    assertEquals("second", type.fields().get(0).name());
+  }
+
+  @Test
+  void missingFolderIsReported(@TempDir Path folder) {
+    List<Path> folders = List.of(folder.resolve("nowhere"));
+    DiagnosticException failure =
+        assertThrows(DiagnosticException.class, () -> MessageCatalog.of(folders));
+    assertEquals("file.unreadable", failure.diagnostics().get(0).id());
+  }
+
+  @Test
+  void unknownTypeIsEmpty() {
+    assertEquals(Optional.empty(), STANDARD.find("sensor_msgs/msg/LaserScanner"));
+    assertEquals(Optional.empty(), STANDARD.find("LaserScan"));
+    assertEquals(Optional.empty(), STANDARD.find(""));
+  }
+
+  @Test
+  void quaternionStartsAsNoRotation() {
+    MessageValue pose = MessageValue.of(STANDARD.find("geometry_msgs/Pose").orElseThrow());
+    assertEquals(1.0, pose.get("orientation.w"));
+    assertEquals(0.0, pose.get("orientation.x"));
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "nav_msgs/Odometry, twist.twist.linear.x, float64",
+    "nav_msgs/Odometry, pose.covariance, float64[36]",
+    "sensor_msgs/LaserScan, ranges, float32[]",
+    "sensor_msgs/LaserScan, header.stamp.nanosec, uint32",
+    "sensor_msgs/PointCloud2, fields, sensor_msgs/msg/PointField[]",
+    "std_msgs/String, data, string"
+  })
+  void pathLeadsToItsType(String type, String path, String expected) {
+    MessageType.Resolution found = STANDARD.find(type).orElseThrow().resolve(path);
+    assertEquals(expected, found.type().orElseThrow().toString());
+    assertEquals("", found.problem());
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "nav_msgs/Odometry, twist.linear.x, has no field 'linear'; it has twist",
+    "nav_msgs/Odometry, twist.twist.linear.x.y, 'x' of geometry_msgs/msg/Vector3 is float64",
+    "sensor_msgs/PointCloud2, fields.name, is sensor_msgs/msg/PointField[]",
+    "sensor_msgs/LaserScan, '', has no field ''",
+    "sensor_msgs/LaserScan, ranges., 'ranges' of sensor_msgs/msg/LaserScan is float32[]",
+    "std_msgs/Empty, data, it has none"
+  })
+  void wrongPathSaysWhereItIsWrong(String type, String path, String problem) {
+    MessageType.Resolution found = STANDARD.find(type).orElseThrow().resolve(path);
+    assertTrue(found.type().isEmpty());
+    assertTrue(found.problem().contains(problem), found.problem());
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "ranges, 1",
+    "header.seq, 1",
+    "header, 1",
+    "header.stamp.sec, 2147483648",
+    "header.stamp.sec, 0.5",
+    "header.frame_id, 1",
+    "angle_min.x, 1"
+  })
+  void valuesThatDoNotFitAreRefused(String path, double value) {
+    MessageValue scan = MessageValue.of(STANDARD.find("sensor_msgs/LaserScan").orElseThrow());
+    assertThrows(IllegalArgumentException.class, () -> scan.set(path, value));
+    assertEquals(MessageValue.of(scan.type()), scan);
+  }
+
+  @Test
+  void numbersAreReadAsTheyAreMeant() {
+    MessageValue value = MessageValue.of(STANDARD.find("std_msgs/UInt64").orElseThrow());
+    value.set("data", new java.math.BigInteger("18446744073709551615"));
+    assertEquals(0x1p64, value.number("data"));
+    assertThrows(IllegalArgumentException.class, () -> value.set("data", -1));
+    assertThrows(IllegalArgumentException.class, () -> value.number("other"));
+  }
+
+  @Test
+  void wstringIsKnownButRefusedOnTheWire(@TempDir Path folder) throws IOException {
+    Path file = folder.resolve("my_msgs/msg/Wide.msg");
+    Files.createDirectories(file.getParent());
+    Files.writeString(file, "wstring<=4 text \"a\"\n");
+    MessageType type = MessageCatalog.of(List.of(folder)).find("my_msgs/Wide").orElseThrow();
+    assertEquals("wstring<=4", type.resolve("text").type().orElseThrow().toString());
+    MessageValue value = MessageValue.of(type);
+    assertThrows(IllegalArgumentException.class, () -> CdrCodec.encode(value));
+    byte[] bytes = {0, 1, 0, 0, 0, 0, 0, 0};
+    assertThrows(IllegalArgumentException.class, () -> CdrCodec.decode(type, bytes));
+  }
+
+  @Test
+  void messagesDoNotShareWhatTheyHold() {
+    MessageType type = STANDARD.find("nav_msgs/Odometry").orElseThrow();
+    MessageValue first = MessageValue.of(type).set("pose.pose.position.x", 1);
+    assertFalse(first.equals(MessageValue.of(type)));
+    assertEquals(0.0, MessageValue.of(type).number("pose.pose.position.x"));
+  }
+}
