@@ -137,7 +137,9 @@ final class BlockParser {
    * behind a call: after a closing parenthesis and white space.
    */
   private int decorationStart(Span span) {
-    HeaderReader reader = new HeaderReader(problems, span.start(), span.end());
+    // What is wrong with the expression itself is for the expression's parser to say.
+    Problems unheard = new Problems(problems.source(), new ArrayList<>());
+    HeaderReader reader = new HeaderReader(unheard, span.start(), span.end());
     while (!reader.atEnd()) {
       reader.until("(");
       if (reader.atEnd() || reader.parentheses("arguments").isEmpty()) {

@@ -47,7 +47,7 @@ final class Blocks {
     if (!tooDeep) {
       blocks.closeAll(problems.source().text().length());
     } else {
-      blocks.tokens.clear();
+      blocks.tokens.removeIf(token -> token.kind() != Kind.DECLARATION);
     }
     return List.copyOf(blocks.tokens);
   }

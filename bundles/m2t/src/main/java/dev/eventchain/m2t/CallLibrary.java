@@ -71,9 +71,13 @@ final class CallLibrary implements OperationLibrary {
     return true;
   }
 
-  /** Each callable comes after those that are more special; otherwise the order stays. */
+  /**
+   * Each callable comes after those that are more special, and after its likes that have a guard;
+   * otherwise the order stays.
+   */
   private List<Callable> bySpeciality(List<Callable> candidates) {
     List<Callable> rest = new ArrayList<>(candidates);
+    rest.sort(Comparator.comparing(callable -> !callable.hasGuard()));
     List<Callable> sorted = new ArrayList<>();
     while (!rest.isEmpty()) {
       Callable next =

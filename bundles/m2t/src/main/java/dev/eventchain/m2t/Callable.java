@@ -41,6 +41,11 @@ abstract class Callable {
     return place;
   }
 
+  /** Whether it may refuse arguments that its parameters take. */
+  boolean hasGuard() {
+    return false;
+  }
+
   /** The static type of a call's result. */
   abstract EClassifier resultType();
 

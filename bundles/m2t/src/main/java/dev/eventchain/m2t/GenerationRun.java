@@ -10,9 +10,11 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Deque;
 import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Supplier;
 import org.eclipse.emf.ecore.EObject;
 
@@ -262,14 +264,12 @@ final class GenerationRun {
   }
 
   private String withCalls(String hint) {
-    StringBuilder calls = new StringBuilder();
-    int shown = 0;
+    Set<String> calls = new LinkedHashSet<>();
     for (Frame frame : frames) {
-      if (frame.caller() != null && shown++ < CALLS_SHOWN) {
-        calls.append(calls.isEmpty() ? " '" : ", '").append(frame.callable().name());
-        calls.append("' called at ").append(frame.caller().location());
+      if (frame.caller() != null && calls.size() < CALLS_SHOWN) {
+        calls.add("'" + frame.callable().name() + "' called at " + frame.caller().location());
       }
     }
-    return calls.isEmpty() ? hint : (hint + " In" + calls + ".").strip();
+    return calls.isEmpty() ? hint : (hint + " In " + String.join(", ", calls) + ".").strip();
   }
 }

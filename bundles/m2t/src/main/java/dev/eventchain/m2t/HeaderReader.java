@@ -6,9 +6,13 @@ import dev.eventchain.m2t.Syntax.Variable;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 
 /** Reads the inside of one tag from left to right. */
 final class HeaderReader {
+  private static final Set<String> LITERALS =
+      Set.of("Set", "OrderedSet", "Bag", "Sequence", "Collection", "Tuple");
+
   private final String text;
   private final Problems problems;
   private final int limit;
@@ -107,8 +111,11 @@ final class HeaderReader {
   Span until(String stops) {
     skipSpace();
     int start = position;
-    while (position < limit && stops.indexOf(text.charAt(position)) < 0) {
+    while (position < limit) {
       char c = text.charAt(position);
+      if (stops.indexOf(c) >= 0 && !(c == '{' && opensLiteral(start))) {
+        break;
+      }
       int close = c == '(' || c == '{' ? closing(position) : -1;
       if (c == '\'') {
         close = Quotes.close(text, position, limit);
@@ -117,6 +124,19 @@ final class HeaderReader {
     }
     position = Math.min(position, limit);
     return new Span(start, position).strip(text);
+  }
+
+  /** Whether the brace at the position belongs to a literal such as {@code Sequence{1}}. */
+  private boolean opensLiteral(int start) {
+    int end = position;
+    while (end > start && Character.isWhitespace(text.charAt(end - 1))) {
+      end--;
+    }
+    int word = end;
+    while (word > start && Character.isJavaIdentifierPart(text.charAt(word - 1))) {
+      word--;
+    }
+    return LITERALS.contains(text.substring(word, end));
   }
 
   Span rest() {
@@ -238,7 +258,12 @@ final class HeaderReader {
 
   void unexpected(String expected) {
     skipSpace();
-    String found = position >= limit ? "the end" : "'" + text.charAt(position) + "'";
+    int end = position;
+    while (end < limit && Character.isJavaIdentifierPart(text.charAt(end))) {
+      end++;
+    }
+    end = Math.min(limit, Math.max(end, position + 1));
+    String found = position >= limit ? "the end" : "'" + text.substring(position, end) + "'";
     problems.syntax(position, "Here should be " + expected + ", not " + found + ".", "");
   }
 

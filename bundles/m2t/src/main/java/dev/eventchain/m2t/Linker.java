@@ -51,7 +51,7 @@ final class Linker {
     linker.units.values().forEach(linker::connect);
     linker.units.values().forEach(linker::override);
     linker.units.values().forEach(linker::define);
-    return List.copyOf(linker.units.get("").templates().values());
+    return List.copyOf(linker.units.values().iterator().next().templates().values());
   }
 
   private Unit unit(ModuleLoader.Loaded loaded) {
@@ -87,7 +87,8 @@ final class Linker {
                               ", ", packages.stream().map(EPackage::getNsURI).sorted().toList())
                           + "."));
     }
-    return found;
+    // An error says so already; with some types at hand the rest can be checked all the same.
+    return found.isEmpty() ? List.copyOf(packages) : found;
   }
 
   private void declare(Unit unit) {
@@ -103,6 +104,7 @@ final class Linker {
                               template.visibility(),
                               parameters,
                               unit.expressions().language().type("String"),
+                              template.guard().isPresent(),
                               template.main(),
                               place(template.name(), unit))));
     }

@@ -24,11 +24,11 @@ final class ModuleLoader {
     this.found = found;
   }
 
-  /** All modules by the name under which they are imported; the main one first, under "". */
+  /** All modules by the name under which they are imported; the main one first. */
   static Map<String, Loaded> load(
       SourceText main, Function<String, Optional<SourceText>> sources, List<Diagnostic> found) {
     ModuleLoader loader = new ModuleLoader(sources, found);
-    loader.load("", main);
+    loader.loadMain(main);
     return loader.modules;
   }
 
@@ -46,9 +46,13 @@ final class ModuleLoader {
     };
   }
 
-  private void load(String name, SourceText source) {
+  private void loadMain(SourceText source) {
     Problems problems = new Problems(source, found);
     Syntax.Module module = ModuleParser.parse(problems);
+    load(module.name(), module, problems);
+  }
+
+  private void load(String name, Syntax.Module module, Problems problems) {
     modules.put(name, new Loaded(module, problems));
     module.extended().forEach(other -> load(other, problems));
     module.imports().forEach(other -> load(other, problems));
@@ -60,7 +64,8 @@ final class ModuleLoader {
     }
     Optional<SourceText> source = sources.apply(name.text());
     if (source.isPresent()) {
-      load(name.text(), source.get());
+      Problems own = new Problems(source.get(), found);
+      load(name.text(), ModuleParser.parse(own), own);
     } else {
       problems.error(
           "m2t.module.missing",

@@ -20,6 +20,7 @@ final class Template extends Callable {
       Step body) {}
 
   private final EClassifier resultType;
+  private final boolean guarded;
   private final boolean main;
   private final List<Template> overriddenBy = new ArrayList<>();
   private Optional<Template> overrides = Optional.empty();
@@ -30,10 +31,12 @@ final class Template extends Callable {
       Visibility visibility,
       List<Parameter> parameters,
       EClassifier resultType,
+      boolean guarded,
       boolean main,
       Place place) {
     super(name, visibility, parameters, place);
     this.resultType = resultType;
+    this.guarded = guarded;
     this.main = main;
   }
 
@@ -55,6 +58,11 @@ final class Template extends Callable {
 
   boolean isMain() {
     return main;
+  }
+
+  @Override
+  boolean hasGuard() {
+    return guarded;
   }
 
   @Override

@@ -77,6 +77,11 @@ public final class TemplateModule {
    *     part of the text and is an error. Nothing to run, or no file at the end, is an error, too
    */
   public GenerationResult generate(Collection<? extends EObject> roots, GenerationContext context) {
+    return DeepStack.call(() -> generateHere(roots, context));
+  }
+
+  private GenerationResult generateHere(
+      Collection<? extends EObject> roots, GenerationContext context) {
     GenerationRun run = new GenerationRun(roots, context);
     try {
       for (Template main : mains) {

@@ -111,8 +111,12 @@ final class TextOperations {
 
   private static void addCases(List<Row> rows) {
     rows.add(row("trim", TO_TEXT, (s, a, c) -> text(s).trim()));
-    rows.add(row("toUpperCase", TO_TEXT, (s, a, c) -> text(s).toUpperCase(Locale.ROOT)));
-    rows.add(row("toLowerCase", TO_TEXT, (s, a, c) -> text(s).toLowerCase(Locale.ROOT)));
+    for (String name : List.of("toUpperCase", "toUpper")) {
+      rows.add(row(name, TO_TEXT, (s, a, c) -> text(s).toUpperCase(Locale.ROOT)));
+    }
+    for (String name : List.of("toLowerCase", "toLower")) {
+      rows.add(row(name, TO_TEXT, (s, a, c) -> text(s).toLowerCase(Locale.ROOT)));
+    }
     rows.add(row("toUpperFirst", TO_TEXT, (s, a, c) -> first(s, true)));
     rows.add(row("toLowerFirst", TO_TEXT, (s, a, c) -> first(s, false)));
     for (Kind kind : List.of(TEXT, INTEGER, REAL)) {

@@ -12,7 +12,9 @@ import org.eclipse.ocl.AmbiguousLookupException;
 import org.eclipse.ocl.LookupException;
 import org.eclipse.ocl.ecore.EcoreEnvironment;
 import org.eclipse.ocl.expressions.Variable;
+import org.eclipse.ocl.lpg.ProblemHandler;
 import org.eclipse.ocl.options.ParsingOptions;
+import org.eclipse.ocl.options.ProblemOption;
 import org.eclipse.ocl.utilities.TypedElement;
 
 /**
@@ -28,6 +30,8 @@ final class OclEnvironment extends EcoreEnvironment {
     super(factory, null);
     this.factory = factory;
     setOption(ParsingOptions.implicitRootClass(this), EcorePackage.Literals.EOBJECT);
+    // toUpper and toUpperCase were both standard at some time, and are the same.
+    setOption(ProblemOption.STRING_CASE_CONVERSION, ProblemHandler.Severity.OK);
   }
 
   OclEnvironment(OclEnvironment parent) {

@@ -1,0 +1,167 @@
+package dev.eventchain.m2t;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.m2t.OutputFolder.Outcome;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EcoreFactory;
+import org.eclipse.emf.ecore.EcorePackage;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class TemplateModuleTest {
+
+  @TempDir Path temporary;
+
+  /** A model of classes, which are model elements like any others. */
+  private static EPackage model(int classes) {
+    EPackage model = EcoreFactory.eINSTANCE.createEPackage();
+    model.setName("model");
+    for (int i = 0; i < classes; i++) {
+      EClass each = EcoreFactory.eINSTANCE.createEClass();
+      each.setName("C" + i);
+      model.getEClassifiers().add(each);
+    }
+    return model;
+  }
+
+  private static SourceText template(String fileBody) {
+    return SourceText.of(
+        "t.mtl",
+        "[module t('http://www.eclipse.org/emf/2002/Ecore')]\n"
+            + "[template public main(p : EPackage)]\n[comment @main /]\n[file ('out.txt')]\n"
+            + fileBody
+            + "\n[/file]\n[/template]\n"
+            + "[query public label(c : EClass) : String = c.name.toLowerCase() /]\n");
+  }
+
+  private static TemplateModule compile(String fileBody) {
+    return TemplateModule.compile(
+        template(fileBody), name -> Optional.empty(), List.of(EcorePackage.eINSTANCE));
+  }
+
+  private static String text(GenerationResult result) {
+    assertEquals(List.of(), result.diagnostics());
+    return new String(result.files().get("out.txt"), UTF_8);
+  }
+
+  @Test
+  void aModuleGeneratesInSeveralThreadsAtOnce() throws InterruptedException, ExecutionException {
+    TemplateModule module =
+        compile(
+            "[for (c : EClass | p.eClassifiers->filter(EClass)->sortedBy(name))]\n"
+                + "[c.label()/] [c.eContainer(EPackage).name/] [c.name.strtok('C', 0)/]\n[/for]");
+    EPackage model = model(300);
+    String expected = text(module.generate(List.of(model), each -> SourceLocation.NONE));
+    assertEquals(300, expected.lines().count());
+    ExecutorService threads = Executors.newFixedThreadPool(4);
+    try {
+      List<Future<String>> results = new ArrayList<>();
+      for (int i = 0; i < 16; i++) {
+        results.add(
+            threads.submit(
+                () -> text(module.generate(List.of(model), each -> SourceLocation.NONE))));
+      }
+      for (Future<String> result : results) {
+        assertEquals(expected, result.get());
+      }
+    } finally {
+      threads.shutdown();
+    }
+  }
+
+  @Test
+  void setsReachTheOutputInTheOrderOfTheModel() {
+    TemplateModule module = compile("[p.eClassifiers.name->asSet()->union(Set{'x'})->sep(' ')/]");
+    String text = text(module.generate(List.of(model(20)), each -> SourceLocation.NONE));
+    StringBuilder expected = new StringBuilder();
+    for (int i = 0; i < 20; i++) {
+      expected.append("C").append(i).append(' ');
+    }
+    assertEquals(expected + "x\n", text);
+  }
+
+  @Test
+  void importedModulesAreFoundBesideTheFileOrBelowIt() throws IOException {
+    Files.createDirectories(temporary.resolve("a/b"));
+    String header = "('http://www.eclipse.org/emf/2002/Ecore')]\n";
+    Files.writeString(
+        temporary.resolve("main.mtl"),
+        "[module main"
+            + header
+            + "[import a::b::deep]\n[import x::beside]\n"
+            + "[template public main(p : EPackage)]\n[comment @main /]\n"
+            + "[file ('out.txt')][p.deep()/] [p.beside()/][/file]\n[/template]\n");
+    Files.writeString(
+        temporary.resolve("a/b/deep.mtl"),
+        "[module deep" + header + "[template public deep(p : EPackage)]deep[/template]\n");
+    Files.writeString(
+        temporary.resolve("beside.mtl"),
+        "[module beside" + header + "[template public beside(p : EPackage)]beside[/template]\n");
+    TemplateModule module =
+        TemplateModule.compile(temporary.resolve("main.mtl"), List.of(EcorePackage.eINSTANCE));
+    assertEquals(
+        "deep beside", text(module.generate(List.of(model(0)), each -> SourceLocation.NONE)));
+  }
+
+  @Test
+  void filesThatCannotBeReadAreNamed() throws IOException {
+    Path missing = temporary.resolve("missing.mtl");
+    DiagnosticException e =
+        assertThrows(
+            DiagnosticException.class,
+            () -> TemplateModule.compile(missing, List.of(EcorePackage.eINSTANCE)));
+    assertEquals("file.missing", e.diagnostics().get(0).id());
+    Path latin = temporary.resolve("latin.mtl");
+    Files.write(latin, new byte[] {'[', 'm', (byte) 0xe4});
+    e =
+        assertThrows(
+            DiagnosticException.class,
+            () -> TemplateModule.compile(latin, List.of(EcorePackage.eINSTANCE)));
+    assertEquals("file.encoding", e.diagnostics().get(0).id());
+  }
+
+  @Test
+  void aPersonsWorkInProtectedAreasSurvivesGenerationIntoAFolder() {
+    TemplateModule module =
+        compile("# [protected (p.name)]\n# nothing yet\n# [/protected]\n[p.eClassifiers->size()/]");
+    Map<String, byte[]> files = new HashMap<>();
+    assertEquals(Outcome.WRITTEN, generateInto(files, module, model(1)));
+    String first = new String(files.get("out.txt"), UTF_8);
+    String edited = first.replace("# nothing yet", "my_code()");
+    files.put("out.txt", edited.getBytes(UTF_8));
+    assertEquals(Outcome.UNCHANGED, generateInto(files, module, model(1)));
+    assertEquals(Outcome.WRITTEN, generateInto(files, module, model(2)));
+    String third = new String(files.get("out.txt"), UTF_8);
+    assertTrue(third.contains("my_code()") && third.endsWith("2\n"), third);
+  }
+
+  private static Outcome generateInto(
+      Map<String, byte[]> files, TemplateModule module, EPackage model) {
+    try (OutputFolder folder = OutputFolder.inMemory(files)) {
+      GenerationContext context =
+          GenerationContext.of(each -> SourceLocation.NONE).withEarlier(folder::read);
+      GenerationResult result = module.generate(List.of(model), context);
+      return folder.write("out.txt", result.files().get("out.txt")).outcome();
+    }
+  }
+}
