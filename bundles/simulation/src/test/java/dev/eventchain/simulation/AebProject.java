@@ -1,5 +1,8 @@
 package dev.eventchain.simulation;
 
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.m2t.TemplateModule;
+import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
 import dev.eventchain.python.PythonEnvironment;
@@ -7,16 +10,12 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.stream.Stream;
-import org.eclipse.emf.common.util.URI;
-import org.eclipse.emf.ecore.resource.Resource;
-import org.eclipse.emf.ecore.resource.ResourceSet;
-import org.eclipse.emf.ecore.resource.impl.ResourceSetImpl;
-import org.eclipse.emf.ecore.xmi.impl.XMIResourceFactoryImpl;
 
 /**
- * The AEB example with hand-written nodes and components in the place of the generated ones, in a
- * folder where tests can change components.
+ * The AEB example with nodes generated for it and hand-written components in the place of those
+ * that a language model writes, in a folder where tests can change components.
  */
 final class AebProject {
 
@@ -28,33 +27,39 @@ final class AebProject {
 
   AebProject(Path folder) throws IOException {
     this.folder = folder;
-    copy(RESOURCES.resolve("aeb/aeb"), folder.resolve("aeb"));
-    copy(EXAMPLE.resolve("software-base/components"), folder.resolve("aeb/components"));
-    this.chain = load(RESOURCES.resolve("aeb/chain.xmi"));
+    this.chain = load();
+    for (Map.Entry<String, byte[]> file : Generated.FILES.entrySet()) {
+      Path target = folder.resolve(file.getKey());
+      Files.createDirectories(target.getParent());
+      Files.write(target, file.getValue());
+    }
+    copyComponents(RESOURCES.resolve("aeb/components"));
+    copyComponents(EXAMPLE.resolve("software-base/components"));
   }
 
-  private static void copy(Path from, Path to) throws IOException {
-    try (Stream<Path> files = Files.walk(from)) {
-      for (Path file : files.filter(Files::isRegularFile).toList()) {
-        if (file.toString().endsWith(".py")) {
-          Path target = to.resolve(from.relativize(file).toString());
-          Files.createDirectories(target.getParent());
-          Files.copy(file, target);
-        }
+  private void copyComponents(Path from) throws IOException {
+    try (Stream<Path> files = Files.list(from)) {
+      for (Path file : files.filter(file -> file.toString().endsWith(".py")).toList()) {
+        String name = file.getFileName().toString();
+        Files.copy(file, component(name.substring(0, name.length() - ".py".length())));
       }
     }
   }
 
-  private static EventChain load(Path file) throws IOException {
-    ResourceSet resources = new ResourceSetImpl();
-    resources.getPackageRegistry().put(EventchainPackage.eNS_URI, EventchainPackage.eINSTANCE);
-    resources
-        .getResourceFactoryRegistry()
-        .getExtensionToFactoryMap()
-        .put("xmi", new XMIResourceFactoryImpl());
-    Resource resource = resources.createResource(URI.createFileURI(file.toString()));
-    resource.load(null);
-    return (EventChain) resource.getContents().get(0);
+  private static EventChain load() {
+    XmiStore store = new XmiStore(RESOURCES.resolve("aeb"));
+    return (EventChain)
+        store.load(RESOURCES.resolve("aeb/chain.xmi")).resource().getContents().get(0);
+  }
+
+  /** The nodes are generated once: a template is compiled in a second. */
+  private static final class Generated {
+    private static final Map<String, byte[]> FILES =
+        TemplateModule.compile(
+                Path.of("../../templates/ros2-python/main.mtl"),
+                List.of(EventchainPackage.eINSTANCE))
+            .generate(List.of(load()), element -> SourceLocation.NONE)
+            .files();
   }
 
   /** The chain; tests may change it. */
@@ -64,7 +69,7 @@ final class AebProject {
 
   /** Where the file of a component is. */
   Path component(String name) {
-    return folder.resolve("aeb/components").resolve(name + ".py");
+    return folder.resolve("aeb/aeb/components").resolve(name + ".py");
   }
 
   /** Replaces a component by another file of the test resources. */
@@ -83,7 +88,7 @@ final class AebProject {
 
   SimulationRequest request(List<Scenario> scenarios) {
     List<Path> messages = List.of(EXAMPLE.resolve("software-base/msg"));
-    return SimulationRequest.of(chain, folder, "aeb", messages, scenarios);
+    return SimulationRequest.of(chain, folder.resolve("aeb"), "aeb", messages, scenarios);
   }
 
   SimulationResult simulate(List<Scenario> scenarios) throws InterruptedException {

@@ -62,7 +62,7 @@ class SimulationTest {
     Diagnostic finding = failure.diagnostics().get(0);
     assertEquals(id, finding.id(), finding::toString);
     assertEquals(line, finding.location().line(), finding::toString);
-    Path expected = line > 0 ? project.component("Braking_Decision") : folder;
+    Path expected = line > 0 ? project.component("Braking_Decision") : folder.resolve("aeb");
     assertEquals(expected.toString(), finding.location().file());
   }
 
