@@ -6,6 +6,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.Arrays;
+import java.util.UUID;
 
 /**
  * Files that appear whole or not at all, and that are left alone when they already hold what they
@@ -20,7 +21,8 @@ final class AtomicFile {
       return;
     }
     Files.createDirectories(file.getParent());
-    Path temporary = Files.createTempFile(file.getParent(), "." + file.getFileName(), ".tmp");
+    // Not createTempFile: its files are for their owner only, and recordings are to be shared.
+    Path temporary = file.resolveSibling("." + file.getFileName() + "." + UUID.randomUUID());
     try {
       Files.write(temporary, bytes);
       Files.move(

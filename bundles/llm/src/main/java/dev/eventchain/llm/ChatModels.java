@@ -16,9 +16,8 @@ public final class ChatModels {
   private ChatModels() {}
 
   /**
-   * Opens a model for one run. Recordings and hand-off files count the calls of a run, so a run
-   * opens a model once and a new run opens it anew. Safe for use by several threads, but hand-off
-   * numbers its files in the order of the calls.
+   * Opens a model for one run. Recordings and hand-off count the identical requests of a run, so a
+   * run opens a model once, or once for each task, and a new run opens it anew. Safe for threads.
    *
    * @param specification how answers are got: {@code replay} takes them from the recordings, {@code
    *     handoff:FOLDER} asks a person through files in that folder

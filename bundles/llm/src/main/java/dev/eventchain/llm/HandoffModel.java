@@ -1,6 +1,5 @@
 package dev.eventchain.llm;
 
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
@@ -9,14 +8,14 @@ import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.nio.file.StandardCopyOption;
 import java.util.List;
 import java.util.Optional;
 
 /**
  * Asks a person: writes each prompt to {@code TASK-NN.prompt.md} and goes on once {@code
- * TASK-NN.answer.md} is there. NN counts the calls of a task in a run, so one run uses one
- * instance. A prompt that changed sets its old answer aside.
+ * TASK-NN.answer.md} is there. A prompt is known by its key, so an answer is only ever taken for
+ * the prompt that it was given to, in whatever order prompts come; a changed prompt gets a new
+ * number, and nothing that lies in the folder is overwritten.
  */
 final class HandoffModel implements ChatModel {
   private final ModelName model;
@@ -29,17 +28,13 @@ final class HandoffModel implements ChatModel {
   }
 
   @Override
-  public ChatResponse chat(ChatRequest request) {
-    String name = "%s-%02d".formatted(request.task(), calls.next(request.task()) + 1);
-    Path prompt = folder.resolve(name + ".prompt.md");
-    Path answer = folder.resolve(name + ".answer.md");
-    ObjectNode json = RequestJson.of(model, request);
-    RequestKey key = RequestKey.of(json);
+  public synchronized ChatResponse chat(ChatRequest request) {
+    RequestKey key = RequestKey.of(RequestJson.of(model, request));
+    int earlier = calls.next(request.task() + " " + key.value());
+    String name = name(request.task(), key, earlier);
+    Path prompt = promptFile(name);
+    Path answer = answerFile(name);
     try {
-      boolean changed = !HandoffPrompt.keyOf(prompt).equals(Optional.of(key.value()));
-      if (changed && Files.exists(answer)) {
-        setAside(answer, name);
-      }
       AtomicFile.write(prompt, HandoffPrompt.text(name, key, request));
     } catch (IOException e) {
       throw unwritable(prompt, e);
@@ -54,13 +49,32 @@ final class HandoffModel implements ChatModel {
     return HandoffAnswer.parse(text, model.name());
   }
 
-  private void setAside(Path answer, String name) throws IOException {
+  /** The name under which a prompt lies in the folder already, or the next one that is free. */
+  private String name(String task, RequestKey key, int earlier) {
+    int same = 0;
     int number = 1;
-    Path target;
-    do {
-      target = folder.resolve("%s.outdated-%02d.md".formatted(name, number++));
-    } while (Files.exists(target));
-    Files.move(answer, target, StandardCopyOption.ATOMIC_MOVE);
+    while (Files.exists(promptFile(name(task, number)))
+        || Files.exists(answerFile(name(task, number)))) {
+      String name = name(task, number);
+      if (HandoffPrompt.keyOf(promptFile(name)).equals(Optional.of(key.value()))
+          && same++ == earlier) {
+        return name;
+      }
+      number++;
+    }
+    return name(task, number);
+  }
+
+  private static String name(String task, int number) {
+    return "%s-%02d".formatted(task, number);
+  }
+
+  private Path promptFile(String name) {
+    return folder.resolve(name + ".prompt.md");
+  }
+
+  private Path answerFile(String name) {
+    return folder.resolve(name + ".answer.md");
   }
 
   private static DiagnosticException waiting(Path prompt, Path answer) {

@@ -1,7 +1,6 @@
 package dev.eventchain.llm;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -53,14 +52,26 @@ class HandoffTest {
   }
 
   @Test
-  void aChangedPromptSetsItsOldAnswerAside() throws IOException {
+  void aChangedPromptDoesNotGetTheOldAnswer() throws IOException {
     assertWaiting(run(false), "first");
     answer("design-01", "one");
     assertWaiting(run(false), "first, but different");
-    assertFalse(Files.exists(handoff.resolve("design-01.answer.md")));
-    assertEquals("one", Files.readString(handoff.resolve("design-01.outdated-01.md")));
-    answer("design-01", "two");
+    answer("design-02", "two");
     assertEquals("two", run(false).chat(request("first, but different")).text());
+    assertEquals("one", run(false).chat(request("first")).text());
+  }
+
+  @Test
+  void anAnswerBelongsToItsPromptWhateverComesBetween() throws IOException {
+    ChatModel both = run(false);
+    assertWaiting(both, "first");
+    assertWaiting(both, "second");
+    answer("design-02", "two");
+    ChatModel again = run(false);
+    assertWaiting(again, "first");
+    assertWaiting(again, "a new one between");
+    assertEquals("two", again.chat(request("second")).text());
+    assertTrue(Files.exists(handoff.resolve("design-03.prompt.md")));
   }
 
   @Test
@@ -68,6 +79,7 @@ class HandoffTest {
     Files.createDirectories(handoff);
     answer("design-01", "for whatever was asked before");
     assertWaiting(run(false), "first");
+    assertTrue(Files.exists(handoff.resolve("design-02.prompt.md")));
   }
 
   @Test

@@ -1,0 +1,36 @@
+package dev.eventchain.agents;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.llm.ChatResponse;
+import java.util.List;
+
+/**
+ * What an agent made.
+ *
+ * @param text the artefact, normalised: the text of a file with LF line ends and a line break at
+ *     its end
+ * @param prompt the prompt that was used and its version, {@code design/v1}
+ * @param attempts the model's answers in their order; the last one holds the artefact
+ * @param diagnostics what remains to be said about the artefact; no errors
+ */
+public record AgentResult(
+    String text, String prompt, List<Attempt> attempts, List<Diagnostic> diagnostics) {
+  /**
+   * One answer of the model.
+   *
+   * @param response the answer as it came
+   * @param findings what its checks found
+   */
+  public record Attempt(ChatResponse response, List<Diagnostic> findings) {
+    /** Keeps its own copy. */
+    public Attempt {
+      findings = List.copyOf(findings);
+    }
+  }
+
+  /** Keeps its own copies. */
+  public AgentResult {
+    attempts = List.copyOf(attempts);
+    diagnostics = List.copyOf(diagnostics);
+  }
+}

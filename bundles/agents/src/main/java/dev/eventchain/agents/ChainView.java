@@ -1,0 +1,100 @@
+package dev.eventchain.agents;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+
+/**
+ * An event chain description as the checks see it. What is missing is empty: the reader of
+ * descriptions reports it.
+ *
+ * @param components the components in chain order
+ */
+record ChainView(List<ChainView.Component> components) {
+  /**
+   * A component.
+   *
+   * @param pointer where it stands
+   */
+  record Component(
+      String name, JsonNode json, String pointer, List<Port> inputs, List<Port> outputs) {
+    List<Value> inputValues() {
+      return inputs.stream().flatMap(port -> port.values().stream()).toList();
+    }
+
+    List<Value> outputValues() {
+      return outputs.stream().flatMap(port -> port.values().stream()).toList();
+    }
+
+    Stream<Port> ports() {
+      return Stream.concat(inputs.stream(), outputs.stream());
+    }
+  }
+
+  /**
+   * A topic that a component reads or writes.
+   *
+   * @param messageType the type as it is written
+   * @param pointer where it stands
+   */
+  record Port(String topic, String messageType, String pointer, List<Value> values) {}
+
+  /**
+   * A field that a component reads or writes.
+   *
+   * @param pointer where it stands
+   */
+  record Value(String name, String field, String type, String unit, String pointer) {}
+
+  static ChainView of(JsonNode chain) {
+    List<Component> components = new ArrayList<>();
+    for (int i = 0; i < chain.size(); i++) {
+      components.add(component(chain.get(i), "/" + i));
+    }
+    return new ChainView(components);
+  }
+
+  static Component component(JsonNode json, String pointer) {
+    return new Component(
+        text(json, "name"),
+        json,
+        pointer,
+        ports(json.path("input"), pointer + "/input"),
+        ports(json.path("output"), pointer + "/output"));
+  }
+
+  private static List<Port> ports(JsonNode json, String pointer) {
+    List<Port> ports = new ArrayList<>();
+    for (int i = 0; i < json.size(); i++) {
+      JsonNode port = json.path(i);
+      String here = pointer + "/" + i;
+      ports.add(
+          new Port(
+              text(port, "topic"),
+              text(port, "message_type"),
+              here,
+              values(port.path("values"), here + "/values")));
+    }
+    return ports;
+  }
+
+  private static List<Value> values(JsonNode json, String pointer) {
+    List<Value> values = new ArrayList<>();
+    for (int i = 0; i < json.size(); i++) {
+      JsonNode value = json.path(i);
+      values.add(
+          new Value(
+              text(value, "name"),
+              text(value, "field"),
+              text(value, "type"),
+              text(value, "unit"),
+              pointer + "/" + i));
+    }
+    return values;
+  }
+
+  private static String text(JsonNode json, String property) {
+    return json.path(property).asText("");
+  }
+}

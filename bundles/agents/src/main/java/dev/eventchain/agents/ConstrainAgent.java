@@ -1,0 +1,47 @@
+package dev.eventchain.agents;
+
+import dev.eventchain.modeler.Requirements;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
+
+/** Formalizes written design rules as OCL constraints (the paper's Sections IV-B and V-B). */
+public final class ConstrainAgent {
+  private static final PromptTemplate PROMPT = PromptTemplate.load("constrain/v1");
+  private static final String FILE = "generated.ocl";
+
+  private final AgentContext context;
+
+  /** An agent that works with a context. */
+  public ConstrainAgent(AgentContext context) {
+    this.context = context;
+  }
+
+  /**
+   * Formalizes design rules. Each constraint is proved to say something: a model for which it holds
+   * and one for which it fails are found among the given model and its changes.
+   *
+   * @param metamodel the text of the metamodel, an Ecore file
+   * @param packages the same metamodel, loaded
+   * @param rules the design rules; every one is covered by a constraint
+   * @param model roots of a model of the metamodel; it is not changed and may violate constraints
+   * @return a Complete OCL document, {@code generated.ocl}
+   * @throws dev.eventchain.diagnostics.DiagnosticException FINDINGS if no answer passed its checks;
+   *     and as the model throws
+   */
+  public AgentResult constrain(
+      String metamodel,
+      Collection<EPackage> packages,
+      Requirements rules,
+      List<? extends EObject> model) {
+    Map<String, String> values =
+        Map.of("metamodel", metamodel, "design rules", RuleText.items(rules.items()));
+    List<String> ids = rules.items().stream().map(Requirements.Item::id).toList();
+    ConstraintCheck check = new ConstraintCheck(ids, packages, List.copyOf(model));
+    return new RepairLoop(context, "constrain", AnswerKind.OCL)
+        .run(FILE, PROMPT, values, Optional.empty(), check::check);
+  }
+}

@@ -1,0 +1,81 @@
+package dev.eventchain.agents;
+
+import dev.eventchain.ocl.OclConstraint;
+import dev.eventchain.ocl.OclConstraint.Verdict;
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.emf.ecore.EObject;
+
+/**
+ * Searches, for a constraint, one model for which it holds and one for which it fails: the given
+ * model, and changes of what the constraint reads, one and then two at a time. A constraint for
+ * which only one of both is found says nothing.
+ */
+final class ConstraintProof {
+  /**
+   * Changed models that are tried for a constraint: more than any true constraint needed, and done
+   * in a second or two.
+   */
+  private static final int MOST_MODELS = 4000;
+
+  private final OclConstraint constraint;
+  private boolean holds;
+  private boolean fails;
+  private int models;
+
+  private ConstraintProof(OclConstraint constraint) {
+    this.constraint = constraint;
+  }
+
+  /** What is wrong with the constraint: nothing if both models were found. */
+  static Optional<String> objection(OclConstraint constraint, List<EObject> roots) {
+    ConstraintProof proof = new ConstraintProof(constraint);
+    proof.search(ModelCopy.of(roots));
+    if (proof.holds && proof.fails) {
+      return Optional.empty();
+    }
+    if (proof.holds) {
+      return Optional.of("No model was found for which '%s' fails".formatted(constraint.name()));
+    }
+    return Optional.of("No model was found for which '%s' holds".formatted(constraint.name()));
+  }
+
+  private void search(ModelCopy model) {
+    judge(model);
+    List<ModelChange> changes = ModelChange.all(model, constraint);
+    tryAll(model, changes);
+    for (ModelChange first : changes) {
+      if (isDecided()) {
+        return;
+      }
+      ModelCopy changed = model.with(first);
+      tryAll(changed, ModelChange.all(changed, constraint));
+    }
+  }
+
+  private void tryAll(ModelCopy model, List<ModelChange> changes) {
+    for (ModelChange change : changes) {
+      if (isDecided()) {
+        return;
+      }
+      judge(model.with(change));
+    }
+  }
+
+  private boolean isDecided() {
+    return (holds && fails) || models >= MOST_MODELS;
+  }
+
+  private void judge(ModelCopy model) {
+    models++;
+    boolean all = true;
+    boolean any = false;
+    for (EObject element : model.instancesOf(constraint.context())) {
+      Verdict verdict = constraint.evaluate(element);
+      fails |= verdict == Verdict.FALSE;
+      all &= verdict == Verdict.TRUE;
+      any = true;
+    }
+    holds |= any && all;
+  }
+}

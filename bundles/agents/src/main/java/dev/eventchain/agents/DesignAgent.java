@@ -1,0 +1,66 @@
+package dev.eventchain.agents;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.modeler.EventChainReader;
+import dev.eventchain.modeler.Requirements;
+import dev.eventchain.modeler.SoftwareBase;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/**
+ * Designs an event chain from requirements and the software that exists (the paper's Section IV-A
+ * and Appendix A).
+ */
+public final class DesignAgent {
+  private static final PromptTemplate PROMPT = PromptTemplate.load("design/v1");
+  private static final String FILE = "chain.json";
+
+  private final AgentContext context;
+
+  /** An agent that works with a context. */
+  public DesignAgent(AgentContext context) {
+    this.context = context;
+  }
+
+  /**
+   * Designs a chain.
+   *
+   * @param system what the system is called: "Autonomous Emergency Braking"
+   * @param frequency Hz, for new components unless the requirements ask for another one
+   * @param requirements the functional requirements; every one is taken on by a component
+   * @param base the existing components and signals
+   * @return the event-chain description {@code chain.json}
+   * @throws dev.eventchain.diagnostics.DiagnosticException FINDINGS if no answer passed its checks;
+   *     and as the model throws
+   */
+  public AgentResult design(
+      String system, double frequency, Requirements requirements, SoftwareBase base) {
+    Map<String, String> values =
+        Map.of(
+            "system", system,
+            "frequency", RuleText.number(frequency),
+            "requirements", RuleText.items(requirements.items()),
+            "software component description in json format", base.componentsText(),
+            "signals", base.signalsText());
+    return new RepairLoop(context, "design", AnswerKind.JSON)
+        .run(FILE, PROMPT, values, Optional.empty(), text -> check(text, requirements, base));
+  }
+
+  static List<Diagnostic> check(SourceText text, Requirements requirements, SoftwareBase base) {
+    List<Diagnostic> diagnostics =
+        new ArrayList<>(
+            EventChainReader.read(text, "chain", requirements, OptionalDouble.empty())
+                .diagnostics());
+    JsonText json = JsonText.of(text);
+    if (json.root().isArray()) {
+      JsonNode signals = JsonText.of(SourceText.of("signals.json", base.signalsText())).root();
+      diagnostics.addAll(new ChainCheck(requirements, base.components(), signals).check(json));
+    }
+    return diagnostics;
+  }
+}

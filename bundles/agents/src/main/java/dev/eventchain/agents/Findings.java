@@ -1,0 +1,27 @@
+package dev.eventchain.agents;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import java.util.ArrayList;
+import java.util.List;
+
+/** Collects what is found in a JSON text, each finding with its place. */
+final class Findings {
+  private final JsonText text;
+  private final List<Diagnostic> diagnostics = new ArrayList<>();
+
+  Findings(JsonText text) {
+    this.text = text;
+  }
+
+  void error(String id, String pointer, String message, String hint) {
+    diagnostics.add(Diagnostic.error(id, message, text.locate(pointer)).withHint(hint));
+  }
+
+  void warning(String id, String pointer, String message, String hint) {
+    diagnostics.add(Diagnostic.warning(id, message, text.locate(pointer)).withHint(hint));
+  }
+
+  List<Diagnostic> diagnostics() {
+    return List.copyOf(diagnostics);
+  }
+}

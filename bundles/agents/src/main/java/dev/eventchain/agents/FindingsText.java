@@ -1,0 +1,47 @@
+package dev.eventchain.agents;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import java.util.List;
+
+/** Findings as a language model is told them: numbered, with place, source line and hint. */
+final class FindingsText {
+  // Enough to work on; the rest usually has the same causes, and comes back in the next round if
+  // not.
+  private static final int MOST = 25;
+
+  private FindingsText() {}
+
+  static String of(List<Diagnostic> findings) {
+    StringBuilder out = new StringBuilder();
+    for (int i = 0; i < Math.min(findings.size(), MOST); i++) {
+      append(out, i + 1, findings.get(i));
+    }
+    if (findings.size() > MOST) {
+      out.append("And %d more.\n".formatted(findings.size() - MOST));
+    }
+    return out.toString();
+  }
+
+  private static void append(StringBuilder out, int number, Diagnostic finding) {
+    SourceLocation place = finding.location();
+    out.append(number).append(". ");
+    if (place.line() > 0) {
+      out.append("Line ").append(place.line()).append(", column ").append(place.column());
+      out.append(place.element().isEmpty() ? ": " : ", at " + place.element() + ": ");
+    } else if (!place.element().isEmpty()) {
+      out.append("At ").append(place.element()).append(": ");
+    }
+    out.append(finding.message());
+    if (!finding.rule().isEmpty()) {
+      out.append(" (").append(finding.rule()).append(')');
+    }
+    out.append(" [").append(finding.id()).append("]\n");
+    if (!place.excerpt().isBlank()) {
+      out.append("   > ").append(place.excerpt().strip()).append('\n');
+    }
+    if (!finding.hint().isEmpty()) {
+      out.append("   ").append(finding.hint()).append('\n');
+    }
+  }
+}

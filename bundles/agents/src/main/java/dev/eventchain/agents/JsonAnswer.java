@@ -1,0 +1,87 @@
+package dev.eventchain.agents;
+
+import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.StreamReadFeature;
+import com.fasterxml.jackson.core.io.JsonEOFException;
+import com.fasterxml.jackson.core.json.JsonReadFeature;
+import com.fasterxml.jackson.databind.DeserializationFeature;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.cfg.JsonNodeFeature;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceText;
+import java.io.IOException;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * JSON in an answer: read with tolerance for trailing commas and comments, written again in one
+ * layout.
+ */
+final class JsonAnswer {
+  private static final JsonMapper TOLERANT =
+      JsonMapper.builder()
+          .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
+          .enable(JsonReadFeature.ALLOW_TRAILING_COMMA)
+          .enable(JsonReadFeature.ALLOW_JAVA_COMMENTS)
+          .enable(DeserializationFeature.USE_BIG_DECIMAL_FOR_FLOATS)
+          .disable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
+          .configure(JsonNodeFeature.STRIP_TRAILING_BIGDECIMAL_ZEROES, false)
+          .build();
+  private static final Pattern START = Pattern.compile("(?m)^[ \\t]*[\\[{]");
+  private static final Pattern START_IN_LINE = Pattern.compile("[\\[{]\\s*[\\[{\"]");
+
+  private JsonAnswer() {}
+
+  /** Finds the one JSON array or object in a text without fences. */
+  static AnswerText search(String file, String text) {
+    Matcher start = START.matcher(text);
+    if (!start.find()) {
+      start = START_IN_LINE.matcher(text);
+      if (!start.find()) {
+        return AnswerText.nothing(AnswerKind.JSON, file);
+      }
+    }
+    String rest = text.substring(start.start()).stripTrailing();
+    try (JsonParser parser = TOLERANT.createParser(rest)) {
+      JsonNode node = TOLERANT.readTree(parser);
+      int end = (int) parser.currentLocation().getCharOffset();
+      AnswerText further = search(file, rest.substring(end));
+      return further.artefact().isPresent()
+          ? AnswerText.several(AnswerKind.JSON, file, 2)
+          : AnswerText.found(file, JsonText.layout(node));
+    } catch (IOException e) {
+      return broken(file, rest, e);
+    }
+  }
+
+  /** Reads a text that is all JSON. */
+  static AnswerText parse(String file, String text) {
+    try {
+      JsonNode node =
+          TOLERANT.reader().with(DeserializationFeature.FAIL_ON_TRAILING_TOKENS).readTree(text);
+      return node.isContainerNode()
+          ? AnswerText.found(file, JsonText.layout(node))
+          : AnswerText.nothing(AnswerKind.JSON, file);
+    } catch (IOException e) {
+      return broken(file, text, e);
+    }
+  }
+
+  private static AnswerText broken(String file, String text, IOException e) {
+    if (e instanceof JsonEOFException) {
+      return AnswerText.truncated(file, "The answer ends inside its JSON.");
+    }
+    SourceText source = SourceText.of(file, text);
+    if (e instanceof JsonProcessingException problem && problem.getLocation() != null) {
+      return AnswerText.problem(
+          Diagnostic.error(
+              "agents.answer.json",
+              "This is no JSON: " + problem.getOriginalMessage().replaceAll(": enable .*", ""),
+              source.at(problem.getLocation().getLineNr(), problem.getLocation().getColumnNr())));
+    }
+    return AnswerText.problem(
+        Diagnostic.error("agents.answer.json", "This is no JSON: " + e.getMessage(), source.at(0)));
+  }
+}

@@ -1,0 +1,98 @@
+package dev.eventchain.agents;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.EventchainPackage;
+import dev.eventchain.modeler.EventChainReader;
+import dev.eventchain.modeler.InstanceModeler;
+import dev.eventchain.modeler.ModelComparison;
+import dev.eventchain.modeler.Modeled;
+import dev.eventchain.modeler.Requirements;
+import dev.eventchain.modeler.SoftwareBase;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.stream.Collectors;
+import org.eclipse.emf.ecore.EObject;
+
+/**
+ * Models an event chain as a conceptual instance model (the paper's Section IV-B). The model that
+ * is read directly from the same description checks the answer, so that a slip of the language
+ * model shows.
+ */
+public final class ModelAgent {
+  private static final PromptTemplate PROMPT = PromptTemplate.load("model/v1");
+  private static final String FILE = "instance.json";
+  private static final String EXAMPLE_NAME = "lane_departure_warning";
+  private static final String EXAMPLE_EXISTING =
+      "Lane_Detection (COMPONENT), Driver_Warning (NODE)";
+
+  private final AgentContext context;
+
+  /** An agent that works with a context. */
+  public ModelAgent(AgentContext context) {
+    this.context = context;
+  }
+
+  /**
+   * Models a chain.
+   *
+   * @param metamodel the text of the metamodel of event chains, an Ecore file
+   * @param chain the event-chain description
+   * @param name the chain's name
+   * @param requirements the functional requirements
+   * @param base what exists already
+   * @return a conceptual instance model, JSON that {@link InstanceModeler} turns into the model
+   * @throws dev.eventchain.diagnostics.DiagnosticException FINDINGS if no answer passed its checks;
+   *     and as the model throws
+   */
+  public AgentResult model(
+      String metamodel,
+      SourceText chain,
+      String name,
+      Requirements requirements,
+      SoftwareBase base) {
+    EventChain direct =
+        EventChainReader.read(chain, name, requirements, OptionalDouble.empty()).root();
+    EventChainReader.markExisting(direct, base);
+    Map<String, String> values =
+        Map.ofEntries(
+            Map.entry("metamodel", metamodel),
+            Map.entry("example chain name", EXAMPLE_NAME),
+            Map.entry("example requirements", example("requirements.md")),
+            Map.entry("example existing components", EXAMPLE_EXISTING),
+            Map.entry("example event chain", example("chain.json")),
+            Map.entry("example instance model", example("instance.json")),
+            Map.entry("chain name", name),
+            Map.entry("requirements", RuleText.items(requirements.items())),
+            Map.entry("existing components", existing(base)),
+            Map.entry("event chain", chain.text()));
+    return new RepairLoop(context, "model", AnswerKind.JSON)
+        .run(FILE, PROMPT, values, Optional.empty(), text -> check(text, direct));
+  }
+
+  static List<Diagnostic> check(SourceText text, EventChain direct) {
+    InstanceModeler modeler = new InstanceModeler(List.of(EventchainPackage.eINSTANCE));
+    Modeled<EObject> modeled = modeler.modelOne(text, EventchainPackage.Literals.EVENT_CHAIN);
+    List<Diagnostic> diagnostics = new ArrayList<>(modeled.diagnostics());
+    if (!Diagnostic.anyError(diagnostics)) {
+      diagnostics.addAll(
+          ModelComparison.compare(
+              direct, modeled.root(), element -> modeled.origins().locate(element)));
+    }
+    return diagnostics;
+  }
+
+  private static String example(String part) {
+    return PromptTemplate.resource("model/example." + part);
+  }
+
+  private static String existing(SoftwareBase base) {
+    return base.components().stream()
+        .map(component -> component.name() + " (" + component.implementation().getLiteral() + ")")
+        .collect(Collectors.joining(", "));
+  }
+}

@@ -1,0 +1,118 @@
+package dev.eventchain.agents;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.agents.AgentResult.Attempt;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.DiagnosticException.Reason;
+import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.llm.ChatMessage;
+import dev.eventchain.llm.ChatRequest;
+import dev.eventchain.llm.ChatResponse;
+import dev.eventchain.llm.Sampling;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+
+/**
+ * Asks, checks the answer, and sends what was found back into the same conversation until the
+ * answer passes.
+ */
+final class RepairLoop {
+  private static final PromptTemplate REPAIR = PromptTemplate.load("repair/v1");
+
+  private final AgentContext context;
+  private final String task;
+  private final AnswerKind kind;
+
+  /**
+   * Prepares a loop.
+   *
+   * @param task the task of the requests
+   * @param kind what an answer holds
+   */
+  RepairLoop(AgentContext context, String task, AnswerKind kind) {
+    this.context = context;
+    this.task = task;
+    this.kind = kind;
+  }
+
+  /**
+   * Runs the loop.
+   *
+   * @param file the name of the file that the artefact becomes, which findings point to
+   * @param template the prompt
+   * @param values what its places are filled with
+   * @param schema the JSON Schema of the answer, if it has one
+   * @param check finds what is wrong with an artefact; errors send it back
+   * @throws DiagnosticException FINDINGS with what was wrong with the last answer
+   */
+  AgentResult run(
+      String file,
+      PromptTemplate template,
+      Map<String, String> values,
+      Optional<JsonNode> schema,
+      Function<SourceText, List<Diagnostic>> check) {
+    List<ChatMessage> messages = new ArrayList<>();
+    messages.add(ChatMessage.user(template.render(values)));
+    List<Attempt> attempts = new ArrayList<>();
+    while (true) {
+      context.progress().accept(announcement(file, attempts));
+      ChatResponse response =
+          context.model().chat(new ChatRequest(task, messages, schema, Sampling.DEFAULT));
+      AnswerText answer = AnswerText.extract(kind, file, response);
+      List<Diagnostic> findings =
+          answer.artefact().map(check).orElse(List.of()).stream().sorted().toList();
+      List<Diagnostic> all = answer.problems().isEmpty() ? findings : answer.problems();
+      attempts.add(new Attempt(response, all));
+      if (!Diagnostic.anyError(all)) {
+        String text = answer.artefact().orElseThrow().text();
+        return new AgentResult(text, template.name(), attempts, findings);
+      }
+      if (attempts.size() > context.repairs()) {
+        throw rejected(file, attempts);
+      }
+      messages.add(ChatMessage.assistant(response.text()));
+      messages.add(ChatMessage.user(repair(all)));
+    }
+  }
+
+  private static String announcement(String file, List<Attempt> attempts) {
+    if (attempts.isEmpty()) {
+      return "asking for " + file;
+    }
+    List<Diagnostic> errors =
+        attempts.get(attempts.size() - 1).findings().stream().filter(RepairLoop::isError).toList();
+    String first = errors.get(0).message().lines().findFirst().orElse("");
+    String others = errors.size() == 1 ? "" : " (and %d more)".formatted(errors.size() - 1);
+    return "asking again for %s: %s%s".formatted(file, first, others);
+  }
+
+  private String repair(List<Diagnostic> findings) {
+    return REPAIR.render(
+        Map.of(
+            "findings", FindingsText.of(findings.stream().filter(RepairLoop::isError).toList()),
+            "kind of answer", kind.description()));
+  }
+
+  private static boolean isError(Diagnostic diagnostic) {
+    return diagnostic.severity() == Severity.ERROR;
+  }
+
+  private static DiagnosticException rejected(String file, List<Attempt> attempts) {
+    List<Diagnostic> diagnostics = new ArrayList<>();
+    diagnostics.add(
+        Diagnostic.error(
+                "agents.answer.rejected",
+                "The model gave no usable answer in %d attempts; this is wrong with the last one."
+                    .formatted(attempts.size()),
+                SourceLocation.of(file))
+            .withHint("Ask another model, allow more repairs, or make the requirements clearer."));
+    diagnostics.addAll(attempts.get(attempts.size() - 1).findings());
+    return new DiagnosticException(Reason.FINDINGS, diagnostics);
+  }
+}

@@ -1,0 +1,23 @@
+package dev.eventchain.agents;
+
+import dev.eventchain.modeler.Requirements;
+import java.math.BigDecimal;
+import java.util.List;
+import java.util.stream.Collectors;
+
+/** Written rules and numbers as prompts show them. */
+final class RuleText {
+  private RuleText() {}
+
+  /** An item a line, with its id. */
+  static String items(List<Requirements.Item> items) {
+    return items.stream()
+        .map(item -> "- " + item.id() + ": " + item.text())
+        .collect(Collectors.joining("\n"));
+  }
+
+  /** A number without needless zeros: 20, 12.5. */
+  static String number(double value) {
+    return BigDecimal.valueOf(value).stripTrailingZeros().toPlainString();
+  }
+}

@@ -1,0 +1,41 @@
+package dev.eventchain.agents;
+
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.EventchainPackage;
+import dev.eventchain.modeler.EventChainReader;
+import dev.eventchain.modeler.Requirements;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.OptionalDouble;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * OCL documents and what is found in them: faults of the language, rules without a constraint,
+ * constraints that say nothing.
+ */
+class ConstraintCheckTest {
+  @ParameterizedTest
+  @MethodSource
+  void aConstraintMustSaySomething(Path file) throws IOException {
+    ConstraintCheck check =
+        new ConstraintCheck(
+            List.of("DR-1", "DR-2"), List.of(EventchainPackage.eINSTANCE), List.of(chain()));
+    ExpectedFile.check(file, ExpectedFile.lines(check.check(SourceText.read(file))));
+  }
+
+  static List<Path> aConstraintMustSaySomething() throws IOException {
+    return ExpectedFile.inputs("constrain", ".ocl");
+  }
+
+  private static EventChain chain() {
+    Requirements requirements =
+        Requirements.read(
+            SourceText.of("r.md", PromptTemplate.resource("model/example.requirements.md")));
+    SourceText text =
+        SourceText.of("chain.json", PromptTemplate.resource("model/example.chain.json"));
+    return EventChainReader.read(text, "example", requirements, OptionalDouble.empty()).root();
+  }
+}

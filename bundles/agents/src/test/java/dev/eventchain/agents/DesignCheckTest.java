@@ -1,0 +1,57 @@
+package dev.eventchain.agents;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.modeler.Requirements;
+import dev.eventchain.modeler.SoftwareBase;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Designed chains with one fault each, and what is found in them. */
+class DesignCheckTest {
+  private static final Path BASE = Path.of("src/test/resources/design/base");
+  private static final SoftwareBase SOFTWARE = SoftwareBase.read(BASE);
+  private static final Requirements REQUIREMENTS =
+      Requirements.read(SourceText.read(BASE.resolve("requirements.md")));
+
+  @Test
+  void theBaseItselfIsFine() {
+    assertEquals(List.of(), SOFTWARE.diagnostics());
+    assertEquals(List.of(), REQUIREMENTS.diagnostics());
+  }
+
+  @ParameterizedTest
+  @MethodSource
+  void eachFaultIsFoundWhereItIs(Path file) throws IOException {
+    List<Diagnostic> found =
+        DesignAgent.check(SourceText.read(file), REQUIREMENTS, SOFTWARE).stream().sorted().toList();
+    ExpectedFile.check(file, ExpectedFile.lines(found));
+  }
+
+  static List<Path> eachFaultIsFoundWhereItIs() throws IOException {
+    return ExpectedFile.inputs("design", ".json");
+  }
+
+  @Test
+  void anAnswerThatFailsItsCheckIsRepaired() {
+    Path folder = Path.of("src/test/resources/design");
+    String wrong = SourceText.read(folder.resolve("invented-topic.json")).text();
+    String right = SourceText.read(folder.resolve("valid.json")).text();
+    ScriptedModel model = new ScriptedModel().answer(wrong).answer("```json\n" + right + "```");
+    AgentResult result =
+        new DesignAgent(AgentContext.of(model)).design("Test", 20.0, REQUIREMENTS, SOFTWARE);
+    assertEquals("design/v1", result.prompt());
+    assertEquals(2, result.attempts().size());
+    String prompt = model.requests.get(0).messages().get(0).content();
+    assertEquals(1, prompt.split("R-2: The system shall brake", -1).length - 1);
+    assertEquals(1, prompt.split("new one with 20 Hz", -1).length - 1);
+    String repair = model.requests.get(1).messages().get(2).content();
+    assertEquals(1, repair.split("There is no signal /sensor/distance", -1).length - 1);
+  }
+}

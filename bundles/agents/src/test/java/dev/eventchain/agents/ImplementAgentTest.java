@@ -1,0 +1,88 @@
+package dev.eventchain.agents;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.modeler.Requirements;
+import dev.eventchain.python.ComponentProbe;
+import dev.eventchain.python.PythonEnvironment;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Components as models write them, with one fault each, and what is found in them. */
+class ImplementAgentTest {
+  private static final Path FOLDER = Path.of("src/test/resources/implement");
+  private static final SourceText CHAIN = SourceText.read(FOLDER.resolve("chain.json"));
+  private static final Requirements REQUIREMENTS =
+      Requirements.read(SourceText.of("r.md", "- R-1: The system shall watch.\n- R-2: No.\n"));
+
+  private static ComponentProbe probe;
+
+  @BeforeAll
+  static void python() {
+    probe = new ComponentProbe(PythonEnvironment.ensure(message -> {}));
+  }
+
+  @ParameterizedTest
+  @MethodSource
+  void eachFaultIsFoundWhereItIs(Path file) throws IOException {
+    ImplementationCheck check =
+        new ImplementationCheck(probe, ChainView.of(JsonText.of(CHAIN).root()).components().get(0));
+    List<Diagnostic> found = check.check(SourceText.read(file));
+    // One line for each kind of fault: how many calls show it does not matter here.
+    List<Diagnostic> first = found.stream().limit(1).toList();
+    ExpectedFile.check(file, ExpectedFile.lines(first));
+  }
+
+  static List<Path> eachFaultIsFoundWhereItIs() throws IOException {
+    return ExpectedFile.inputs("implement", ".py");
+  }
+
+  @Test
+  void aComponentThatFailsItsCallsIsRepairedWithThePlaceOfTheFault() {
+    ScriptedModel model =
+        new ScriptedModel()
+            .answer("```python\n" + text("division-by-zero-speed.py") + "```")
+            .answer("```python\n" + text("right.py") + "```");
+    ImplementAgent agent = new ImplementAgent(AgentContext.of(model), probe);
+    AgentResult result = agent.implement(CHAIN, "Time_Left", REQUIREMENTS);
+    assertEquals(text("right.py"), result.text());
+    assertEquals(2, result.attempts().size());
+    Diagnostic finding = result.attempts().get(0).findings().get(0);
+    assertEquals("components/Time_Left.py", finding.location().file());
+    assertEquals(3, finding.location().line());
+    String repair = model.requests.get(1).messages().get(2).content();
+    assertTrue(repair.contains("1. Line 3, column "), repair);
+    assertTrue(repair.contains("> return {\"time_left\": min(distances, default=0.0) / speed}"));
+  }
+
+  @Test
+  void thePromptHoldsTheDescriptionAndTheComponentsOwnRequirements() {
+    ScriptedModel model = new ScriptedModel().answer(text("right.py"));
+    new ImplementAgent(AgentContext.of(model), probe).implement(CHAIN, "Time_Left", REQUIREMENTS);
+    String prompt = model.requests.get(0).messages().get(0).content();
+    assertTrue(prompt.contains("\"name\": \"Time_Left\""), prompt);
+    assertTrue(prompt.contains("- R-1: The system shall watch.\n"), prompt);
+    assertFalse(prompt.contains("R-2"), prompt);
+  }
+
+  @Test
+  void aComponentThatTheChainDoesNotHaveIsRefused() {
+    ImplementAgent agent = new ImplementAgent(AgentContext.of(new ScriptedModel()), probe);
+    assertThrows(
+        IllegalArgumentException.class, () -> agent.implement(CHAIN, "Other", REQUIREMENTS));
+  }
+
+  private static String text(String file) {
+    return SourceText.read(FOLDER.resolve(file)).text();
+  }
+}

@@ -1,0 +1,43 @@
+package dev.eventchain.agents;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.llm.ChatModel;
+import dev.eventchain.llm.ChatModels;
+import dev.eventchain.modeler.Requirements;
+import dev.eventchain.modeler.SoftwareBase;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * A repair as it is recorded: an answer with an invented topic, what was said about it, and the
+ * corrected answer.
+ */
+class RecordedRepairTest {
+  private static final Path BASE = Path.of("src/test/resources/design/base");
+  private static final Path RECORDINGS = Path.of("src/test/resources/repair/recordings");
+
+  @Test
+  void theRecordedRepairIsReplayed(@TempDir Path folder) throws IOException {
+    if (Boolean.getBoolean("recordings.update")) {
+      RecordingsUpdate.run(RECORDINGS, folder, RecordedRepairTest::design);
+    }
+    AgentResult result = design(ChatModels.open("replay", "authored", RECORDINGS, false));
+    assertEquals(2, result.attempts().size());
+    assertEquals(
+        List.of("agents.topic.invented"),
+        result.attempts().get(0).findings().stream().map(Diagnostic::id).toList());
+    assertEquals(List.of(), result.diagnostics());
+  }
+
+  private static AgentResult design(ChatModel model) {
+    Requirements requirements = Requirements.read(SourceText.read(BASE.resolve("requirements.md")));
+    return new DesignAgent(AgentContext.of(model))
+        .design("Test", 20.0, requirements, SoftwareBase.read(BASE));
+  }
+}

@@ -1,0 +1,111 @@
+package dev.eventchain.agents;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.DiagnosticException.Reason;
+import dev.eventchain.llm.ChatModel;
+import dev.eventchain.llm.ChatModels;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+
+/**
+ * Gives changed prompts the answers of the recordings that they replace: the same way as a person
+ * would, by hand-off, with the answer of the recording of the task whose prompt is nearest.
+ */
+final class RecordingsUpdate {
+  private static final JsonMapper MAPPER = new JsonMapper();
+
+  private RecordingsUpdate() {}
+
+  static void run(Path recordings, Path folder, Consumer<ChatModel> workflow) throws IOException {
+    Path fresh = folder.resolve("recordings");
+    Path handoff = folder.resolve("handoff");
+    while (!isDone(handoff, fresh, workflow)) {
+      try (Stream<Path> files = Files.list(handoff)) {
+        for (Path prompt : files.filter(RecordingsUpdate::isOpen).toList()) {
+          String task = prompt.getFileName().toString().replaceFirst("-\\d+\\.prompt\\.md$", "");
+          String answer = nearestAnswer(recordings.resolve(task), Files.readString(prompt));
+          Files.writeString(answerOf(prompt), "<!-- provenance: authored -->\n" + answer);
+        }
+      }
+    }
+    replace(recordings, fresh);
+  }
+
+  private static boolean isDone(Path handoff, Path fresh, Consumer<ChatModel> workflow) {
+    try {
+      workflow.accept(ChatModels.open("handoff:" + handoff, AebWorkflow.MODEL, fresh, true));
+      return true;
+    } catch (DiagnosticException e) {
+      if (e.reason() != Reason.WAITING) {
+        throw e;
+      }
+      return false;
+    }
+  }
+
+  private static boolean isOpen(Path file) {
+    return file.toString().endsWith(".prompt.md") && !Files.exists(answerOf(file));
+  }
+
+  private static Path answerOf(Path prompt) {
+    return prompt.resolveSibling(
+        prompt.getFileName().toString().replace(".prompt.md", ".answer.md"));
+  }
+
+  private static String nearestAnswer(Path task, String prompt) throws IOException {
+    Set<String> wanted = new TreeSet<>(prompt.lines().toList());
+    String answer = "";
+    long best = Long.MAX_VALUE;
+    for (Path file : files(task)) {
+      JsonNode recording = MAPPER.readTree(file.toFile());
+      Set<String> there = new TreeSet<>();
+      for (JsonNode message : recording.at("/request/messages")) {
+        there.addAll(lines(message.get("content")));
+      }
+      long common = there.stream().filter(wanted::contains).count();
+      long distance = there.size() + wanted.size() - 2 * common;
+      if (distance < best) {
+        best = distance;
+        answer = String.join("\n", lines(recording.at("/samples/0/text")));
+      }
+    }
+    return answer;
+  }
+
+  private static List<String> lines(JsonNode text) {
+    List<String> lines = new ArrayList<>();
+    text.forEach(line -> lines.add(line.asText()));
+    return lines;
+  }
+
+  /** Leaves what is as it was, so that only what changed shows in version control. */
+  private static void replace(Path recordings, Path fresh) throws IOException {
+    for (Path old : files(recordings)) {
+      if (!Files.exists(fresh.resolve(recordings.relativize(old)))) {
+        Files.delete(old);
+      }
+    }
+    for (Path file : files(fresh)) {
+      Path target = recordings.resolve(fresh.relativize(file));
+      if (!Files.exists(target)) {
+        Files.createDirectories(target.getParent());
+        Files.copy(file, target);
+      }
+    }
+  }
+
+  private static List<Path> files(Path folder) throws IOException {
+    try (Stream<Path> files = Files.walk(folder)) {
+      return files.filter(Files::isRegularFile).sorted().toList();
+    }
+  }
+}
