@@ -11,8 +11,10 @@ import java.nio.charset.IllegalCharsetNameException;
 import java.nio.charset.StandardCharsets;
 import java.nio.charset.UnsupportedCharsetException;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -22,8 +24,25 @@ import java.util.function.Function;
 
 /** The files that a run makes, with the protected areas of the earlier ones kept in them. */
 final class GeneratedFiles {
-  /** A file that is being written: the areas that people filled, and the ids met so far. */
-  private record Open(Map<String, String> areas, Set<String> ids) {}
+  /**
+   * A file that is being written: the areas that people filled, the ids met so far, and the
+   * contents that placeholders stand for.
+   */
+  private record Open(Map<String, String> areas, Set<String> ids, List<String> kept) {
+    /** What people wrote, with which neither indentation nor any operation may meddle. */
+    String fill(String text) {
+      String filled = text;
+      for (int i = 0; i < kept.size(); i++) {
+        filled = filled.replace(placeholder(i), kept.get(i));
+      }
+      return filled;
+    }
+
+    /** Made of characters that Unicode reserves for such use and that no text has. */
+    static String placeholder(int index) {
+      return '\uFDD0' + Integer.toString(index) + '\uFDD1';
+    }
+  }
 
   private final GenerationRun run;
   private final Function<String, Optional<byte[]>> earlier;
@@ -84,7 +103,7 @@ final class GeneratedFiles {
             .apply(path)
             .map(content -> ProtectedAreas.of(new String(content, charset)))
             .orElse(Map.of());
-    open.push(new Open(areas, new HashSet<>()));
+    open.push(new Open(areas, new HashSet<>(), new ArrayList<>()));
     String text;
     Open closed;
     try {
@@ -93,7 +112,7 @@ final class GeneratedFiles {
       closed = open.pop();
     }
     keepLost(path, charset, closed);
-    return text;
+    return closed.fill(text);
   }
 
   /** Saves the areas that the file has no longer, beside it. */
@@ -145,9 +164,18 @@ final class GeneratedFiles {
     return problem.isEmpty();
   }
 
-  /** What people wrote into an area of the file that is being written. */
+  /**
+   * A placeholder for what people wrote into an area of the file that is being written; nothing if
+   * there is no such area yet.
+   */
   Optional<String> keptArea(String id) {
-    return Optional.ofNullable(open.element().areas().get(id));
+    Open file = open.element();
+    String content = file.areas().get(id);
+    if (content == null) {
+      return Optional.empty();
+    }
+    file.kept().add(content);
+    return Optional.of(Open.placeholder(file.kept().size() - 1));
   }
 
   private Optional<Charset> charset(SourceLocation place, String name) {
