@@ -12,6 +12,8 @@ import com.fasterxml.jackson.databind.json.JsonMapper;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
+import java.util.List;
+import java.util.OptionalInt;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -36,23 +38,42 @@ final class JsonAnswer {
 
   /** Finds the one JSON array or object in a text without fences. */
   static AnswerText search(String file, String text) {
-    Matcher start = START.matcher(text);
-    if (!start.find()) {
-      start = START_IN_LINE.matcher(text);
-      if (!start.find()) {
-        return AnswerText.nothing(AnswerKind.JSON, file);
-      }
+    OptionalInt start = start(text);
+    if (start.isEmpty()) {
+      return AnswerText.nothing(AnswerKind.JSON, file);
     }
-    String rest = text.substring(start.start()).stripTrailing();
+    String rest = text.substring(start.getAsInt()).stripTrailing();
     try (JsonParser parser = TOLERANT.createParser(rest)) {
       JsonNode node = TOLERANT.readTree(parser);
       int end = (int) parser.currentLocation().getCharOffset();
-      AnswerText further = search(file, rest.substring(end));
-      return further.artefact().isPresent()
+      return holdsAnother(rest.substring(end))
           ? AnswerText.several(AnswerKind.JSON, file, 2)
           : AnswerText.found(file, JsonText.layout(node));
     } catch (IOException e) {
       return broken(file, rest, e);
+    }
+  }
+
+  /** Where an array or object seems to begin: at the beginning of a line if there is such a one. */
+  private static OptionalInt start(String text) {
+    for (Pattern pattern : List.of(START, START_IN_LINE)) {
+      Matcher start = pattern.matcher(text);
+      if (start.find()) {
+        return OptionalInt.of(start.start());
+      }
+    }
+    return OptionalInt.empty();
+  }
+
+  private static boolean holdsAnother(String text) {
+    OptionalInt start = start(text);
+    if (start.isEmpty()) {
+      return false;
+    }
+    try (JsonParser parser = TOLERANT.createParser(text.substring(start.getAsInt()))) {
+      return TOLERANT.readTree(parser) != null;
+    } catch (IOException e) {
+      return false;
     }
   }
 

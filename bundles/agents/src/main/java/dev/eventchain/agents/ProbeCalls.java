@@ -45,17 +45,25 @@ final class ProbeCalls {
     }
   }
 
+  // All pairs of inputs take turns at an edge, so that a limit leaves no pair out.
   private void addPairs() {
     int end = calls.size() + MOST_PAIRS;
-    for (int i = 0; i < inputs.size(); i++) {
-      for (int j = i + 1; j < inputs.size(); j++) {
-        for (int first = 1; first < values.get(i).size(); first++) {
-          for (int second = 1; second < values.get(j).size() && calls.size() < end; second++) {
+    int edges = values.stream().mapToInt(List::size).max().orElse(0);
+    for (int both = 0; both < edges * edges; both++) {
+      int first = both / edges;
+      int second = both % edges;
+      for (int i = 0; i < inputs.size(); i++) {
+        for (int j = i + 1; j < inputs.size() && calls.size() < end; j++) {
+          if (isEdge(i, first) && isEdge(j, second)) {
             add(name(i, first) + ", " + name(j, second), Map.of(i, first, j, second));
           }
         }
       }
     }
+  }
+
+  private boolean isEdge(int input, int edge) {
+    return edge > 0 && edge < values.get(input).size();
   }
 
   private void addAllTogether() {
