@@ -1,3 +1,4 @@
+# control: none
 import gc, types
 for thing in gc.get_objects():
     if isinstance(thing, types.FunctionType) and thing.__name__ == "hook":

@@ -1,3 +1,4 @@
+# control: none
 import os
 for number in range(3, 64):
     try:

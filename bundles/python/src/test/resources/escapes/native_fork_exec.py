@@ -8,6 +8,9 @@ if module is None:
     spec = importlib.machinery.ModuleSpec("_posixsubprocess", None, origin=f"{path}/{name}")
     module = _imp.create_dynamic(spec)
 read, write = os.pipe()
+version = __import__("sys").version_info
+group = (0,) if version >= (3, 11) else ()
+vfork = (False,) if (3, 11) <= version < (3, 14) else ()
 pid = module.fork_exec([b"/bin/true"], [b"/bin/true"], True, (write,), None, None, -1, -1, -1, -1, -1, -1, read, write,
-                       True, False, 0, None, None, None, -1, None, *((False,) if __import__("sys").version_info < (3, 14) else ()))
+                       True, False, *group, None, None, None, -1, None, *vfork)
 print("ESCAPED", pid)

@@ -12,14 +12,14 @@ import java.time.Duration;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
 class ConfinedProcessTest {
 
   @TempDir Path folder;
 
   @ParameterizedTest
-  @EnumSource(Confinement.class)
+  @MethodSource("dev.eventchain.python.TestEnvironment#confinements")
   void programReadsItsPathsWritesItsFolderAndUsesNumPy(Confinement confinement) throws IOException {
     Path data = Files.writeString(folder.resolve("data.txt"), "7");
     String output =
@@ -70,7 +70,7 @@ class ConfinedProcessTest {
   }
 
   @ParameterizedTest
-  @EnumSource(Confinement.class)
+  @MethodSource("dev.eventchain.python.TestEnvironment#confinements")
   void processorTimeIsLimited(Confinement confinement) throws IOException {
     ConfinedProcess.Limits limits =
         new ConfinedProcess.Limits(Duration.ofSeconds(20), Duration.ofSeconds(1), 256);
@@ -80,7 +80,7 @@ class ConfinedProcessTest {
   }
 
   @ParameterizedTest
-  @EnumSource(Confinement.class)
+  @MethodSource("dev.eventchain.python.TestEnvironment#confinements")
   void exitCodeAndErrorOutputAreReported(Confinement confinement) throws IOException {
     String program = "import sys; print('broken', file=sys.stderr); sys.exit(42)";
     try (ConfinedProcess process = start(confinement, program, standard())) {
@@ -90,7 +90,7 @@ class ConfinedProcessTest {
   }
 
   @ParameterizedTest
-  @EnumSource(Confinement.class)
+  @MethodSource("dev.eventchain.python.TestEnvironment#confinements")
   void closingEndsTheProcess(Confinement confinement) throws IOException {
     ConfinedProcess process = start(confinement, "import time; time.sleep(60)", standard());
     process.close();
@@ -99,7 +99,7 @@ class ConfinedProcessTest {
   }
 
   @ParameterizedTest
-  @EnumSource(Confinement.class)
+  @MethodSource("dev.eventchain.python.TestEnvironment#confinements")
   void processSurvivesTheThreadThatStartedIt(Confinement confinement) throws Exception {
     var process = new java.util.concurrent.atomic.AtomicReference<ConfinedProcess>();
     Thread starter =
