@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.Set;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EDataType;
 import org.eclipse.emf.ecore.EEnum;
 import org.eclipse.emf.ecore.ENamedElement;
 import org.eclipse.emf.ecore.EObject;
@@ -36,6 +37,9 @@ final class MetamodelChecks {
         checkPackage(inner);
       } else if (element instanceof EClassifier || element instanceof EStructuralFeature) {
         checkName((ENamedElement) element);
+      }
+      if (element instanceof EDataType type) {
+        checkDataType(type);
       }
       if (element instanceof EClass eClass) {
         checkClass(eClass);
@@ -64,10 +68,31 @@ final class MetamodelChecks {
     }
     checkUnique(eClass.getEStructuralFeatures(), "class `" + eClass.getName() + "`");
     for (EStructuralFeature feature : eClass.getEStructuralFeatures()) {
+      if (feature.getEType() instanceof EDataType type
+          && type.getEPackage() == EcorePackage.eINSTANCE
+          && !HarmlessTypes.contains(type)) {
+        refuseType(feature, type.getInstanceClassName());
+      }
       if (feature.getEType() == null) {
         report(feature, "Feature `" + feature.getName() + "` has no type.");
       }
     }
+  }
+
+  private void checkDataType(EDataType type) {
+    if (!HarmlessTypes.contains(type)) {
+      refuseType(type, String.valueOf(type.getInstanceClassName()));
+    }
+  }
+
+  private void refuseType(ENamedElement element, String javaClass) {
+    found.add(
+        Diagnostic.error(
+                "xmi.datatype.refused",
+                "Values of `%s` would run code of the Java class `%s`."
+                    .formatted(element.getName(), javaClass),
+                origins.locate(element))
+            .withHint("Use a data type of Ecore, or of java.lang or java.math."));
   }
 
   private void checkName(ENamedElement element) {

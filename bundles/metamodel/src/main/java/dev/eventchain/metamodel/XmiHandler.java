@@ -4,9 +4,11 @@ import java.io.StringReader;
 import java.util.Map;
 import java.util.Optional;
 import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EDataType;
 import org.eclipse.emf.ecore.EFactory;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.InternalEObject;
 import org.eclipse.emf.ecore.xmi.IllegalValueException;
 import org.eclipse.emf.ecore.xmi.PackageNotFoundException;
@@ -98,6 +100,17 @@ final class XmiHandler extends SAXXMIHandler {
     boolean isClass =
         factory != null && factory.getEPackage().getEClassifier(typeName) instanceof EClass;
     return isClass ? super.createObjectFromFactory(factory, typeName) : null;
+  }
+
+  /** Ecore itself has features whose values EMF would deserialise or load as classes. */
+  @Override
+  protected void setFeatureValue(
+      EObject object, EStructuralFeature feature, Object value, int position) {
+    if (feature.getEType() instanceof EDataType type && !HarmlessTypes.contains(type)) {
+      file.problems().refuseType(feature, tagOffset());
+    } else {
+      super.setFeatureValue(object, feature, value, position);
+    }
   }
 
   @Override

@@ -10,6 +10,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EDataType;
 import org.eclipse.emf.ecore.EEnum;
 import org.eclipse.emf.ecore.EEnumLiteral;
 import org.eclipse.emf.ecore.EObject;
@@ -91,6 +92,16 @@ final class XmiProblems {
   int tagEndingAt(int line, int column) {
     int end = text.offset(Math.max(1, line), Math.max(1, column));
     return Math.max(0, text.text().lastIndexOf('<', Math.max(0, end - 1)));
+  }
+
+  /** Adds that a feature of the element at an offset has a type that no text may become. */
+  void refuseType(EStructuralFeature feature, int tag) {
+    add(
+        "xmi.datatype.refused",
+        "Values of `%s` would run code of the Java class `%s`."
+            .formatted(feature.getName(), ((EDataType) feature.getEType()).getInstanceClassName()),
+        attributeIn(tag, feature.getName()),
+        "Leave the feature out.");
   }
 
   private void addUnknownFeature(FeatureNotFoundException problem, int tag) {

@@ -47,7 +47,7 @@ final class Assignment {
     if (!reference.getEReferenceType().isInstance(target)) {
       return found(
           "modeler.reference.type",
-          "Feature '%s' takes a %s, not a %s."
+          "Feature '%s' takes objects of class %s, not %s."
               .formatted(
                   reference.getName(),
                   reference.getEReferenceType().getName(),

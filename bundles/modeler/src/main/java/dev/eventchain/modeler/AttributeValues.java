@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
 import java.math.BigDecimal;
 import java.math.BigInteger;
+import java.util.Date;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -32,6 +33,11 @@ final class AttributeValues {
           long.class, 64,
           Long.class, 64,
           BigInteger.class, Integer.MAX_VALUE);
+
+  /** Classes whose values EMF reads from text itself, without calling code of the class. */
+  private static final Set<Class<?>> FROM_TEXT =
+      Set.of(char.class, Character.class, byte[].class, Date.class);
+
   private static final Set<Class<?>> TRUTH_VALUES = Set.of(boolean.class, Boolean.class);
 
   private final JsonText text;
@@ -146,25 +152,28 @@ final class AttributeValues {
         : outOfRange(attribute, value, pointer);
   }
 
-  /** Texts, and the data types whose values a metamodel knows how to read from text. */
+  /** Texts, and the few other types that can be written as texts; no others. */
   private Optional<Object> fromText(EAttribute attribute, JsonNode value, String pointer) {
     EDataType type = attribute.getEAttributeType();
     if (!value.isTextual()) {
       return mismatch(attribute, "a text", value, pointer);
     }
-    if (type.getInstanceClass() == String.class) {
+    if (type.getInstanceClass() == null || type.getInstanceClass() == String.class) {
       return Optional.of(value.asText());
     }
     try {
-      return Optional.ofNullable(EcoreUtil.createFromString(type, value.asText()));
+      if (FROM_TEXT.contains(type.getInstanceClass())) {
+        return Optional.of(EcoreUtil.createFromString(type, value.asText()));
+      }
     } catch (RuntimeException e) {
-      find(
-          "modeler.value.type",
-          "'%s' is no %s for '%s'.".formatted(value.asText(), type.getName(), attribute.getName()),
-          pointer,
-          "");
-      return Optional.empty();
+      // EMF says in its own way that the text is no value; below it is said in ours.
     }
+    find(
+        "modeler.value.type",
+        "'%s' is no %s for '%s'.".formatted(value.asText(), type.getName(), attribute.getName()),
+        pointer,
+        "");
+    return Optional.empty();
   }
 
   private Optional<Object> outOfRange(EAttribute attribute, JsonNode value, String pointer) {

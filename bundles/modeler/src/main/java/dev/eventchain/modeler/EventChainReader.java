@@ -1,8 +1,10 @@
 package dev.eventchain.modeler;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.metamodel.DataFlowIndex;
 import dev.eventchain.metamodel.Origins;
 import dev.eventchain.metamodel.eventchain.ComponentOrigin;
 import dev.eventchain.metamodel.eventchain.Data;
@@ -16,6 +18,7 @@ import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -44,9 +47,10 @@ public final class EventChainReader {
   private final Map<String, Requirement> requirements = new LinkedHashMap<>();
   private final OptionalDouble defaultFrequency;
   private final QosReader qosReader;
+  private boolean requirementsKnown = true;
 
-  private EventChainReader(SourceText description, OptionalDouble defaultFrequency) {
-    this.text = JsonText.parse(description);
+  private EventChainReader(JsonText description, OptionalDouble defaultFrequency) {
+    this.text = description;
     this.defaultFrequency = defaultFrequency;
     this.qosReader = new QosReader(text, diagnostics::add);
   }
@@ -61,11 +65,11 @@ public final class EventChainReader {
    */
   public static Modeled<EventChain> read(
       SourceText description, String name, Requirements written, OptionalDouble defaultFrequency) {
-    EventChainReader reader = new EventChainReader(description, defaultFrequency);
+    EventChainReader reader = new EventChainReader(JsonText.parse(description), defaultFrequency);
     reader.chain.setName(name);
     written.items().forEach(reader::addRequirement);
     reader.readComponents();
-    return new Modeled<>(reader.chain, reader.origins, reader.diagnostics);
+    return reader.result();
   }
 
   /**
@@ -79,6 +83,18 @@ public final class EventChainReader {
     }
   }
 
+  /** Reads the components of a software base: as an event chain, but for requirements. */
+  static Modeled<EventChain> readExisting(JsonText components) {
+    EventChainReader reader = new EventChainReader(components, OptionalDouble.empty());
+    reader.requirementsKnown = false;
+    reader.readArray();
+    return reader.result();
+  }
+
+  private Modeled<EventChain> result() {
+    return new Modeled<>(chain, origins, diagnostics.stream().sorted().toList());
+  }
+
   private void addRequirement(Requirements.Item item) {
     Requirement requirement = FACTORY.createRequirement();
     requirement.setId(item.id());
@@ -89,6 +105,15 @@ public final class EventChainReader {
   }
 
   private void readComponents() {
+    readArray();
+    if (text.root().isArray() && text.root().isEmpty()) {
+      find("modeler.chain.empty", "The description holds no component.", text.at(""));
+    }
+    linkNextSteps();
+    reportCycles();
+  }
+
+  private void readArray() {
     origins.put(chain, text.at(""));
     if (!text.root().isArray()) {
       find(
@@ -99,14 +124,10 @@ public final class EventChainReader {
           text.at(""));
       return;
     }
-    if (text.root().isEmpty()) {
-      find("modeler.chain.empty", "The description holds no component.", text.at(""));
-    }
     for (int i = 0; i < text.root().size(); i++) {
       JsonObjectReader.at(text, "/" + i, diagnostics::add).ifPresent(this::readComponent);
     }
     refuseDuplicates(chain.getSoftware());
-    linkNextSteps();
   }
 
   private void readComponent(JsonObjectReader json) {
@@ -115,14 +136,14 @@ public final class EventChainReader {
     origins.put(node, json.location());
     node.setName(name(json, "component"));
     json.text("description").ifPresent(node::setDescription);
-    OptionalDouble frequency = json.number("frequency", Double.MIN_VALUE);
+    OptionalDouble frequency = json.positiveNumber("frequency");
     if (frequency.isPresent() || json.value("frequency").isEmpty()) {
       frequency = frequency.isPresent() ? frequency : defaultFrequency;
       frequency.ifPresent(node::setFrequency);
     }
-    json.number("best_case_execution_time", 0).ifPresent(node::setBestCaseExecutionTime);
-    json.number("worst_case_execution_time", 0).ifPresent(node::setWorstCaseExecutionTime);
-    json.number("memory", 0).ifPresent(node::setMemory);
+    json.number("best_case_execution_time").ifPresent(node::setBestCaseExecutionTime);
+    json.number("worst_case_execution_time").ifPresent(node::setWorstCaseExecutionTime);
+    json.number("memory").ifPresent(node::setMemory);
     json.value("implementation");
     json.value("file");
     readRequirements(json, node);
@@ -135,12 +156,14 @@ public final class EventChainReader {
     List<String> ids = json.texts("requirements");
     for (int i = 0; i < ids.size(); i++) {
       Requirement requirement = requirements.get(ids.get(i));
-      if (requirement == null) {
-        find(
-            "modeler.reference.unresolved",
-            "There is no requirement '" + ids.get(i) + "'.",
-            text.at(JsonText.below(json.pointerTo("requirements"), i)));
-      } else {
+      if (requirement == null && requirementsKnown) {
+        diagnostics.add(
+            Diagnostic.error(
+                    "modeler.reference.unresolved",
+                    "There is no requirement '" + ids.get(i) + "'.",
+                    text.at(JsonText.below(json.pointerTo("requirements"), i)))
+                .withHint(NearestName.hint(ids.get(i), requirements.keySet())));
+      } else if (requirement != null) {
         node.getSatisfies().add(requirement);
       }
     }
@@ -201,7 +224,7 @@ public final class EventChainReader {
       diagnostics.add(
           Diagnostic.error(
                   "modeler.name.illegal",
-                  "'" + name + "' cannot be the name of a " + what + ".",
+                  "'" + Names.printable(name) + "' cannot be the name of a " + what + ".",
                   json.at("name"))
               .withHint(
                   "Names are identifiers of Python: letters, digits and underscores, no digit"
@@ -214,8 +237,10 @@ public final class EventChainReader {
       JsonObjectReader json, String property, Predicate<String> legal, String id) {
     String value = json.requiredText(property);
     if (!value.isBlank() && !legal.test(value)) {
-      find(
-          id, "'" + value + "' is no legal " + property.replace('_', ' ') + ".", json.at(property));
+      String message =
+          "'" + Names.printable(value) + "' is no legal " + property.replace('_', ' ') + ".";
+      diagnostics.add(
+          Diagnostic.error(id, message, json.at(property)).withHint(Names.ruleOf(property)));
     }
     return value;
   }
@@ -223,12 +248,13 @@ public final class EventChainReader {
   private void refuseDuplicates(List<SoftwareNode> nodes) {
     Map<String, SoftwareNode> seen = new HashMap<>();
     for (SoftwareNode node : nodes) {
-      SoftwareNode earlier = seen.putIfAbsent(node.getName(), node);
+      // Files and packages are named after components in lower case.
+      SoftwareNode earlier = seen.putIfAbsent(node.getName().toLowerCase(Locale.ROOT), node);
       if (earlier != null && !node.getName().isEmpty()) {
         find(
             "modeler.name.duplicate",
             "There is a component '"
-                + node.getName()
+                + earlier.getName()
                 + "' in line "
                 + origins.locate(earlier).line()
                 + " already.",
@@ -248,6 +274,17 @@ public final class EventChainReader {
               .filter(n -> n.getInput().stream().anyMatch(d -> written.contains(d.getTopicName())))
               .findFirst();
       next.ifPresent(nodes.get(i)::setNextstep);
+    }
+  }
+
+  private void reportCycles() {
+    for (List<SoftwareNode> cycle : DataFlowIndex.of(chain).cycles()) {
+      String names = cycle.stream().map(SoftwareNode::getName).collect(Collectors.joining(", "));
+      diagnostics.add(
+          Diagnostic.warning(
+              "modeler.chain.cycle",
+              "The data flows in a circle: " + names + ".",
+              origins.locate(cycle.get(0))));
     }
   }
 

@@ -4,10 +4,12 @@ import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.util.DefaultIndenter;
 import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
 import com.fasterxml.jackson.core.util.Separators;
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.metamodel.eventchain.ComponentImplementation;
 import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
@@ -59,6 +61,9 @@ public final class EventChainWriter {
     if (node.isSetMemory()) {
       json.put("memory", node.getMemory());
     }
+    if (node.getImplementation() == ComponentImplementation.NODE) {
+      json.put("implementation", "node");
+    }
     ArrayNode requirements = json.putArray("requirements");
     node.getSatisfies().stream().map(Requirement::getId).forEach(requirements::add);
     json.set("input", ports(node.getInput()));
@@ -101,7 +106,8 @@ public final class EventChainWriter {
     return json;
   }
 
-  private static ObjectNode qos(QosProfile qos) {
+  /** The name alone where no policy differs from the profile of that name. */
+  private static JsonNode qos(QosProfile qos) {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     text(json, "profile", qos.getName());
     for (EStructuralFeature policy :
@@ -110,7 +116,7 @@ public final class EventChainWriter {
         json.putPOJO(policy.getName(), plain(qos.eGet(policy)));
       }
     }
-    return json;
+    return json.size() == 1 && json.has("profile") ? json.get("profile") : json;
   }
 
   private static Object plain(Object value) {

@@ -47,11 +47,8 @@ final class InstanceLinks {
   private boolean make(Link link) {
     EObject target = objects.byId().get(link.id());
     if (target == null) {
-      String hint =
-          link.id().startsWith("/") || link.id().contains("#")
-              ? "Write the id of the target, not a path."
-              : NearestName.hint(link.id(), objects.byId().keySet());
-      find(link, "modeler.reference.unresolved", "There is no object '" + link.id() + "'.", hint);
+      String message = "There is no object '" + link.id() + "'.";
+      find(link, "modeler.reference.unresolved", message, hint(link));
       return false;
     }
     List<EObject> before =
@@ -71,6 +68,15 @@ final class InstanceLinks {
       before.add(target);
     }
     return problem.isEmpty();
+  }
+
+  private String hint(Link link) {
+    if (link.id().stripLeading().startsWith("{")) {
+      return "Write an object as it is, not as a text.";
+    }
+    return link.id().startsWith("/") || link.id().contains("#")
+        ? "Write the id of the target, not a path."
+        : NearestName.hint(link.id(), objects.byId().keySet());
   }
 
   /** Setting one side of a pair of references can undo what the other side was told. */

@@ -39,6 +39,7 @@ final class InstanceObjects {
   private final List<EObject> all = new ArrayList<>();
   private final Map<String, EObject> byId = new LinkedHashMap<>();
   private final List<Link> links = new ArrayList<>();
+  private final Map<EObject, String> pointers = new HashMap<>();
   private final Map<EObject, Set<EStructuralFeature>> given = new HashMap<>();
 
   InstanceObjects(JsonText text, ClassIndex classes, Origins origins, List<Diagnostic> findings) {
@@ -67,9 +68,10 @@ final class InstanceObjects {
     return given.getOrDefault(object, Set.of()).contains(feature);
   }
 
-  /** The place of a property of the object at a pointer. */
-  SourceLocation placeOf(String pointer, String property) {
-    return text.at(JsonText.below(pointer, property));
+  /** The place of a feature of an object; that of the object where the text lacks the feature. */
+  SourceLocation placeOf(EObject object, EStructuralFeature feature) {
+    String pointer = pointers.get(object);
+    return text.at(isGiven(object, feature) ? JsonText.below(pointer, feature.getName()) : pointer);
   }
 
   Origins origins() {
@@ -121,6 +123,7 @@ final class InstanceObjects {
     }
     EObject object = eClass.get().getEPackage().getEFactoryInstance().create(eClass.get());
     all.add(object);
+    pointers.put(object, pointer);
     origins.put(object, text.at(pointer));
     noteId(json, pointer, object);
     json.fieldNames().forEachRemaining(name -> readFeature(object, name, json.get(name), pointer));
@@ -155,7 +158,8 @@ final class InstanceObjects {
     if (found.size() == 1) {
       find("modeler.class.abstract", "Class '" + name + "' is abstract.", pointer, concrete(found));
     } else if (found.isEmpty()) {
-      String hint = NearestName.hint(name, classes.concreteNames());
+      String simple = name.substring(Math.max(name.lastIndexOf('.'), name.lastIndexOf(':')) + 1);
+      String hint = NearestName.hint(simple, classes.concreteNames());
       find("modeler.class.unknown", "There is no class '" + name + "'.", pointer, hint);
     } else {
       find(

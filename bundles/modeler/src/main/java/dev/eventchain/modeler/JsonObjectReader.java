@@ -2,6 +2,7 @@ package dev.eventchain.modeler;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.util.ArrayList;
 import java.util.List;
@@ -86,8 +87,17 @@ final class JsonObjectReader {
     return value.map(JsonNode::asText);
   }
 
-  /** A finite number above a bound, or equal to it. */
-  OptionalDouble number(String name, double atLeast) {
+  /** A finite number that is zero or more. */
+  OptionalDouble number(String name) {
+    return number(name, 0.0, "zero or more");
+  }
+
+  /** A finite number above zero. */
+  OptionalDouble positiveNumber(String name) {
+    return number(name, Double.MIN_VALUE, "above zero");
+  }
+
+  private OptionalDouble number(String name, double least, String range) {
     Optional<JsonNode> value = value(name);
     if (value.isEmpty()) {
       return OptionalDouble.empty();
@@ -97,16 +107,10 @@ final class JsonObjectReader {
       return OptionalDouble.empty();
     }
     double number = value.get().asDouble();
-    if (!Double.isFinite(number) || number < atLeast) {
+    if (!Double.isFinite(number) || number < least) {
       find(
           "modeler.value.range",
-          "'"
-              + name
-              + "' must be a finite number of at least "
-              + atLeast
-              + ", not "
-              + value.get().asText()
-              + ".",
+          "'%s' must be finite and %s, not %s.".formatted(name, range, value.get().asText()),
           at(name));
       return OptionalDouble.empty();
     }
@@ -153,7 +157,7 @@ final class JsonObjectReader {
                     "modeler.feature.unknown",
                     "There is no property '" + name + "' here.",
                     at(name))
-                .withHint("The properties are " + String.join(", ", known) + "."));
+                .withHint(NearestName.hint(name, known)));
       }
     }
   }

@@ -7,6 +7,7 @@ import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.JsonToken;
 import com.fasterxml.jackson.core.StreamReadConstraints;
 import com.fasterxml.jackson.core.StreamReadFeature;
+import com.fasterxml.jackson.core.exc.StreamConstraintsException;
 import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
@@ -22,6 +23,7 @@ import java.util.Map;
 final class JsonText {
 
   private static final int DEEPEST = 200;
+  private static final int LONGEST = 16 * 1024 * 1024;
 
   private static final JsonMapper MAPPER =
       JsonMapper.builder(
@@ -44,11 +46,15 @@ final class JsonText {
   }
 
   /**
-   * Reads a document: strict JSON, no property twice, nothing after its end, at most 200 levels.
+   * Reads a document: strict JSON, no property twice, nothing after its end, at most 200 levels and
+   * 16 Mi characters.
    *
    * @throws DiagnosticException INPUT, {@code modeler.json.syntax}, if it is not such a document
    */
   static JsonText parse(SourceText source) {
+    if (source.text().length() > LONGEST) {
+      throw syntax("The file is longer than " + LONGEST + " characters.", source.at(0));
+    }
     try {
       JsonNode root = MAPPER.readTree(source.text());
       if (root == null || root.isMissingNode()) {
@@ -59,11 +65,20 @@ final class JsonText {
       var place = e.getLocation();
       SourceLocation location =
           place == null ? source.at(0) : source.at(place.getLineNr(), place.getColumnNr());
-      String message = e.getOriginalMessage().lines().findFirst().orElse("The file is not JSON.");
-      throw syntax("This is not JSON: " + message, location);
+      throw syntax("This is not JSON: " + reason(e), location);
     } catch (IOException e) {
       throw new IllegalStateException("reading from memory", e);
     }
+  }
+
+  /** What the parser says, without the names of its settings. */
+  private static String reason(JsonProcessingException e) {
+    if (e instanceof StreamConstraintsException) {
+      return "it is nested deeper than " + DEEPEST + " levels, or a name or number is too long.";
+    }
+    String said = e.getOriginalMessage().lines().findFirst().orElse("");
+    String plain = said.replaceFirst("( \\((start marker|not recognized)|: enable `).*$", "");
+    return plain.endsWith("?") ? plain : plain + ".";
   }
 
   private static DiagnosticException syntax(String message, SourceLocation location) {

@@ -114,7 +114,8 @@ public final class MetamodelSchema {
   }
 
   private static boolean isWritten(EStructuralFeature feature) {
-    if (!InstanceObjects.isWritable(feature) || feature.isTransient()) {
+    boolean isKey = feature.getName().equals(InstanceObjects.ID); // The object's id is its value.
+    if (isKey || !InstanceObjects.isWritable(feature) || feature.isTransient()) {
       return false;
     }
     return !(feature instanceof EReference reference)

@@ -1,7 +1,6 @@
 package dev.eventchain.modeler;
 
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.diagnostics.SourceLocation;
 import java.util.List;
 import org.eclipse.emf.ecore.EAttribute;
 import org.eclipse.emf.ecore.EObject;
@@ -59,10 +58,6 @@ final class MultiplicityCheck {
   }
 
   private void report(EObject object, EStructuralFeature feature, String id, String message) {
-    SourceLocation location = objects.origins().locate(object);
-    if (objects.isGiven(object, feature)) {
-      location = objects.placeOf(location.element(), feature.getName());
-    }
-    findings.add(Diagnostic.error(id, message, location));
+    findings.add(Diagnostic.error(id, message, objects.placeOf(object, feature)));
   }
 }

@@ -46,9 +46,31 @@ final class Names {
 
   private Names() {}
 
-  /** Whether a name is an ASCII identifier of Python and no keyword. */
+  /**
+   * Whether a name is an ASCII identifier of Python that means nothing else: no keyword, not the
+   * first argument of {@code execute()}, and not one of the names between double underscores that
+   * the language keeps for itself.
+   */
   static boolean isIdentifier(String name) {
-    return name.matches("[A-Za-z_][A-Za-z0-9_]*") && !KEYWORDS.contains(name);
+    return name.matches("[A-Za-z_][A-Za-z0-9_]*")
+        && !name.startsWith("__")
+        && !name.equals("self")
+        && !KEYWORDS.contains(name);
+  }
+
+  /** A name without the characters that would break a line or steer a terminal. */
+  static String printable(String name) {
+    return name.replaceAll("\\p{Cntrl}", "\uFFFD");
+  }
+
+  /** How the values of a property of event-chain descriptions must look. */
+  static String ruleOf(String property) {
+    return switch (property) {
+      case "topic" -> "Topics are names with slashes between: /carla/ego_vehicle/lidar.";
+      case "message_type" -> "Write it with its package: sensor_msgs/msg/LaserScan.";
+      case "field" -> "Fields are names with dots between: header.stamp.sec.";
+      default -> "";
+    };
   }
 
   /** Whether a name is a ROS 2 topic: parts of letters, digits and underscores between slashes. */

@@ -11,7 +11,6 @@ import dev.eventchain.metamodel.eventchain.QosProfile;
 import dev.eventchain.metamodel.eventchain.Reliability;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
@@ -103,11 +102,19 @@ final class QosReader {
     policy(object, "durability", Durability::getByName).ifPresent(qos::setDurability);
     policy(object, "history", History::getByName).ifPresent(qos::setHistory);
     policy(object, "liveliness", Liveliness::getByName).ifPresent(qos::setLiveliness);
-    OptionalDouble depth = object.number("depth", 0);
-    depth.ifPresent(value -> qos.setDepth((int) value));
-    object.number("deadline", 0).ifPresent(qos::setDeadline);
+    object.number("depth").ifPresent(depth -> setDepth(qos, depth, object));
+    object.number("deadline").ifPresent(qos::setDeadline);
     object.refuseOthers();
     return qos;
+  }
+
+  private static void setDepth(QosProfile qos, double depth, JsonObjectReader object) {
+    if (depth == (int) depth) {
+      qos.setDepth((int) depth);
+    } else {
+      object.find(
+          "modeler.value.range", "'depth' must be a whole number of samples.", object.at("depth"));
+    }
   }
 
   private static <E> Optional<E> policy(

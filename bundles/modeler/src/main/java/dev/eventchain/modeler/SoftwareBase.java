@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.metamodel.eventchain.ComponentImplementation;
 import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.EventchainFactory;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -14,6 +15,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
+import org.eclipse.emf.ecore.EObject;
 
 /**
  * What a project has already: the components of {@code components.json} with their files, and the
@@ -40,13 +43,16 @@ public final class SoftwareBase {
   private final String componentsText;
   private final String signalsText;
   private final List<Diagnostic> diagnostics;
+  private final EventChain described;
 
   private SoftwareBase(
       Map<String, Component> components,
+      EventChain described,
       String componentsText,
       String signalsText,
       List<Diagnostic> diagnostics) {
     this.components = components;
+    this.described = described;
     this.componentsText = componentsText;
     this.signalsText = signalsText;
     this.diagnostics = List.copyOf(diagnostics);
@@ -62,33 +68,26 @@ public final class SoftwareBase {
   public static SoftwareBase read(Path folder) {
     List<Diagnostic> diagnostics = new ArrayList<>();
     Map<String, Component> components = new LinkedHashMap<>();
+    EventChain described = EventchainFactory.eINSTANCE.createEventChain();
     String componentsText = "[]";
     Path componentsFile = folder.resolve("components.json");
     if (Files.exists(componentsFile)) {
       SourceText source = SourceText.read(componentsFile);
       componentsText = source.text();
-      components = new Reader(folder, JsonText.parse(source), diagnostics).components();
+      JsonText json = JsonText.parse(source);
+      Modeled<EventChain> read = EventChainReader.readExisting(json);
+      diagnostics.addAll(read.diagnostics());
+      described = read.root();
+      components = new Reader(folder, json, diagnostics).components();
     }
     String signalsText = "[]";
     Path signalsFile = folder.resolve("signals.json");
     if (Files.exists(signalsFile)) {
       SourceText source = SourceText.read(signalsFile);
       signalsText = source.text();
-      requireArray(JsonText.parse(source), diagnostics);
+      new SignalCheck(JsonText.parse(source), diagnostics).check();
     }
-    return new SoftwareBase(components, componentsText, signalsText, diagnostics);
-  }
-
-  private static boolean requireArray(JsonText text, List<Diagnostic> diagnostics) {
-    if (text.root().isArray()) {
-      return true;
-    }
-    diagnostics.add(
-        Diagnostic.error(
-            "modeler.value.type",
-            "The file must hold an array, not " + JsonObjectReader.kind(text.root()) + ".",
-            text.at("")));
-    return false;
+    return new SoftwareBase(components, described, componentsText, signalsText, diagnostics);
   }
 
   /** The components, in the order of the file. */
@@ -123,6 +122,23 @@ public final class SoftwareBase {
         .toList();
   }
 
+  /**
+   * Whether a chain uses the existing components as they are: the same values of the same fields of
+   * the same topics. An output that the chain leaves out is a warning, all else an error.
+   *
+   * @param locator the places of the chain's elements
+   */
+  public List<Diagnostic> check(EventChain chain, Function<EObject, SourceLocation> locator) {
+    List<Diagnostic> found = new ArrayList<>();
+    for (SoftwareNode node : chain.getSoftware()) {
+      described.getSoftware().stream()
+          .filter(existing -> existing.getName().equals(node.getName()))
+          .findFirst()
+          .ifPresent(existing -> new ReuseCheck(existing, node, locator, found).check());
+    }
+    return found;
+  }
+
   private static final class Reader {
     private final Path folder;
     private final JsonText text;
@@ -136,34 +152,21 @@ public final class SoftwareBase {
 
     Map<String, Component> components() {
       Map<String, Component> components = new LinkedHashMap<>();
-      if (!requireArray(text, diagnostics)) {
-        return components;
-      }
-      for (int i = 0; i < text.root().size(); i++) {
-        JsonObjectReader.at(text, "/" + i, diagnostics::add)
-            .flatMap(this::component)
-            .ifPresent(component -> add(component, components));
+      for (int i = 0; text.root().isArray() && i < text.root().size(); i++) {
+        String pointer = "/" + i;
+        if (text.root().at(pointer).isObject()) {
+          JsonObjectReader.at(text, pointer, diagnostics::add)
+              .flatMap(json -> component(json, pointer))
+              .ifPresent(component -> components.putIfAbsent(component.name(), component));
+        }
       }
       return components;
     }
 
-    private void add(Component component, Map<String, Component> components) {
-      if (components.putIfAbsent(component.name(), component) != null) {
-        diagnostics.add(
-            Diagnostic.error(
-                "modeler.name.duplicate",
-                "There is a component '" + component.name() + "' already.",
-                component.location()));
-      }
-    }
-
-    private Optional<Component> component(JsonObjectReader json) {
-      String name = json.requiredText("name");
+    /** The descriptions are checked where they are read as a chain; here it is about the files. */
+    private Optional<Component> component(JsonObjectReader json, String pointer) {
+      String name = text.root().at(pointer).path("name").asText();
       if (!Names.isIdentifier(name)) {
-        json.find(
-            "modeler.name.illegal",
-            "'" + name + "' cannot be the name of a component.",
-            json.at("name"));
         return Optional.empty();
       }
       String file = json.text("file").orElse("components/" + name + ".py");
@@ -183,12 +186,7 @@ public final class SoftwareBase {
             json.location());
       }
       return Optional.of(
-          new Component(
-              name,
-              implementation,
-              path,
-              text.root().at(json.pointerTo("").replaceAll("/$", "")),
-              json.location()));
+          new Component(name, implementation, path, text.root().at(pointer), json.location()));
     }
 
     private ComponentImplementation implementation(JsonObjectReader json) {

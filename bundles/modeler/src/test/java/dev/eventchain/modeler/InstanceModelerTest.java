@@ -1,0 +1,112 @@
+package dev.eventchain.modeler;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.EventchainPackage;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.eclipse.emf.ecore.EObject;
+import org.junit.jupiter.api.Test;
+
+class InstanceModelerTest {
+
+  private static final InstanceModeler CHAINS =
+      new InstanceModeler(List.of(EventchainPackage.eINSTANCE));
+
+  @Test
+  void elementsKeepTheirPointers() {
+    Modeled<EObject> made =
+        one(
+            """
+            {"eClass": "EventChain", "id": "c",
+             "software": [{"eClass": "SoftwareNode", "id": "a", "name": "A"}]}
+            """);
+    EventChain chain = (EventChain) made.root();
+    var location = made.origins().locate(chain.getSoftware().get(0));
+    assertEquals("/software/0", location.element());
+    assertEquals(2, location.line());
+    assertEquals(15, location.column());
+  }
+
+  @Test
+  void anIdIsAlsoTheAttributeOfThatName() {
+    EventChain chain =
+        (EventChain)
+            one("{\"eClass\": \"EventChain\", \"requirements\": [{\"id\": \"R-1\"}]}").root();
+    assertEquals("R-1", chain.getRequirements().get(0).getId());
+  }
+
+  @Test
+  void oneRootMayNotHaveStrayObjectsBesideIt() {
+    Modeled<EObject> made =
+        one("[{\"eClass\": \"EventChain\", \"name\": \"c\"}, {\"eClass\": \"Data\"}]");
+    assertEquals(List.of("modeler.containment.missing"), ids(made.diagnostics()));
+    assertEquals("/1", made.diagnostics().get(0).location().element());
+  }
+
+  @Test
+  void oneRootMayNotBeTwo() {
+    Modeled<EObject> made =
+        one("[{\"eClass\": \"EventChain\", \"name\": \"c\"}, {\"eClass\": \"EventChain\"}]");
+    assertEquals(List.of("modeler.containment.missing"), ids(made.diagnostics()));
+  }
+
+  @Test
+  void aMissingRootIsAFindingAndNoNull() {
+    Modeled<EObject> made = one("[]");
+    assertTrue(made.root() instanceof EventChain);
+    assertTrue(ids(made.diagnostics()).contains("modeler.instance.empty"));
+  }
+
+  @Test
+  void everyTruncationIsRefusedWithAPlace() throws IOException {
+    String text =
+        Files.readString(Path.of("src/test/resources/cases/instance/good-nested/instance.json"))
+            .strip();
+    for (int length = 0; length < text.length(); length++) {
+      SourceText cut = SourceText.of("cut.json", text.substring(0, length));
+      DiagnosticException refused =
+          assertThrows(DiagnosticException.class, () -> CHAINS.model(cut), cut::text);
+      assertEquals("modeler.json.syntax", refused.diagnostics().get(0).id());
+      assertTrue(refused.diagnostics().get(0).location().line() > 0);
+    }
+  }
+
+  @Test
+  void everyValueIsFoundAtItsPlace() throws IOException {
+    String source =
+        Files.readString(Path.of("src/test/resources/cases/instance/good-nested/instance.json"));
+    JsonText text = JsonText.parse(SourceText.of("instance.json", source));
+    assertEquals(1, text.at("").line());
+    assertEquals("\"Emma.\",", textAt(text, source, "/items/1/title"));
+    assertEquals("-128,", textAt(text, source, "/items/0/weight"));
+    assertEquals("[\"a\",", textAt(text, source, "/items/0/keywords"));
+    assertEquals("\"b\"],", textAt(text, source, "/items/0/keywords/1"));
+    assertEquals("{\"id\":", textAt(text, source, "/sections/0/sections/0"));
+    assertEquals("{\"eClass\":", textAt(text, source, "/items/1/nothing/here"));
+  }
+
+  private static String textAt(JsonText text, String source, String pointer) {
+    var location = text.at(pointer);
+    assertEquals(pointer, location.element());
+    String line = source.lines().toList().get(location.line() - 1);
+    return line.substring(location.column() - 1).split("[ }]", 2)[0];
+  }
+
+  private static Modeled<EObject> one(String json) {
+    return CHAINS.modelOne(
+        SourceText.of("instance.json", json), EventchainPackage.Literals.EVENT_CHAIN);
+  }
+
+  private static List<String> ids(List<Diagnostic> diagnostics) {
+    return diagnostics.stream().map(Diagnostic::id).toList();
+  }
+}

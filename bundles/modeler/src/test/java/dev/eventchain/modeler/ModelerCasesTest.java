@@ -1,0 +1,128 @@
+package dev.eventchain.modeler;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.fail;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.metamodel.XmiStore;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.eclipse.emf.ecore.EObject;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * A folder a case; {@code expected.txt} holds what is found, and what is made if there is no error.
+ */
+class ModelerCasesTest {
+
+  private static final Path CASES = Path.of("src/test/resources/cases");
+
+  static Stream<String> cases() throws IOException {
+    try (Stream<Path> folders = Files.find(CASES, 2, (path, a) -> Files.isDirectory(path))) {
+      return folders
+          .map(CASES::relativize)
+          .filter(path -> path.getNameCount() == 2)
+          .map(path -> path.toString().replace('\\', '/'))
+          .sorted()
+          .toList()
+          .stream();
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("cases")
+  void saysWhatIsExpected(String name) throws IOException {
+    Path folder = CASES.resolve(name);
+    String actual = outcome(name.substring(0, name.indexOf('/')), folder);
+    Path expected = folder.resolve("expected.txt");
+    if (!Files.exists(expected)) {
+      Files.writeString(expected, actual);
+      fail("Wrote the missing " + expected + "; check it.");
+    }
+    assertEquals(Files.readString(expected), actual);
+  }
+
+  private static String outcome(String kind, Path folder) {
+    try {
+      return switch (kind) {
+        case "instance" -> instance(folder);
+        case "chain" -> chain(folder);
+        case "base" -> base(folder);
+        case "requirements" -> requirements(folder);
+        default -> throw new IllegalArgumentException(kind);
+      };
+    } catch (DiagnosticException e) {
+      assertEquals(DiagnosticException.Reason.INPUT, e.reason());
+      return render(e.diagnostics(), folder);
+    }
+  }
+
+  private static String instance(Path folder) {
+    InstanceModeler modeler = new InstanceModeler(Library.load());
+    Modeled<List<EObject>> made = modeler.model(read(folder, "instance.json"));
+    return result(made.diagnostics(), folder, made.root());
+  }
+
+  private static String chain(Path folder) {
+    Modeled<EventChain> made = readChain(folder);
+    return result(made.diagnostics(), folder, List.of(made.root()));
+  }
+
+  private static Modeled<EventChain> readChain(Path folder) {
+    return EventChainReader.read(
+        read(folder, "chain.json"),
+        "aeb",
+        Requirements.read(read(CASES, "requirements.md")),
+        OptionalDouble.empty());
+  }
+
+  private static String base(Path folder) {
+    SoftwareBase base = SoftwareBase.read(folder);
+    String text = render(base.diagnostics(), folder);
+    for (SoftwareBase.Component component : base.components()) {
+      text += component.name() + " " + component.implementation() + "\n";
+    }
+    if (Files.exists(folder.resolve("chain.json"))) {
+      Modeled<EventChain> chain = readChain(folder);
+      text += render(chain.diagnostics(), folder);
+      text += "missing: " + base.missing(chain.root()).size() + "\n";
+      text += render(base.check(chain.root(), chain.origins()::locate), folder);
+    }
+    return text;
+  }
+
+  private static String requirements(Path folder) {
+    Requirements read = Requirements.read(read(folder, "requirements.md"));
+    return render(read.diagnostics(), folder)
+        + read.items().stream()
+            .map(item -> item.location().line() + " " + item.id() + " = " + item.text() + "\n")
+            .collect(Collectors.joining());
+  }
+
+  private static SourceText read(Path folder, String file) {
+    return SourceText.read(folder.resolve(file));
+  }
+
+  private static String result(
+      List<Diagnostic> diagnostics, Path folder, List<? extends EObject> roots) {
+    String found = render(diagnostics, folder);
+    return Diagnostic.anyError(diagnostics)
+        ? found
+        : found + new String(XmiStore.toBytes(roots), StandardCharsets.UTF_8);
+  }
+
+  private static String render(List<Diagnostic> diagnostics, Path folder) {
+    return DiagnosticFormat.TEXT.render(diagnostics).replace(folder + "/", "");
+  }
+}
