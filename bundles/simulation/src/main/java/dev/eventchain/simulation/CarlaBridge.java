@@ -1,14 +1,22 @@
 package dev.eventchain.simulation;
 
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.messages.CdrCodec;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.messages.MessageType;
+import dev.eventchain.messages.MessageValue;
 import java.nio.ByteBuffer;
-import java.nio.ByteOrder;
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.stream.Stream;
 
 /**
  * What the vehicle offers to its software and takes from it: topics and message types of the CARLA
- * ROS bridge for a vehicle named {@code ego_vehicle}, and the clock.
+ * ROS bridge for a vehicle named {@code ego_vehicle}, and the clock. The definitions are those that
+ * the nodes use.
  */
 final class CarlaBridge {
 
@@ -32,22 +40,79 @@ final class CarlaBridge {
 
   private static final String FRAME = "ego_vehicle";
   private static final int FLOAT32 = 7;
+  private static final long SECOND = 1_000_000_000L;
 
-  /** Place of the brake in a control message whose frame id is empty. */
-  private static final int ENCAPSULATION = 4;
-
+  private final MessageCatalog catalog;
   private final List<Topic> published;
+  private final List<MessageValue> messages;
+  private final MessageType control;
 
   /**
    * Offers what is asked for, so that nothing is computed in vain; the clock is always offered.
    *
+   * @param catalog where the message types are defined
    * @param wanted names of the topics that the software reads
+   * @throws DiagnosticException (INPUT) {@code message.unknown} or {@code message.field.missing}: a
+   *     definition is missing or is not the one of the CARLA ROS bridge
    */
-  CarlaBridge(Collection<String> wanted) {
-    published =
+  CarlaBridge(MessageCatalog catalog, Collection<String> wanted) {
+    this.catalog = catalog;
+    this.published =
         Stream.of(CLOCK, LIDAR, STATUS, ODOMETRY, SPEEDOMETER)
             .filter(topic -> topic.equals(CLOCK) || wanted.contains(topic.name()))
             .toList();
+    this.messages = published.stream().map(this::message).toList();
+    this.control = type(CONTROL);
+    checked(CONTROL, () -> brake(MessageValue.of(control)));
+  }
+
+  private MessageType type(Topic topic) {
+    return catalog
+        .find(topic.type())
+        .orElseThrow(
+            () ->
+                refused(
+                    "message.unknown",
+                    "The vehicle's topic " + topic.name() + " needs " + topic.type() + "."));
+  }
+
+  private MessageValue message(Topic topic) {
+    MessageValue message = MessageValue.of(type(topic));
+    checked(topic, () -> constants(topic, message));
+    return message;
+  }
+
+  /** Sets what never changes. */
+  private void constants(Topic topic, MessageValue message) {
+    if (topic.equals(LIDAR)) {
+      message.set("header.frame_id", FRAME + "/lidar");
+      message.set("height", 1L);
+      message.set("fields", pointFields());
+      message.set("point_step", (long) Lidar.POINT_STEP);
+      message.set("is_dense", true);
+    } else if (topic.equals(STATUS)) {
+      message.set("header.frame_id", FRAME);
+      message.set("orientation.w", 1.0);
+      message.set("control.gear", 1);
+    } else if (topic.equals(ODOMETRY)) {
+      message.set("header.frame_id", "map");
+      message.set("child_frame_id", FRAME);
+      message.set("pose.pose.orientation.w", 1.0);
+    }
+  }
+
+  private List<MessageValue> pointFields() {
+    MessageType type = type(new Topic(LIDAR.name(), "sensor_msgs/msg/PointField"));
+    List<MessageValue> fields = new ArrayList<>();
+    for (String name : List.of("x", "y", "z", "intensity")) {
+      MessageValue field = MessageValue.of(type);
+      field.set("name", name);
+      field.set("offset", (long) fields.size() * Float.BYTES);
+      field.set("datatype", FLOAT32);
+      field.set("count", 1L);
+      fields.add(field);
+    }
+    return fields;
   }
 
   /** The topics it publishes; the index of a message's topic is the position here. */
@@ -57,62 +122,75 @@ final class CarlaBridge {
 
   /** What the sensors see at this moment: one message on each topic. */
   List<LockstepChannel.Inbound> sense(World world, Lidar lidar) {
-    return Stream.iterate(0, index -> index < published.size(), index -> index + 1)
-        .map(
-            index ->
-                new LockstepChannel.Inbound(index, message(published.get(index), world, lidar)))
-        .toList();
+    List<LockstepChannel.Inbound> sensed = new ArrayList<>();
+    for (int i = 0; i < published.size(); i++) {
+      Topic topic = published.get(i);
+      MessageValue message = messages.get(i);
+      checked(topic, () -> update(topic, message, world, lidar));
+      sensed.add(new LockstepChannel.Inbound(i, ByteBuffer.wrap(CdrCodec.encode(message))));
+    }
+    return sensed;
   }
 
-  private static ByteBuffer message(Topic topic, World world, Lidar lidar) {
+  private static void update(Topic topic, MessageValue message, World world, Lidar lidar) {
     if (topic.equals(LIDAR)) {
-      return pointCloud(world.now(), lidar.scan(RoadScene.boxes(world)));
+      byte[] points = lidar.scan(RoadScene.boxes(world));
+      stamp(message, "header.stamp", world.now());
+      message.set("width", (long) points.length / Lidar.POINT_STEP);
+      message.set("row_step", (long) points.length);
+      message.set("data", points);
     } else if (topic.equals(STATUS)) {
-      return status(world);
+      stamp(message, "header.stamp", world.now());
+      stamp(message, "control.header.stamp", world.now());
+      message.set("velocity", (float) world.egoSpeed());
+      message.set("acceleration.linear.x", -world.egoDeceleration());
+      message.set("control.brake", (float) world.pedal());
     } else if (topic.equals(ODOMETRY)) {
-      return odometry(world);
+      stamp(message, "header.stamp", world.now());
+      message.set("pose.pose.position.x", world.egoPosition());
+      message.set("twist.twist.linear.x", world.egoSpeed());
     } else if (topic.equals(SPEEDOMETER)) {
-      return new CdrWriter(8).float32(world.egoSpeed()).finish();
+      message.set("data", (float) world.egoSpeed());
+    } else {
+      stamp(message, "clock", world.now());
     }
-    return new CdrWriter(8).time(world.now()).finish();
   }
 
-  private static ByteBuffer pointCloud(long now, byte[] points) {
-    CdrWriter cdr = new CdrWriter(points.length + 256);
-    int width = points.length / Lidar.POINT_STEP;
-    cdr.time(now).string(FRAME + "/lidar").int32(1).int32(width);
-    String[] fields = {"x", "y", "z", "intensity"};
-    cdr.int32(fields.length);
-    for (int i = 0; i < fields.length; i++) {
-      cdr.string(fields[i]).int32(i * Float.BYTES).uint8(FLOAT32).int32(1);
-    }
-    cdr.bool(false).int32(Lidar.POINT_STEP).int32(points.length).bytes(points).bool(true);
-    return cdr.finish();
-  }
-
-  private static ByteBuffer status(World world) {
-    CdrWriter cdr = new CdrWriter(256);
-    cdr.time(world.now()).string(FRAME).float32(world.egoSpeed());
-    cdr.float64(-world.egoDeceleration(), 0, 0, 0, 0, 0);
-    cdr.float64(0, 0, 0, 1);
-    cdr.time(world.now()).string("").float32(0).float32(0).float32(world.pedal());
-    cdr.bool(false).bool(false).int32(1).bool(false);
-    return cdr.finish();
-  }
-
-  private static ByteBuffer odometry(World world) {
-    CdrWriter cdr = new CdrWriter(1024);
-    cdr.time(world.now()).string("map").string(FRAME);
-    cdr.float64(world.egoPosition(), 0, 0).float64(0, 0, 0, 1).float64(new double[36]);
-    cdr.float64(world.egoSpeed(), 0, 0, 0, 0, 0).float64(new double[36]);
-    return cdr.finish();
+  private static void stamp(MessageValue message, String field, long now) {
+    message.set(field + ".sec", (int) (now / SECOND));
+    message.set(field + ".nanosec", now % SECOND);
   }
 
   /** The brake of a control message. */
-  static double brake(ByteBuffer message) {
-    ByteBuffer cdr = message.duplicate().order(ByteOrder.LITTLE_ENDIAN);
-    int frameLength = cdr.getInt(ENCAPSULATION + 8);
-    int throttle = ENCAPSULATION + ((12 + frameLength + 3) & ~3);
-    return cdr.getFloat(throttle + 8);
+  double brake(ByteBuffer message) {
+    byte[] bytes = new byte[message.remaining()];
+    message.duplicate().get(bytes);
+    return brake(CdrCodec.decode(control, bytes));
+  }
+
+  private static double brake(MessageValue message) {
+    return message.number("brake");
+  }
+
+  private static void checked(Topic topic, Runnable access) {
+    try {
+      access.run();
+    } catch (IllegalArgumentException e) {
+      throw refused(
+          "message.field.missing",
+          "The vehicle's topic "
+              + topic.name()
+              + " needs "
+              + topic.type()
+              + " as CARLA defines it: "
+              + e.getMessage());
+    }
+  }
+
+  private static DiagnosticException refused(String id, String message) {
+    return new DiagnosticException(
+        DiagnosticException.Reason.INPUT,
+        Diagnostic.error(id, message, SourceLocation.NONE)
+            .withHint("Put the definition into software-base/msg/PACKAGE/msg/NAME.msg."));
   }
 }

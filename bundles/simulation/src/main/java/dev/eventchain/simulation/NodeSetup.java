@@ -3,6 +3,7 @@ package dev.eventchain.simulation;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.metamodel.eventchain.ComponentImplementation;
 import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
@@ -21,13 +22,20 @@ final class NodeSetup {
 
   private final SimulationRequest request;
   private final List<SoftwareNode> nodes;
+  private final MessageCatalog catalog;
 
   NodeSetup(SimulationRequest request) {
     this.request = request;
+    this.catalog = MessageCatalog.of(request.messageFolders());
     this.nodes =
         request.chain().getSoftware().stream()
             .filter(node -> node.getImplementation() == ComponentImplementation.COMPONENT)
             .toList();
+  }
+
+  /** The message types that the nodes use. */
+  MessageCatalog catalog() {
+    return catalog;
   }
 
   /** The nodes, in chain order. */

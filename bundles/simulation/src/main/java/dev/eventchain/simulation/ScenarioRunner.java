@@ -29,7 +29,7 @@ final class ScenarioRunner {
   }
 
   Run run(Scenario scenario) {
-    CarlaBridge bridge = new CarlaBridge(setup.topicsRead());
+    CarlaBridge bridge = new CarlaBridge(setup.catalog(), setup.topicsRead());
     JsonNode ready = session.configure(setup.configuration(scenario, bridge));
     World world = new World(scenario.ego(), scenario.targets());
     Lidar lidar = new Lidar(scenario.ego(), scenario.seed());
@@ -39,7 +39,7 @@ final class ScenarioRunner {
     while (world.now() < end && !world.impacted() && world.now() - AFTER_STOP < stoppedAt) {
       long until = Math.min(end, world.now() + SENSOR_PERIOD);
       for (Outbound command : session.step(until, bridge.sense(world, lidar))) {
-        world.command(command.time(), CarlaBridge.brake(command.message()));
+        world.command(command.time(), bridge.brake(command.message()));
       }
       world.advanceTo(until);
       if (world.egoSpeed() == 0.0 && stoppedAt == Long.MAX_VALUE) {

@@ -28,7 +28,7 @@ public final class Simulation {
   private final AtomicBoolean stopped = new AtomicBoolean();
   private final List<LockstepProcess> open = new ArrayList<>();
   private final SortedMap<Integer, Run> runs = new TreeMap<>();
-  private final SortedMap<Integer, DiagnosticException> failures = new TreeMap<>();
+  private final SortedMap<Integer, RuntimeException> failures = new TreeMap<>();
 
   private Simulation(
       SimulationRequest request, PythonEnvironment python, Consumer<ScenarioVerdict> progress) {
@@ -44,10 +44,12 @@ public final class Simulation {
    * @param python the Python that runs the nodes
    * @param progress gets each verdict as it is found, one at a time, from threads of the
    *     simulation; the order may differ from that of the request
-   * @throws DiagnosticException (FINDINGS) if the nodes cannot be driven through a scenario: one
-   *     raises, hangs ({@code simulation.step.timeout}), ends the process ({@code
-   *     simulation.process.ended}), returns something else than its signature says, or breaks the
-   *     protocol ({@code simulation.protocol}); (UNAVAILABLE) if the process cannot be started
+   * @throws DiagnosticException (INPUT) if the messages of the vehicle are not defined ({@code
+   *     message.unknown}, {@code message.field.missing}); (FINDINGS) if the nodes cannot be driven
+   *     through a scenario: one raises, hangs ({@code simulation.step.timeout}), ends the process
+   *     ({@code simulation.process.ended}), returns something else than its signature says, or
+   *     breaks the protocol ({@code simulation.protocol}); (UNAVAILABLE) if the process cannot be
+   *     started
    * @throws InterruptedException if the calling thread was interrupted; the processes are ended
    */
   public static SimulationResult run(
@@ -103,7 +105,7 @@ public final class Simulation {
       while (!stopped.get() && (scenario = next.getAndIncrement()) < request.scenarios().size()) {
         done(scenario, runner.run(request.scenarios().get(scenario)));
       }
-    } catch (DiagnosticException e) {
+    } catch (RuntimeException e) { // rethrown by run(): a thread must not end unnoticed
       failed(scenario, e);
     }
   }
@@ -113,7 +115,7 @@ public final class Simulation {
     progress.accept(ResultBuilder.verdict(run));
   }
 
-  private synchronized void failed(int scenario, DiagnosticException failure) {
+  private synchronized void failed(int scenario, RuntimeException failure) {
     stopped.set(true);
     failures.put(scenario, failure);
   }

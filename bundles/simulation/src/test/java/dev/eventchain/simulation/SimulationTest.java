@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.python.PythonEnvironment;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -19,6 +20,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvFileSource;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Real nodes in a real confined process, driven through the AEB example's scenarios. */
 class SimulationTest {
@@ -104,7 +106,7 @@ class SimulationTest {
     List<String> heard = Collections.synchronizedList(new ArrayList<>());
     Simulation.run(
         project.request(AebProject.scenarios()),
-        dev.eventchain.python.PythonEnvironment.ensure(line -> {}),
+        PythonEnvironment.ensure(line -> {}),
         verdict -> heard.add(verdict.scenario()));
     Collections.sort(heard);
     assertEquals(AebProject.scenarios().stream().map(Scenario::name).toList(), heard);
@@ -144,5 +146,43 @@ class SimulationTest {
     List<Scenario> scenarios = List.of(AebProject.scenario("empty-road"), Scenario.read(file));
     List<ScenarioVerdict> verdicts = project.simulate(scenarios).verdicts();
     assertNotEquals(verdicts.get(0).latency(), verdicts.get(1).latency());
+  }
+
+  @ParameterizedTest
+  @CsvSource({"float32 brakes,message.field.missing", "bool brake,message.field.missing"})
+  void vehicleNeedsItsMessagesAsTheyAreDefinedByCarla(String field, String id) throws Exception {
+    Path messages = folder.resolve("msg/carla_msgs/msg");
+    Files.createDirectories(messages);
+    Path original = AebProject.EXAMPLE.resolve("software-base/msg/carla_msgs/msg");
+    for (String file : List.of("CarlaEgoVehicleControl.msg", "CarlaEgoVehicleStatus.msg")) {
+      String text = Files.readString(original.resolve(file));
+      Files.writeString(messages.resolve(file), text.replace("float32 brake", field));
+    }
+    SimulationRequest request = new AebProject(folder).request(AebProject.scenarios());
+    SimulationRequest changed =
+        SimulationRequest.of(
+            request.chain(),
+            request.packageFolder(),
+            request.packageName(),
+            List.of(folder.resolve("msg")),
+            request.scenarios());
+    DiagnosticException failure =
+        assertThrows(DiagnosticException.class, () -> AebProject.simulate(changed));
+    assertEquals(DiagnosticException.Reason.INPUT, failure.reason());
+    assertEquals(id, failure.diagnostics().get(0).id());
+  }
+
+  @Test
+  void errorInTheListenerIsNotSwallowed() throws Exception {
+    SimulationRequest request = new AebProject(folder).request(AebProject.scenarios());
+    assertThrows(
+        IllegalStateException.class,
+        () ->
+            Simulation.run(
+                request,
+                PythonEnvironment.ensure(line -> {}),
+                verdict -> {
+                  throw new IllegalStateException();
+                }));
   }
 }

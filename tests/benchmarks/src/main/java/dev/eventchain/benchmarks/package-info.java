@@ -1,0 +1,2 @@
+/** Programs that print how fast something is. */
+package dev.eventchain.benchmarks;
