@@ -13,7 +13,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EcoreFactory;
 import org.junit.jupiter.api.Test;
 
 class InstanceModelerTest {
@@ -42,6 +45,28 @@ class InstanceModelerTest {
         (EventChain)
             one("{\"eClass\": \"EventChain\", \"requirements\": [{\"id\": \"R-1\"}]}").root();
     assertEquals("R-1", chain.getRequirements().get(0).getId());
+  }
+
+  @Test
+  void aClassNameOfTwoPackagesNeedsItsPackage() {
+    InstanceModeler modeler = new InstanceModeler(List.of(withBox("store"), withBox("archive")));
+    List<Diagnostic> found =
+        modeler.model(SourceText.of("a.json", "{\"eClass\": \"Box\"}")).diagnostics();
+    assertEquals("modeler.class.ambiguous", found.get(0).id());
+    Modeled<List<EObject>> made =
+        modeler.model(SourceText.of("b.json", "{\"eClass\": \"archive.Box\"}"));
+    assertEquals(List.of(), made.diagnostics());
+    assertEquals("archive", made.root().get(0).eClass().getEPackage().getName());
+  }
+
+  private static EPackage withBox(String name) {
+    EPackage ePackage = EcoreFactory.eINSTANCE.createEPackage();
+    ePackage.setName(name);
+    ePackage.setNsURI("http://example.org/" + name);
+    EClass box = EcoreFactory.eINSTANCE.createEClass();
+    box.setName("Box");
+    ePackage.getEClassifiers().add(box);
+    return ePackage;
   }
 
   @Test

@@ -13,11 +13,15 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.OptionalDouble;
 import java.util.function.Consumer;
+import org.eclipse.emf.common.util.EList;
 import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.junit.jupiter.api.Test;
 
 class ModelComparisonTest {
+
+  private static final List<EPackage> LIBRARY = Library.load();
 
   private final EventChain chain = read();
 
@@ -32,6 +36,13 @@ class ModelComparisonTest {
     assertEquals("modeler.comparison.value", found.id());
     assertEquals("'frequency' is 50.0, not 20.0.", found.message());
     assertEquals("EventChain[aeb]/software[TTC_Calculation]", found.location().element());
+  }
+
+  @Test
+  void rootsOfDifferentClassesAreNotCompared() {
+    EObject other = chain.getSoftware().get(0);
+    Diagnostic found = one(ModelComparison.compare(chain, other, new Origins()::locate));
+    assertEquals("modeler.comparison.class", found.id());
   }
 
   @Test
@@ -91,12 +102,9 @@ class ModelComparisonTest {
     EObject first = library("[\"f\", \"b\"]");
     EObject second = library("[\"b\", \"f\"]");
     assertEquals(1, ModelComparison.compare(first, second, new Origins()::locate).size());
-    Library.eClass("Library");
     first.eClass().getEStructuralFeature("featured").setOrdered(false);
     EObject third = EcoreUtil.copy(first);
-    ((org.eclipse.emf.common.util.EList<?>)
-            third.eGet(third.eClass().getEStructuralFeature("featured")))
-        .move(0, 1);
+    ((EList<?>) third.eGet(third.eClass().getEStructuralFeature("featured"))).move(0, 1);
     assertEquals(List.of(), ModelComparison.compare(first, third, new Origins()::locate));
   }
 
@@ -114,8 +122,6 @@ class ModelComparisonTest {
     assertEquals(List.of(), made.diagnostics());
     return made.root().get(0);
   }
-
-  private static final List<org.eclipse.emf.ecore.EPackage> LIBRARY = Library.load();
 
   private List<Diagnostic> after(Consumer<EventChain> change) {
     EventChain copy = copyOf(chain);
