@@ -9,7 +9,6 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
-import dev.eventchain.metamodel.eventchain.ComponentImplementation;
 import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
@@ -60,9 +59,6 @@ public final class EventChainWriter {
     }
     if (node.isSetMemory()) {
       json.put("memory", node.getMemory());
-    }
-    if (node.getImplementation() == ComponentImplementation.NODE) {
-      json.put("implementation", "node");
     }
     ArrayNode requirements = json.putArray("requirements");
     node.getSatisfies().stream().map(Requirement::getId).forEach(requirements::add);
