@@ -17,6 +17,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /**
  * What {@code eventchain.yaml} says.
@@ -40,9 +42,21 @@ record Configuration(
     String template) {
 
   private static final double DEFAULT_FREQUENCY = 20;
+  private static final String DEFAULT_MODEL = "person";
   private static final int DEFAULT_REPAIRS = 3;
   private static final int MOST_REPAIRS = 20;
   private static final List<String> TASKS = List.of("design", "implement", "model", "constrain");
+
+  /** What each setting holds, in words. */
+  private static final Map<String, String> KINDS =
+      Map.of(
+          "name", "a text",
+          "title", "a text",
+          "frequency", "a number in Hz",
+          "llm", "a text",
+          "models", "a mapping from tasks to models",
+          "repairs", "a whole number",
+          "template", "a text");
 
   private static final ObjectMapper YAML =
       YAMLMapper.builder()
@@ -81,19 +95,24 @@ record Configuration(
   }
 
   private static Document parse(SourceText text) {
+    if (text.text().isBlank()) {
+      throw invalid("The file is empty.", whole(text), "It needs at least `name: ...`.");
+    }
     try {
-      Document document = YAML.readValue(text.text(), Document.class);
-      if (document == null) {
-        throw invalid("The file is empty.", whole(text), "It needs at least `name: ...`.");
-      }
-      return document;
+      return YAML.readValue(text.text(), Document.class);
     } catch (UnrecognizedPropertyException e) {
       throw invalid(
           "There is no setting '" + e.getPropertyName() + "'.",
-          at(text, e.getLocation()),
+          at(text, e.getPropertyName()),
           "The settings are " + String.join(", ", new TreeSet<>(known(e))) + ".");
     } catch (JsonMappingException e) {
-      throw invalid(e.getOriginalMessage(), at(text, e.getLocation()), "");
+      String setting = e.getPath().isEmpty() ? "" : e.getPath().get(0).getFieldName();
+      throw setting == null || !KINDS.containsKey(setting)
+          ? invalid(firstLine(e.getOriginalMessage()), at(text, e.getLocation()), "")
+          : invalid(
+              "The setting '" + setting + "' must be " + KINDS.get(setting) + ".",
+              at(text, setting),
+              "");
     } catch (JsonProcessingException e) {
       throw invalid(firstLine(e.getOriginalMessage()), at(text, e.getLocation()), "");
     }
@@ -111,27 +130,34 @@ record Configuration(
     if (!name.matches("[a-z][a-z0-9_]*")) {
       throw invalid(
           "'" + name + "' cannot be the name of a ROS 2 package.",
-          whole(text),
+          at(text, "name"),
           "Use lower-case letters, digits and underscores, a letter first.");
     }
     if (!(frequency > 0 && frequency <= 10_000)) {
       throw invalid(
           "The frequency must be above 0 and at most 10000 Hz, not " + frequency + ".",
-          whole(text),
+          at(text, "frequency"),
           "");
     }
     if (repairs < 0 || repairs > MOST_REPAIRS) {
       throw invalid(
-          "repairs must be from 0 to " + MOST_REPAIRS + ", not " + repairs + ".", whole(text), "");
+          "repairs must be from 0 to " + MOST_REPAIRS + ", not " + repairs + ".",
+          at(text, "repairs"),
+          "");
     }
     for (String task : models.keySet()) {
       if (!TASKS.contains(task)) {
         throw invalid(
             "There is no task '" + task + "' to give a model to.",
-            whole(text),
+            at(text, task),
             "The tasks are " + String.join(", ", TASKS) + ".");
       }
     }
+  }
+
+  /** The model that a stage asks. */
+  String model(Stage stage) {
+    return models.getOrDefault(stage.id(), DEFAULT_MODEL);
   }
 
   private static String required(String value, String setting, SourceText text) {
@@ -143,6 +169,14 @@ record Configuration(
 
   private static SourceLocation whole(SourceText text) {
     return SourceLocation.of(text.name());
+  }
+
+  /** The first line that gives a setting a value; the whole file if there is none. */
+  private static SourceLocation at(SourceText text, String setting) {
+    Matcher line =
+        Pattern.compile("(?m)(?:^|[{,]\\s*)[ \"']*(" + Pattern.quote(setting) + ")[\"']?\\s*:")
+            .matcher(text.text());
+    return line.find() ? text.at(line.start(1)) : whole(text);
   }
 
   private static SourceLocation at(SourceText text, JsonLocation location) {

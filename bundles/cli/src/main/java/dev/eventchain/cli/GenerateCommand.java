@@ -1,0 +1,61 @@
+package dev.eventchain.cli;
+
+import dev.eventchain.pipeline.AnyModel;
+import dev.eventchain.pipeline.Stage;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code generate}: a project's ROS 2 package, or text from any model by any template. */
+@Command(
+    name = "generate",
+    mixinStandardHelpOptions = true,
+    description = "Generate a project's ROS 2 package, or text from any model by a template.",
+    synopsisHeading = "Usage:%n",
+    customSynopsis = {
+      "eventchain generate DIR [OPTIONS]",
+      "eventchain generate --metamodel FILE.ecore --template FILE.mtl MODEL -o FOLDER"
+    })
+final class GenerateCommand extends ProjectCommand implements Callable<Integer> {
+
+  @Parameters(paramLabel = "DIR|MODEL", description = "The project's folder, or a model file.")
+  private Path input;
+
+  @Option(
+      names = "--metamodel",
+      paramLabel = "FILE",
+      description = "An Ecore metamodel of the model; may be repeated.")
+  private List<Path> metamodels = List.of();
+
+  @Option(names = "--template", paramLabel = "FILE", description = "The template's main module.")
+  private Path template;
+
+  @Spec private CommandSpec spec;
+
+  GenerateCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  public Integer call() {
+    if (template == null) {
+      if (!metamodels.isEmpty()) {
+        throw new ParameterException(
+            spec.commandLine(), "a model of a metamodel needs a template: --template FILE");
+      }
+      return execute(input, Stage.GENERATE, Stage.GENERATE, true, new LlmOptions(), List.of());
+    }
+    Path folder = output();
+    if (folder == null) {
+      throw new ParameterException(spec.commandLine(), "say where to write: -o FOLDER");
+    }
+    return console()
+        .report(AnyModel.generate(metamodels, template, input, folder, overwrite()), format());
+  }
+}

@@ -1,0 +1,20 @@
+package dev.eventchain.cli;
+
+import picocli.CommandLine.Option;
+
+/** How the answers of language models are had. */
+final class LlmOptions {
+
+  @Option(
+      names = "--llm",
+      paramLabel = "PROVIDER",
+      description = {
+        "Where answers come from: 'replay' takes the project's recordings; 'handoff:FOLDER'",
+        "writes each prompt to a file, ends with exit code 4, and goes on when called again with",
+        "the answer's file there. Default: as eventchain.yaml says."
+      })
+  String llm;
+
+  @Option(names = "--record", description = "Keep new answers as recordings of the project.")
+  boolean record;
+}

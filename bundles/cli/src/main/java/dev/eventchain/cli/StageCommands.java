@@ -1,0 +1,101 @@
+package dev.eventchain.cli;
+
+import dev.eventchain.pipeline.Stage;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** The commands that run a single stage, always anew. */
+final class StageCommands {
+
+  private StageCommands() {}
+
+  /** A stage that asks a language model. */
+  private abstract static class Asking extends ProjectCommand implements Callable<Integer> {
+
+    @Parameters(paramLabel = "DIR", description = "The project's folder.")
+    private Path folder;
+
+    @Mixin private LlmOptions llm;
+    private final Stage stage;
+
+    Asking(Console console, Stage stage) {
+      super(console);
+      this.stage = stage;
+    }
+
+    @Override
+    public Integer call() {
+      return execute(folder, stage, stage, true, llm, List.of());
+    }
+  }
+
+  @Command(
+      name = "design",
+      mixinStandardHelpOptions = true,
+      description = "Requirements and software base to an event chain (out/chain.json).")
+  static final class Design extends Asking {
+    Design(Console console) {
+      super(console, Stage.DESIGN);
+    }
+  }
+
+  @Command(
+      name = "implement",
+      mixinStandardHelpOptions = true,
+      description = "The chain's missing components (out/components/), checked in confinement.")
+  static final class Implement extends Asking {
+    Implement(Console console) {
+      super(console, Stage.IMPLEMENT);
+    }
+  }
+
+  @Command(
+      name = "model",
+      mixinStandardHelpOptions = true,
+      description = "The event chain as an instance of the metamodel (out/chain.xmi).")
+  static final class Model extends Asking {
+    Model(Console console) {
+      super(console, Stage.MODEL);
+    }
+  }
+
+  @Command(
+      name = "constrain",
+      mixinStandardHelpOptions = true,
+      description = "Design rules to OCL (out/generated.ocl), parsed and proved non-vacuous.")
+  static final class Constrain extends Asking {
+    Constrain(Console console) {
+      super(console, Stage.CONSTRAIN);
+    }
+  }
+
+  @Command(
+      name = "simulate",
+      mixinStandardHelpOptions = true,
+      description = "The generated nodes in the closed loop: verdicts and a measured model.")
+  static final class Simulate extends ProjectCommand implements Callable<Integer> {
+
+    @Parameters(paramLabel = "DIR", description = "The project's folder.")
+    private Path folder;
+
+    @Option(
+        names = "--scenario",
+        paramLabel = "NAME",
+        description = "Simulate this scenario only; may be repeated.")
+    private List<String> scenarios = List.of();
+
+    Simulate(Console console) {
+      super(console);
+    }
+
+    @Override
+    public Integer call() {
+      return execute(folder, Stage.SIMULATE, Stage.SIMULATE, true, new LlmOptions(), scenarios);
+    }
+  }
+}

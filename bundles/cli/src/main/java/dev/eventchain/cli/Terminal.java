@@ -1,0 +1,36 @@
+package dev.eventchain.cli;
+
+import java.util.Map;
+import picocli.CommandLine.Help.Ansi;
+
+/**
+ * What standard error is written to.
+ *
+ * @param live whether it is a terminal on which a line can be written again
+ * @param color whether colours are welcome there
+ * @param columns its width in characters
+ */
+record Terminal(boolean live, boolean color, int columns) {
+
+  /** No terminal: plain lines. */
+  static final Terminal PLAIN = new Terminal(false, false, 80);
+
+  private static final int NARROWEST = 20;
+
+  /**
+   * Java cannot ask whether standard error is a terminal; the launcher can, and says so in {@code
+   * EVENTCHAIN_TERMINAL_COLUMNS}. {@code NO_COLOR} is honoured.
+   */
+  static Terminal of(Map<String, String> environment) {
+    String columns = environment.getOrDefault("EVENTCHAIN_TERMINAL_COLUMNS", "");
+    if (!columns.matches("[0-9]{1,4}") || "dumb".equals(environment.get("TERM"))) {
+      return PLAIN;
+    }
+    boolean color = environment.getOrDefault("NO_COLOR", "").isEmpty();
+    return new Terminal(true, color, Math.max(NARROWEST, Integer.parseInt(columns)));
+  }
+
+  Ansi ansi() {
+    return color ? Ansi.ON : Ansi.OFF;
+  }
+}

@@ -1,0 +1,63 @@
+package dev.eventchain.pipeline;
+
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.agents.AgentResult;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Stream;
+
+/** What the stages that ask a language model have in common. */
+final class AgentReport {
+
+  private AgentReport() {}
+
+  /** Adds what decides an answer besides the prompt: model, provider, repairs and recordings. */
+  static void fingerprint(RunContext run, Stage stage, Fingerprint fingerprint) {
+    Configuration configuration = run.project().configuration();
+    fingerprint
+        .add(configuration.name())
+        .add(configuration.title())
+        .add(configuration.frequency())
+        .add(configuration.model(stage))
+        .add(configuration.repairs())
+        .add(run.options().llm().orElse(configuration.llm()))
+        .addFiles(filesBelow(run.project().recordings().resolve(stage.id())));
+  }
+
+  /** The model that answered and where its answers came from. */
+  static ObjectNode of(RunContext run, Stage stage, List<AgentResult> results) {
+    ObjectNode report = JsonNodeFactory.instance.objectNode();
+    report.put("model", run.project().configuration().model(stage));
+    Set<String> provenance = new TreeSet<>();
+    results.stream()
+        .flatMap(result -> result.attempts().stream())
+        .forEach(attempt -> provenance.add(attempt.response().provenance()));
+    report.put("provenance", String.join(", ", provenance));
+    return report;
+  }
+
+  /** How many answers had to be corrected, in words; empty if none. */
+  static String repairs(List<AgentResult> results) {
+    int repairs = results.stream().mapToInt(result -> result.attempts().size() - 1).sum();
+    return repairs == 0
+        ? ""
+        : ", " + repairs + (repairs == 1 ? " answer" : " answers") + " corrected";
+  }
+
+  private static List<Path> filesBelow(Path folder) {
+    if (!Files.isDirectory(folder)) {
+      return List.of();
+    }
+    try (Stream<Path> files = Files.walk(folder)) {
+      return files.filter(Files::isRegularFile).sorted().toList();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}

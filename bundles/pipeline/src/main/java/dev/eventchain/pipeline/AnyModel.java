@@ -1,0 +1,108 @@
+package dev.eventchain.pipeline;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.m2t.GenerationContext;
+import dev.eventchain.m2t.GenerationResult;
+import dev.eventchain.m2t.OutputFolder;
+import dev.eventchain.m2t.TemplateModule;
+import dev.eventchain.metamodel.LoadedModel;
+import dev.eventchain.metamodel.Origins;
+import dev.eventchain.metamodel.XmiStore;
+import dev.eventchain.metamodel.eventchain.EventchainPackage;
+import dev.eventchain.ocl.OclResult;
+import dev.eventchain.ocl.OclRules;
+import dev.eventchain.ocl.OclValidator;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
+
+/** Validation and generation for models of any Ecore metamodel, without a project. */
+public final class AnyModel {
+
+  private final XmiStore store;
+  private final List<EPackage> packages = new ArrayList<>();
+  private final List<EObject> roots = new ArrayList<>();
+  private final Origins origins = new Origins();
+
+  private AnyModel(List<Path> metamodels, List<Path> models) {
+    store = new XmiStore(commonFolder(metamodels, models));
+    packages.add(EventchainPackage.eINSTANCE);
+    metamodels.forEach(metamodel -> packages.addAll(store.loadMetamodel(metamodel)));
+    for (Path model : models) {
+      LoadedModel loaded = store.load(model);
+      roots.addAll(loaded.resource().getContents());
+      origins.putAll(loaded.origins());
+    }
+  }
+
+  /**
+   * A validation.
+   *
+   * @param summary what was evaluated, in a sentence
+   * @param diagnostics what was found, about the constraints and then about the models
+   */
+  public record Validation(String summary, List<Diagnostic> diagnostics) {}
+
+  /**
+   * Evaluates constraints on models.
+   *
+   * @throws DiagnosticException INPUT if a file cannot be read
+   */
+  public static Validation validate(
+      List<Path> metamodels, List<Path> constraints, List<Path> models) {
+    AnyModel any = new AnyModel(metamodels, models);
+    OclRules rules =
+        OclRules.parse(constraints.stream().map(SourceText::read).toList(), any.packages);
+    OclResult result = OclValidator.validate(rules, any.roots, any.origins::locate);
+    return new Validation(Constraints.words(result), result.diagnostics());
+  }
+
+  /**
+   * Generates text from a model.
+   *
+   * @param template the main module
+   * @param overwrite whether files that a person has edited are replaced
+   * @return what was found; nothing was written if one of it is an error
+   * @throws DiagnosticException INPUT if a file cannot be read, or the output not written
+   */
+  public static List<Diagnostic> generate(
+      List<Path> metamodels, Path template, Path model, Path folder, boolean overwrite) {
+    AnyModel any = new AnyModel(metamodels, List.of(model));
+    TemplateModule module = TemplateModule.compile(template, any.packages);
+    try (OutputFolder output = OutputFolder.open(folder)) {
+      GenerationResult result =
+          module.generate(
+              any.roots, GenerationContext.of(any.origins::locate).withEarlier(output::read));
+      List<Diagnostic> found = new ArrayList<>(module.warnings());
+      found.addAll(result.diagnostics());
+      if (!Diagnostic.anyError(found)) {
+        OutputFolder.OnEdit onEdit =
+            overwrite ? OutputFolder.OnEdit.OVERWRITE : OutputFolder.OnEdit.KEEP;
+        result
+            .files()
+            .forEach(
+                (name, content) ->
+                    output.write(name, content, onEdit).finding().ifPresent(found::add));
+      }
+      return found;
+    }
+  }
+
+  /** References may go between the files that the command names, and what lies below them. */
+  private static Path commonFolder(List<Path> metamodels, List<Path> models) {
+    List<Path> folders = new ArrayList<>();
+    metamodels.forEach(file -> folders.add(file.toAbsolutePath().normalize().getParent()));
+    models.forEach(file -> folders.add(file.toAbsolutePath().normalize().getParent()));
+    Path common = folders.get(0);
+    for (Path folder : folders) {
+      while (!folder.startsWith(common)) {
+        common = common.getParent();
+      }
+    }
+    return common;
+  }
+}

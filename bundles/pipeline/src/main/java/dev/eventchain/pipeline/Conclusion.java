@@ -1,0 +1,132 @@
+package dev.eventchain.pipeline;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.DiagnosticException.Reason;
+import dev.eventchain.pipeline.Progress.Status;
+import dev.eventchain.pipeline.RunResult.ScenarioLine;
+import dev.eventchain.pipeline.RunResult.Verdict;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** What a run comes to: the verdict, and the report about it. */
+final class Conclusion {
+
+  private final RunContext run;
+  private final Map<Stage, StageOutcome> outcomes;
+  private final Optional<Reason> failure;
+  private final Progress progress;
+
+  Conclusion(
+      RunContext run,
+      Map<Stage, StageOutcome> outcomes,
+      Optional<Reason> failure,
+      Progress progress) {
+    this.run = run;
+    this.outcomes = outcomes;
+    this.failure = failure;
+    this.progress = progress;
+  }
+
+  RunResult conclude() {
+    List<Diagnostic> found = new ArrayList<>();
+    outcomes.values().forEach(outcome -> found.addAll(outcome.diagnostics()));
+    List<ScenarioLine> scenarios = scenarioLines();
+    Verdict verdict = verdict(found);
+    String summary = summary(verdict, scenarios, found);
+    Optional<Path> report = Optional.empty();
+    if (run.options().runs(Stage.REPORT) && !failure.equals(Optional.of(Reason.WAITING))) {
+      report = writeReport(verdict, summary, found);
+      found.addAll(run.takeFindings());
+    }
+    return new RunResult(verdict, summary, scenarios, found, report, failure);
+  }
+
+  private Verdict verdict(List<Diagnostic> found) {
+    if (failure.isPresent()) {
+      return failure.get() == Reason.FINDINGS ? Verdict.FAILED : Verdict.INCOMPLETE;
+    }
+    if (Diagnostic.anyError(found)) {
+      return Verdict.FAILED;
+    }
+    boolean judged = outcome(Stage.SIMULATE).status() != Status.NOT_RUN;
+    return judged ? Verdict.PASSED : Verdict.INCOMPLETE;
+  }
+
+  private String summary(Verdict verdict, List<ScenarioLine> scenarios, List<Diagnostic> found) {
+    long passed = scenarios.stream().filter(ScenarioLine::passed).count();
+    String scenarioText = passed + " of " + scenarios.size() + " scenarios passed";
+    long errors =
+        found.stream()
+            .filter(finding -> finding.severity() == dev.eventchain.diagnostics.Severity.ERROR)
+            .count();
+    String errorText = errors + (errors == 1 ? " error" : " errors");
+    return switch (verdict) {
+      case PASSED -> scenarioText;
+      case FAILED -> scenarios.isEmpty() ? errorText : scenarioText + ", " + errorText;
+      case INCOMPLETE -> failure.isPresent() ? stopped() : lastDetails();
+    };
+  }
+
+  private String stopped() {
+    return outcomes.values().stream()
+        .filter(outcome -> outcome.status() == Status.FAILED)
+        .map(outcome -> "stopped in the stage '" + outcome.stage().id() + "'")
+        .findFirst()
+        .orElse("stopped");
+  }
+
+  /** What the last stage made, where a run was not asked for a verdict. */
+  private String lastDetails() {
+    return outcomes.values().stream()
+        .filter(outcome -> outcome.status() != Status.NOT_RUN)
+        .reduce((earlier, later) -> later)
+        .map(StageOutcome::details)
+        .orElse("nothing to do");
+  }
+
+  /** The scenarios of this run; those of an earlier one prove nothing about it. */
+  private List<ScenarioLine> scenarioLines() {
+    StageOutcome simulated = outcome(Stage.SIMULATE);
+    List<ScenarioLine> lines = new ArrayList<>();
+    if (simulated.status() != Status.NOT_RUN && simulated.report().isPresent()) {
+      for (JsonNode scenario : simulated.report().get().path("scenarios")) {
+        lines.add(
+            new ScenarioLine(
+                scenario.path("name").asText(),
+                scenario.path("passed").asBoolean(),
+                scenario.path("text").asText()));
+      }
+    }
+    return lines;
+  }
+
+  private StageOutcome outcome(Stage stage) {
+    return outcomes.get(stage);
+  }
+
+  private Optional<Path> writeReport(Verdict verdict, String summary, List<Diagnostic> found) {
+    progress.started(Stage.REPORT);
+    long start = System.nanoTime();
+    try {
+      ObjectNode data = new ReportData(run, outcomes).collect(verdict, summary, found);
+      run.writeResult("report.html", ReportPage.render(data));
+      ended(Status.DONE, start, run.file("report.html").toString());
+      return Optional.of(run.file("report.html"));
+    } catch (DiagnosticException e) {
+      e.diagnostics().forEach(run::find);
+      ended(Status.FAILED, start, e.diagnostics().get(0).message());
+      return Optional.empty();
+    }
+  }
+
+  private void ended(Status status, long start, String details) {
+    progress.ended(Stage.REPORT, status, Duration.ofNanos(System.nanoTime() - start), details);
+  }
+}

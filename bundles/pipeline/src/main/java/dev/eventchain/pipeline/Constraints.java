@@ -1,0 +1,109 @@
+package dev.eventchain.pipeline;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.metamodel.XmiStore;
+import dev.eventchain.metamodel.eventchain.EventchainPackage;
+import dev.eventchain.ocl.OclResult;
+import dev.eventchain.ocl.OclRules;
+import dev.eventchain.ocl.OclValidator;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Function;
+import org.eclipse.emf.ecore.EObject;
+
+/** The constraints of a project: the standard ones, those people wrote, and the generated ones. */
+final class Constraints {
+
+  static final String GENERATED = "generated.ocl";
+
+  private final OclRules rules;
+
+  private Constraints(OclRules rules) {
+    this.rules = rules;
+  }
+
+  /** All constraints that there are. */
+  static Constraints of(RunContext run) {
+    List<SourceText> documents = written(run);
+    Path generated = run.file(GENERATED);
+    if (Files.isRegularFile(generated)) {
+      documents.add(SourceText.read(generated));
+    }
+    return new Constraints(parse(documents));
+  }
+
+  /** The standard constraints and those that people wrote, before any are generated. */
+  static Constraints withoutGenerated(RunContext run) {
+    return new Constraints(parse(written(run)));
+  }
+
+  private static List<SourceText> written(RunContext run) {
+    List<SourceText> documents = new ArrayList<>();
+    documents.add(XmiStore.standardConstraints());
+    run.project().ownConstraints().map(SourceText::read).ifPresent(documents::add);
+    return documents;
+  }
+
+  private static OclRules parse(List<SourceText> documents) {
+    return OclRules.parse(documents, List.of(EventchainPackage.eINSTANCE));
+  }
+
+  OclResult check(EObject root, Function<EObject, SourceLocation> locator) {
+    return OclValidator.validate(rules, List.of(root), locator);
+  }
+
+  /**
+   * As {@link #check}, for a stage that must not go on with an invalid model.
+   *
+   * @throws DiagnosticException FINDINGS if a finding is an error
+   */
+  void require(EObject root, Function<EObject, SourceLocation> locator) {
+    List<Diagnostic> found = check(root, locator).diagnostics();
+    if (Diagnostic.anyError(found)) {
+      throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, found);
+    }
+  }
+
+  /** What a validation did, in words. */
+  static String words(OclResult result) {
+    String checked =
+        result.constraints()
+            + " constraints evaluated "
+            + result.evaluations()
+            + " times on "
+            + result.elements()
+            + " elements";
+    int findings = result.diagnostics().size();
+    return findings == 0
+        ? checked
+        : checked + ", " + findings + (findings == 1 ? " finding" : " findings");
+  }
+
+  /** What a validation did, for the report. */
+  static ObjectNode report(String model, OclResult result) {
+    ObjectNode report = JsonNodeFactory.instance.objectNode();
+    report
+        .put("model", model)
+        .put("constraints", result.constraints())
+        .put("elements", result.elements())
+        .put("evaluations", result.evaluations())
+        .put(
+            "violations",
+            result.diagnostics().stream().filter(d -> d.id().startsWith("ocl.")).count());
+    ArrayNode violated = report.putArray("violated");
+    Set<String> names = new TreeSet<>();
+    result.diagnostics().stream().map(Diagnostic::rule).forEach(names::add);
+    names.forEach(violated::add);
+    return report;
+  }
+}

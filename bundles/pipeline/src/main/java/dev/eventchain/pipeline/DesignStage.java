@@ -1,0 +1,58 @@
+package dev.eventchain.pipeline;
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.agents.AgentResult;
+import dev.eventchain.agents.DesignAgent;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.modeler.EventChainWriter;
+import java.util.List;
+
+/**
+ * Requirements and software base to {@code chain.json}. Where people edit the model of the chain,
+ * the chain is written from that.
+ */
+final class DesignStage implements StageWork {
+
+  static final String FILE = "chain.json";
+
+  @Override
+  public void fingerprint(RunContext run, Fingerprint fingerprint) {
+    Project project = run.project();
+    AgentReport.fingerprint(run, Stage.DESIGN, fingerprint);
+    fingerprint
+        .addFile(project.requirements())
+        .addFile(project.softwareBase().resolve("components.json"))
+        .addFile(project.softwareBase().resolve("signals.json"));
+    project.editedModel().ifPresent(fingerprint::addFile);
+    project.ownConstraints().ifPresent(fingerprint::addFile);
+  }
+
+  @Override
+  public StageResult execute(RunContext run) {
+    if (run.project().editedModel().isPresent()) {
+      RunContext.LoadedChain model = run.loadChain(run.project().editedModel().get());
+      Constraints.withoutGenerated(run).require(model.chain(), model.origins()::locate);
+      run.write(FILE, EventChainWriter.write(model.chain()));
+      return StageResult.of(
+          "the chain of model/chain.xmi, which people edit", List.of(FILE), List.<Diagnostic>of());
+    }
+    Configuration configuration = run.project().configuration();
+    AgentResult designed =
+        new DesignAgent(run.agent(Stage.DESIGN))
+            .design(
+                configuration.title(),
+                configuration.frequency(),
+                run.requirements(),
+                run.softwareBase());
+    run.write(FILE, designed.text());
+    ObjectNode report = AgentReport.of(run, Stage.DESIGN, List.of(designed));
+    return new StageResult(
+        "event chain from "
+            + run.requirements().items().size()
+            + " requirements"
+            + AgentReport.repairs(List.of(designed)),
+        List.of(FILE),
+        designed.diagnostics(),
+        report);
+  }
+}

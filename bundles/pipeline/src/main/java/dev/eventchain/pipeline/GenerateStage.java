@@ -1,0 +1,91 @@
+package dev.eventchain.pipeline;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.m2t.GenerationContext;
+import dev.eventchain.m2t.GenerationResult;
+import dev.eventchain.m2t.TemplateModule;
+import dev.eventchain.metamodel.eventchain.ComponentImplementation;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.EventchainPackage;
+import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import dev.eventchain.modeler.SoftwareBase;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
+
+/** The model to a ROS 2 package: the nodes by templates, and the components beside them. */
+final class GenerateStage implements StageWork {
+
+  static final String FOLDER = "ros2";
+  private static final String COMPONENTS = "components/";
+
+  @Override
+  public void fingerprint(RunContext run, Fingerprint fingerprint) {
+    fingerprint.add(run.project().configuration().template()).addFile(run.model());
+    fingerprint.addFiles(run.project().existingComponents());
+    RunContext.LoadedChain model = run.loadChain(run.model());
+    for (SoftwareNode node : model.chain().getSoftware()) {
+      fingerprint.addFile(run.file(COMPONENTS + node.getName() + ".py"));
+    }
+    Templates.own(run.project()).ifPresent(fingerprint::addFile);
+  }
+
+  @Override
+  public StageResult execute(RunContext run) {
+    RunContext.LoadedChain model = run.loadChain(run.model());
+    // A generator must not turn an invalid model into software.
+    Constraints.of(run).require(model.chain(), ChainOrigins.of(run, model)::locate);
+    TemplateModule module = Templates.compile(run.project(), List.of(EventchainPackage.eINSTANCE));
+    GenerationResult generated =
+        module.generate(
+            List.of(model.chain()),
+            GenerationContext.of(ChainOrigins.of(run, model)::locate)
+                .withEarlier(name -> run.output().read(FOLDER + "/" + name)));
+    List<Diagnostic> found = new ArrayList<>(module.warnings());
+    found.addAll(generated.diagnostics());
+    if (Diagnostic.anyError(found)) {
+      throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, found);
+    }
+    SortedMap<String, byte[]> files = new TreeMap<>();
+    generated.files().forEach((name, content) -> files.put(FOLDER + "/" + name, content));
+    components(run, model.chain(), files);
+    files.forEach(run::write);
+    found.addAll(run.output().removeOthers(FOLDER, files.keySet()));
+    String details = files.size() + " files in " + FOLDER + "/" + packageName(model.chain());
+    return StageResult.of(details, List.copyOf(files.keySet()), found);
+  }
+
+  /** The name of the generated package, as the templates derive it. */
+  static String packageName(EventChain chain) {
+    return chain.getName().toLowerCase(Locale.ROOT);
+  }
+
+  private static void components(
+      RunContext run, EventChain chain, SortedMap<String, byte[]> files) {
+    String folder = FOLDER + "/" + packageName(chain) + "/" + packageName(chain) + "/" + COMPONENTS;
+    for (SoftwareNode node : chain.getSoftware()) {
+      if (node.getImplementation() == ComponentImplementation.COMPONENT) {
+        String text = SourceText.read(componentFile(run, node)).text();
+        files.put(folder + node.getName() + ".py", text.getBytes(StandardCharsets.UTF_8));
+      }
+    }
+  }
+
+  /** The Python file of a component: from the software base, or else a generated one. */
+  static Path componentFile(RunContext run, SoftwareNode node) {
+    Optional<SoftwareBase.Component> existing = run.softwareBase().find(node.getName());
+    Path generated = run.file(COMPONENTS + node.getName() + ".py");
+    if (existing.isEmpty() && !Files.isRegularFile(generated)) {
+      return run.required(COMPONENTS + node.getName() + ".py", Stage.IMPLEMENT);
+    }
+    return existing.map(SoftwareBase.Component::file).orElse(generated);
+  }
+}

@@ -1,0 +1,140 @@
+package dev.eventchain.pipeline;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.m2t.OutputFolder;
+import dev.eventchain.pipeline.Progress.Status;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** Runs the stages of a project in order, as far as they are asked for and can go. */
+public final class Pipeline {
+
+  private static final Map<Stage, StageWork> WORK =
+      new EnumMap<>(
+          Map.of(
+              Stage.DESIGN, new DesignStage(),
+              Stage.IMPLEMENT, new ImplementStage(),
+              Stage.MODEL, new ModelStage(),
+              Stage.CONSTRAIN, new ConstrainStage(),
+              Stage.VALIDATE, new ValidateStage(),
+              Stage.GENERATE, new GenerateStage(),
+              Stage.SIMULATE, new SimulateStage()));
+
+  private final RunContext run;
+  private final StageMemory memory;
+  private final Progress progress;
+  private final Map<Stage, StageOutcome> outcomes = new EnumMap<>(Stage.class);
+  private Optional<DiagnosticException.Reason> failure = Optional.empty();
+
+  private Pipeline(RunContext run, StageMemory memory, Progress progress) {
+    this.run = run;
+    this.memory = memory;
+    this.progress = progress;
+  }
+
+  /**
+   * Runs stages of a project.
+   *
+   * @return how the run ended, with everything that was found; also when a stage could not go on
+   * @throws DiagnosticException INPUT if the output folder cannot be written or is in use
+   */
+  public static RunResult run(Project project, RunOptions options, Progress progress) {
+    try (OutputFolder output = OutputFolder.open(options.output());
+        RunContext context = new RunContext(project, options, output, progress)) {
+      StageMemory memory = new StageMemory(output, options.output());
+      output.damage().ifPresent(context::find);
+      // The generated package is for people to copy, not for a colcon build of the project.
+      context.write("COLCON_IGNORE", new byte[0]);
+      return new Pipeline(context, memory, progress).runStages();
+    }
+  }
+
+  private RunResult runStages() {
+    for (Stage stage : Stage.values()) {
+      if (stage == Stage.REPORT) {
+        break;
+      }
+      boolean wanted = run.options().runs(stage) && failure.isEmpty();
+      StageOutcome outcome = wanted ? runStage(stage) : notRun(stage);
+      outcomes.put(stage, outcome);
+      progress.ended(stage, outcome.status(), outcome.duration(), outcome.details());
+    }
+    return new Conclusion(run, outcomes, failure, progress).conclude();
+  }
+
+  private StageOutcome runStage(Stage stage) {
+    progress.started(stage);
+    long start = System.nanoTime();
+    StageWork work = WORK.get(stage);
+    try {
+      Fingerprint fingerprint = new Fingerprint().add(stage.id());
+      work.fingerprint(run, fingerprint);
+      String key = fingerprint.value();
+      Optional<StageRecord> remembered =
+          run.options().again() || !work.skippable() ? Optional.empty() : memory.recall(stage, key);
+      return remembered.isPresent()
+          ? unchanged(stage, remembered.get(), start)
+          : executed(stage, work, key, start);
+    } catch (DiagnosticException e) {
+      failure = Optional.of(e.reason());
+      return new StageOutcome(
+          stage, Status.FAILED, since(start), reason(e), e.diagnostics(), Optional.empty());
+    }
+  }
+
+  private StageOutcome executed(Stage stage, StageWork work, String key, long start) {
+    StageResult result = work.execute(run);
+    List<Diagnostic> found = new ArrayList<>(run.takeFindings());
+    found.addAll(result.diagnostics());
+    boolean failed = Diagnostic.anyError(found);
+    if (failed) {
+      memory.forget(stage);
+      failure = Optional.of(DiagnosticException.Reason.FINDINGS);
+    } else if (work.skippable()) {
+      memory.remember(
+          stage, new StageRecord(key, result.outputs(), result.details(), found, result.report()));
+    }
+    return new StageOutcome(
+        stage,
+        failed ? Status.FAILED : Status.DONE,
+        since(start),
+        result.details(),
+        found,
+        Optional.of(result.report()));
+  }
+
+  /** A person may have edited what the stage wrote: then that is said again. */
+  private StageOutcome unchanged(Stage stage, StageRecord record, long start) {
+    List<Diagnostic> found = new ArrayList<>(record.diagnostics());
+    for (String name : record.outputs()) {
+      run.output().accept(name).filter(edit -> !found.contains(edit)).ifPresent(found::add);
+    }
+    return new StageOutcome(
+        stage,
+        Status.UNCHANGED,
+        since(start),
+        record.details(),
+        found,
+        Optional.of(record.report()));
+  }
+
+  private StageOutcome notRun(Stage stage) {
+    return new StageOutcome(
+        stage, Status.NOT_RUN, Duration.ZERO, "", List.of(), memory.lastReport(stage));
+  }
+
+  private static String reason(DiagnosticException e) {
+    int count = e.diagnostics().size();
+    String more = count > 1 ? " (and " + (count - 1) + " more)" : "";
+    return e.diagnostics().get(0).message() + more;
+  }
+
+  private static Duration since(long start) {
+    return Duration.ofNanos(System.nanoTime() - start);
+  }
+}

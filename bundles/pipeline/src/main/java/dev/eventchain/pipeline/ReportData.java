@@ -1,0 +1,138 @@
+package dev.eventchain.pipeline;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.pipeline.RunResult.Verdict;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+
+/** Collects what the report shows, from the stages' results and the files of the run. */
+final class ReportData {
+
+  private static final double NANOSECONDS_IN_A_MILLISECOND = 1e6;
+
+  private final RunContext run;
+  private final Map<Stage, StageOutcome> outcomes;
+  private final ObjectNode data = JsonNodeFactory.instance.objectNode();
+
+  ReportData(RunContext run, Map<Stage, StageOutcome> outcomes) {
+    this.run = run;
+    this.outcomes = outcomes;
+  }
+
+  ObjectNode collect(Verdict verdict, String summary, List<Diagnostic> found) {
+    project(verdict, summary);
+    provenance();
+    stages();
+    Optional<EventChain> chain = chain();
+    chain.ifPresent(c -> data.set("chain", ChainPicture.of(c)));
+    data.set("validation", validation());
+    diagnostics(found);
+    JsonNode simulated = report(Stage.SIMULATE);
+    data.set("scenarios", arrayOf(simulated, "scenarios"));
+    data.set("nodes", arrayOf(simulated, "nodes"));
+    data.set("requirements", new Traceability(run, chain, outcomes).table());
+    return data;
+  }
+
+  private void project(Verdict verdict, String summary) {
+    data.putObject("project")
+        .put("name", run.project().configuration().name())
+        .put("title", run.project().configuration().title())
+        .put("verdict", verdict.name().toLowerCase(Locale.ROOT))
+        .put("summary", summary);
+  }
+
+  private void provenance() {
+    ObjectNode provenance = data.putObject("provenance");
+    Configuration configuration = run.project().configuration();
+    provenance.put("llm", run.options().llm().orElse(configuration.llm()));
+    ObjectNode models = provenance.putObject("models");
+    for (Stage stage : List.of(Stage.DESIGN, Stage.IMPLEMENT, Stage.MODEL, Stage.CONSTRAIN)) {
+      copyText(report(stage), "model", models, stage.id());
+      copyText(report(stage), "provenance", provenance, "recordings");
+    }
+    for (Stage stage : List.of(Stage.IMPLEMENT, Stage.SIMULATE)) {
+      copyText(report(stage), "confinement", provenance, "confinement");
+      copyText(report(stage), "python", provenance, "python");
+    }
+    copyText(report(Stage.SIMULATE), "driver", provenance, "driver");
+    provenance.put("java", System.getProperty("java.version"));
+    provenance.put("tool", "eventchain " + version());
+  }
+
+  private static String version() {
+    String version = ReportData.class.getPackage().getImplementationVersion();
+    return version == null ? "(development)" : version;
+  }
+
+  private void stages() {
+    ArrayNode stages = data.putArray("stages");
+    for (StageOutcome outcome : outcomes.values()) {
+      stages
+          .addObject()
+          .put("name", outcome.stage().id())
+          .put("title", outcome.stage().title())
+          .put("status", outcome.status().toString())
+          .put("milliseconds", outcome.duration().toNanos() / NANOSECONDS_IN_A_MILLISECOND)
+          .put("details", outcome.details());
+    }
+  }
+
+  /** The chain as the model says it; nothing before there is a model that can be read. */
+  private Optional<EventChain> chain() {
+    try {
+      return Optional.of(run.loadChain(run.model()).chain());
+    } catch (DiagnosticException e) {
+      return Optional.empty();
+    }
+  }
+
+  private ArrayNode validation() {
+    ArrayNode all = JsonNodeFactory.instance.arrayNode();
+    for (Stage stage : List.of(Stage.VALIDATE, Stage.SIMULATE)) {
+      JsonNode one = report(stage).path("validation");
+      if (one.isObject()) {
+        all.add(one);
+      }
+    }
+    return all;
+  }
+
+  private void diagnostics(List<Diagnostic> found) {
+    ArrayNode all = data.putArray("diagnostics");
+    for (Diagnostic diagnostic : found) {
+      all.addObject()
+          .put("id", diagnostic.id())
+          .put("severity", diagnostic.severity().toString())
+          .put("message", diagnostic.message())
+          .put("file", diagnostic.location().file())
+          .put("line", diagnostic.location().line())
+          .put("column", diagnostic.location().column())
+          .put("element", diagnostic.location().element())
+          .put("hint", diagnostic.hint())
+          .put("rule", diagnostic.rule());
+    }
+  }
+
+  private JsonNode report(Stage stage) {
+    return outcomes.get(stage).report().orElse(JsonNodeFactory.instance.objectNode());
+  }
+
+  private static JsonNode arrayOf(JsonNode node, String name) {
+    return node.path(name).isArray() ? node.path(name) : JsonNodeFactory.instance.arrayNode();
+  }
+
+  private static void copyText(JsonNode from, String name, ObjectNode to, String newName) {
+    if (from.path(name).isTextual()) {
+      to.put(newName, from.path(name).asText());
+    }
+  }
+}

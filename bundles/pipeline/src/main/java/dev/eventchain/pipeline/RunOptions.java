@@ -1,0 +1,53 @@
+package dev.eventchain.pipeline;
+
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What a run is to do.
+ *
+ * @param output the folder that everything is written to
+ * @param first the first stage; what earlier stages made is read from the output folder
+ * @param last the last stage
+ * @param again whether stages run even where nothing has changed since they last did
+ * @param llm how answers are had ({@code replay} or {@code handoff:DIR}); empty: as the project's
+ *     configuration says
+ * @param record whether answers from elsewhere are kept as recordings of the project
+ * @param overwrite whether files that a person has edited in the output folder are replaced
+ * @param scenarios the names of the scenarios to simulate; empty: all
+ */
+public record RunOptions(
+    Path output,
+    Stage first,
+    Stage last,
+    boolean again,
+    Optional<String> llm,
+    boolean record,
+    boolean overwrite,
+    List<String> scenarios) {
+
+  /** Checks the order of the stages. */
+  public RunOptions {
+    if (first.compareTo(last) > 0) {
+      throw new IllegalArgumentException(
+          "the first stage, " + first.id() + ", comes after the last one, " + last.id());
+    }
+    scenarios = List.copyOf(scenarios);
+  }
+
+  /** All stages, skipping what is unchanged. */
+  public static RunOptions of(Path output) {
+    return new RunOptions(
+        output, Stage.DESIGN, Stage.REPORT, false, Optional.empty(), false, false, List.of());
+  }
+
+  /** The same with other stages. */
+  public RunOptions between(Stage newFirst, Stage newLast) {
+    return new RunOptions(output, newFirst, newLast, again, llm, record, overwrite, scenarios);
+  }
+
+  boolean runs(Stage stage) {
+    return first.compareTo(stage) <= 0 && stage.compareTo(last) <= 0;
+  }
+}

@@ -1,0 +1,45 @@
+package dev.eventchain.pipeline;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * How a run ended.
+ *
+ * @param verdict what it comes to
+ * @param summary the verdict in a sentence
+ * @param scenarios a line for each scenario that was simulated
+ * @param diagnostics everything that was found, in order of the stages
+ * @param report the report, when one was written
+ * @param failure why the run could not go on, when it could not
+ */
+public record RunResult(
+    Verdict verdict,
+    String summary,
+    List<ScenarioLine> scenarios,
+    List<Diagnostic> diagnostics,
+    Optional<Path> report,
+    Optional<DiagnosticException.Reason> failure) {
+
+  /** What a run comes to. */
+  public enum Verdict {
+    /** All stages ran, no finding is an error, and every scenario met its criteria. */
+    PASSED,
+    /** Something was found wanting. */
+    FAILED,
+    /** Nothing was found wanting, but not everything was run that a verdict needs. */
+    INCOMPLETE
+  }
+
+  /**
+   * A scenario in a line.
+   *
+   * @param name the scenario's name
+   * @param passed whether it met its criteria
+   * @param text what happened, in a sentence
+   */
+  public record ScenarioLine(String name, boolean passed, String text) {}
+}

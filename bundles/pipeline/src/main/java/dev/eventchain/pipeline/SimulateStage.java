@@ -1,0 +1,151 @@
+package dev.eventchain.pipeline;
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.metamodel.XmiStore;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.ocl.OclResult;
+import dev.eventchain.simulation.Scenario;
+import dev.eventchain.simulation.ScenarioVerdict;
+import dev.eventchain.simulation.Simulation;
+import dev.eventchain.simulation.SimulationRequest;
+import dev.eventchain.simulation.SimulationResult;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** The generated nodes in the closed loop: verdicts, measurements, and the measured model. */
+final class SimulateStage implements StageWork {
+
+  static final String MEASUREMENTS = "measurements.json";
+  static final String VERDICT = "verdict.json";
+  static final String MEASURED_MODEL = "chain.measured.xmi";
+
+  @Override
+  public void fingerprint(RunContext run, Fingerprint fingerprint) {
+    Project project = run.project();
+    fingerprint.addFile(run.model()).addFiles(project.scenarios());
+    fingerprint.add(run.options().scenarios());
+    project.ownConstraints().ifPresent(fingerprint::addFile);
+    fingerprint.addFile(run.file(Constraints.GENERATED));
+    fingerprint.addFiles(below(packageFolder(run, run.loadChain(run.model()).chain())));
+    project.messageFolders().forEach(folder -> fingerprint.addFiles(below(folder)));
+  }
+
+  @Override
+  public StageResult execute(RunContext run) {
+    RunContext.LoadedChain model = run.loadChain(run.model());
+    List<Scenario> scenarios = scenarios(run);
+    SimulationResult result = simulate(run, model.chain(), scenarios);
+    EventChain measured = result.measuredModel(model.chain());
+    run.writeResult(MEASUREMENTS, result.toJson());
+    run.writeResult(VERDICT, SimulationReport.verdict(model.chain(), result));
+    run.writeResult(MEASURED_MODEL, XmiStore.toBytes(measured));
+    List<Diagnostic> found = new ArrayList<>(result.diagnostics());
+    result.verdicts().forEach(verdict -> found.addAll(verdict.diagnostics()));
+    RunContext.LoadedChain reread = run.loadChain(run.file(MEASURED_MODEL));
+    OclResult validation = Constraints.of(run).check(reread.chain(), reread.origins()::locate);
+    found.addAll(validation.diagnostics());
+    ObjectNode report = SimulationReport.of(result);
+    report.set(
+        "validation",
+        Constraints.report(SourceLocation.of(run.file(MEASURED_MODEL)).file(), validation));
+    return new StageResult(
+        details(result), List.of(MEASUREMENTS, VERDICT, MEASURED_MODEL), found, report);
+  }
+
+  private static String details(SimulationResult result) {
+    long passed = result.verdicts().stream().filter(ScenarioVerdict::passed).count();
+    return String.format(
+        Locale.ROOT,
+        "%d of %d scenarios passed, %.0f times real time, %s",
+        passed,
+        result.verdicts().size(),
+        result.host().realTimeFactor(),
+        result.host().confinement());
+  }
+
+  private static List<Scenario> scenarios(RunContext run) {
+    List<Scenario> all = Scenario.readFolder(run.project().folder().resolve("scenarios"));
+    Set<String> wanted = new TreeSet<>(run.options().scenarios());
+    if (wanted.isEmpty()) {
+      return all;
+    }
+    Set<String> names =
+        all.stream().map(Scenario::name).collect(Collectors.toCollection(TreeSet::new));
+    for (String name : wanted) {
+      if (!names.contains(name)) {
+        throw new DiagnosticException(
+            DiagnosticException.Reason.INPUT,
+            Diagnostic.error(
+                    "project.scenario.unknown",
+                    "There is no scenario '" + name + "'.",
+                    SourceLocation.of(run.project().folder().resolve("scenarios")))
+                .withHint("The scenarios are " + String.join(", ", names) + "."));
+      }
+    }
+    return all.stream().filter(scenario -> wanted.contains(scenario.name())).toList();
+  }
+
+  private static SimulationResult simulate(
+      RunContext run, EventChain chain, List<Scenario> scenarios) {
+    SimulationRequest request =
+        SimulationRequest.of(
+            chain,
+            packageFolder(run, chain),
+            GenerateStage.packageName(chain),
+            run.project().messageFolders(),
+            scenarios);
+    AtomicInteger done = new AtomicInteger();
+    try {
+      return Simulation.run(
+          request,
+          run.python(Stage.SIMULATE),
+          verdict ->
+              run.progress()
+                  .step(
+                      Stage.SIMULATE,
+                      done.incrementAndGet()
+                          + " of "
+                          + scenarios.size()
+                          + ": "
+                          + verdict.scenario()));
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new DiagnosticException(
+          DiagnosticException.Reason.FINDINGS,
+          Diagnostic.error(
+              "simulation.interrupted", "The simulation was interrupted.", SourceLocation.NONE));
+    }
+  }
+
+  /** The folder of the generated ROS 2 package, which holds the Python package of the same name. */
+  private static Path packageFolder(RunContext run, EventChain chain) {
+    String name = GenerateStage.packageName(chain);
+    run.required(GenerateStage.FOLDER + "/" + name + "/" + name + "/__init__.py", Stage.GENERATE);
+    return run.file(GenerateStage.FOLDER + "/" + name);
+  }
+
+  private static List<Path> below(Path folder) {
+    try (Stream<Path> files = Files.walk(folder)) {
+      return files
+          .filter(Files::isRegularFile)
+          .filter(file -> !file.toString().contains("__pycache__"))
+          .sorted()
+          .toList();
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}

@@ -1,0 +1,162 @@
+package dev.eventchain.pipeline;
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.util.DefaultIndenter;
+import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.simulation.Measurements;
+import dev.eventchain.simulation.ScenarioVerdict;
+import dev.eventchain.simulation.ScenarioVerdict.Moment;
+import dev.eventchain.simulation.SimulationResult;
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.function.ToDoubleFunction;
+
+/** A simulation's result as the report and {@code verdict.json} show it. */
+final class SimulationReport {
+
+  private static final double KILOMETRES_PER_HOUR = 3.6;
+
+  private SimulationReport() {}
+
+  /** What the simulation adds to the report. */
+  static ObjectNode of(SimulationResult result) {
+    ObjectNode report = JsonNodeFactory.instance.objectNode();
+    report.put("confinement", result.host().confinement());
+    report.put("python", result.host().python());
+    report.put(
+        "driver",
+        String.format(
+            Locale.ROOT, "lock-step, %.0f times real time", result.host().realTimeFactor()));
+    ArrayNode scenarios = report.putArray("scenarios");
+    result.verdicts().forEach(verdict -> scenarios.add(scenario(verdict)));
+    ArrayNode nodes = report.putArray("nodes");
+    for (Measurements.Node node : result.measurements().nodes()) {
+      ObjectNode json = nodes.addObject().put("name", node.name());
+      json.put("activations", node.activations());
+      statistics(json, "period", node.period());
+      statistics(json, "jitter", node.jitter());
+      statistics(json, "executionTime", node.executionTime());
+      statistics(json, "hostExecutionTime", node.hostExecutionTime());
+    }
+    return report;
+  }
+
+  /** The content of {@code verdict.json}: the same bytes for the same nodes and scenarios. */
+  static byte[] verdict(EventChain chain, SimulationResult result) {
+    ObjectNode json = JsonNodeFactory.instance.objectNode();
+    json.put("chain", chain.getName()).put("passed", result.passed());
+    ArrayNode scenarios = json.putArray("scenarios");
+    for (ScenarioVerdict verdict : result.verdicts()) {
+      ObjectNode scenario = scenarios.addObject();
+      scenario.put("name", verdict.scenario()).put("passed", verdict.passed());
+      ArrayNode requirements = scenario.putArray("requirements");
+      verdict.requirements().forEach(requirements::add);
+      criteria(scenario, verdict);
+    }
+    DefaultIndenter indenter = new DefaultIndenter("  ", "\n");
+    DefaultPrettyPrinter printer =
+        new DefaultPrettyPrinter().withObjectIndenter(indenter).withArrayIndenter(indenter);
+    try {
+      String text = new ObjectMapper().writer(printer).writeValueAsString(json) + "\n";
+      return text.getBytes(StandardCharsets.UTF_8);
+    } catch (JsonProcessingException e) {
+      throw new IllegalStateException("a verdict is plain data", e);
+    }
+  }
+
+  private static ObjectNode scenario(ScenarioVerdict verdict) {
+    ObjectNode json = JsonNodeFactory.instance.objectNode();
+    json.put("name", verdict.scenario()).put("title", verdict.title());
+    json.put("passed", verdict.passed()).put("text", words(verdict));
+    ArrayNode requirements = json.putArray("requirements");
+    verdict.requirements().forEach(requirements::add);
+    criteria(json, verdict);
+    number(json, "minimalGap", verdict.minimalGap());
+    number(json, "impactSpeed", verdict.impactSpeed());
+    number(json, "timeToCollisionAtFirstBraking", verdict.timeToCollisionAtFirstBraking());
+    statistics(json, "latency", verdict.latency());
+    ObjectNode series = json.putObject("series");
+    series(series, "time", verdict, Moment::time);
+    series(series, "egoSpeed", verdict, Moment::egoSpeed);
+    series(series, "gap", verdict, Moment::gap);
+    series(series, "timeToCollision", verdict, Moment::timeToCollision);
+    series(series, "brake", verdict, Moment::brake);
+    series(series, "deceleration", verdict, Moment::deceleration);
+    return json;
+  }
+
+  private static void criteria(ObjectNode json, ScenarioVerdict verdict) {
+    ArrayNode criteria = json.putArray("criteria");
+    for (ScenarioVerdict.CriterionResult criterion : verdict.criteria()) {
+      criteria
+          .addObject()
+          .put("text", criterion.text())
+          .put("passed", criterion.passed())
+          .put("measured", criterion.measured());
+    }
+  }
+
+  /** What happened, in a sentence. */
+  private static String words(ScenarioVerdict verdict) {
+    StringBuilder words = new StringBuilder();
+    if (verdict.impactSpeed().isPresent()) {
+      words.append(
+          format("impact at %.1f km/h", verdict.impactSpeed().getAsDouble() * KILOMETRES_PER_HOUR));
+    } else if (verdict.minimalGap().isPresent()) {
+      words.append(format("minimal gap %.2f m", verdict.minimalGap().getAsDouble()));
+    } else {
+      words.append("nothing in the own lane");
+    }
+    if (verdict.timeToCollisionAtFirstBraking().isPresent()) {
+      words.append(
+          format(", brakes at TTC %.2f s", verdict.timeToCollisionAtFirstBraking().getAsDouble()));
+    } else {
+      words.append(verdict.firstBraking().isPresent() ? ", brakes" : ", no braking");
+    }
+    verdict
+        .latency()
+        .ifPresent(latency -> words.append(format(", latency up to %.0f ms", latency.maximum())));
+    return words.toString();
+  }
+
+  private static String format(String pattern, double value) {
+    return String.format(Locale.ROOT, pattern, value);
+  }
+
+  /** Four decimals show everything that can be seen, and keep the page small. */
+  private static void series(
+      ObjectNode series, String name, ScenarioVerdict verdict, ToDoubleFunction<Moment> value) {
+    ArrayNode values = series.putArray(name);
+    for (Moment moment : verdict.series()) {
+      double number = value.applyAsDouble(moment);
+      if (Double.isFinite(number)) {
+        values.add(Math.round(number * 1e4) / 1e4);
+      } else {
+        values.addNull();
+      }
+    }
+  }
+
+  private static void number(ObjectNode json, String name, OptionalDouble value) {
+    value.ifPresent(number -> json.put(name, number));
+  }
+
+  private static void statistics(
+      ObjectNode json, String name, Optional<Measurements.Statistics> statistics) {
+    statistics.ifPresent(
+        s ->
+            json.putObject(name)
+                .put("minimum", s.minimum())
+                .put("median", s.median())
+                .put("percentile99", s.percentile99())
+                .put("maximum", s.maximum())
+                .put("count", s.count()));
+  }
+}

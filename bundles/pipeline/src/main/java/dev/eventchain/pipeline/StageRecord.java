@@ -1,0 +1,22 @@
+package dev.eventchain.pipeline;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import java.util.List;
+
+/**
+ * What is remembered of a stage that succeeded, so that it need not run again while nothing
+ * changes.
+ *
+ * @param key the fingerprint of everything that the stage read
+ * @param outputs the files it wrote, relative to the output folder, sorted
+ * @param details what it made, in a few words
+ * @param diagnostics what it found; none of it is an error
+ * @param report what it adds to the report
+ */
+record StageRecord(
+    String key,
+    List<String> outputs,
+    String details,
+    List<Diagnostic> diagnostics,
+    JsonNode report) {}

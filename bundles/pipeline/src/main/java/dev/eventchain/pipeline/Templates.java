@@ -1,0 +1,70 @@
+package dev.eventchain.pipeline;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.m2t.TemplateModule;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Collection;
+import java.util.Optional;
+import org.eclipse.emf.ecore.EPackage;
+
+/** The templates of a project: its own, or a set that ships with the program. */
+final class Templates {
+
+  private static final String MAIN = "main";
+
+  private Templates() {}
+
+  /** The project's own template file, if its configuration names one. */
+  static Optional<Path> own(Project project) {
+    String name = project.configuration().template();
+    return name.endsWith(".mtl") ? Optional.of(project.folder().resolve(name)) : Optional.empty();
+  }
+
+  /**
+   * Compiles the project's templates.
+   *
+   * @throws DiagnosticException INPUT if there is no such set, or it has errors
+   */
+  static TemplateModule compile(Project project, Collection<EPackage> packages) {
+    Optional<Path> own = own(project);
+    if (own.isPresent()) {
+      return TemplateModule.compile(own.get(), packages);
+    }
+    String set = project.configuration().template();
+    SourceText main =
+        shipped(set, MAIN)
+            .orElseThrow(
+                () ->
+                    new DiagnosticException(
+                        DiagnosticException.Reason.INPUT,
+                        Diagnostic.error(
+                                "project.configuration",
+                                "There is no template set '" + set + "'.",
+                                SourceLocation.of(project.configurationFile()))
+                            .withHint("Use ros2-python, or name a file *.mtl of the project.")));
+    return TemplateModule.compile(
+        main, name -> shipped(set, name.substring(name.lastIndexOf(':') + 1)), packages);
+  }
+
+  private static Optional<SourceText> shipped(String set, String module) {
+    if (!(set + module).matches("[A-Za-z0-9_-]+")) {
+      return Optional.empty();
+    }
+    String name = "templates/" + set + "/" + module + ".mtl";
+    try (InputStream stream = Templates.class.getResourceAsStream("/" + name)) {
+      return stream == null
+          ? Optional.empty()
+          : Optional.of(
+              SourceText.of(name, new String(stream.readAllBytes(), StandardCharsets.UTF_8)));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}

@@ -1,0 +1,236 @@
+package dev.eventchain.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/**
+ * What is wrong with the input is said with its place and the right exit code, and earlier output
+ * stays whole.
+ */
+class BadInputTest {
+
+  private static final String DECISION = "out/components/Braking_Decision.py";
+
+  @TempDir static Path once;
+  @TempDir Path folder;
+
+  private static Path finished;
+  private Path project;
+  private Program.Ended ended;
+
+  @BeforeAll
+  static void runOnce() throws IOException {
+    finished = Program.exampleIn(once);
+    new Program().run("run", finished).expect(0);
+  }
+
+  /** Each test starts from a finished run. */
+  @BeforeEach
+  void copyFinishedRun() throws IOException {
+    project = folder.resolve("aeb");
+    copy(finished, project);
+  }
+
+  @AfterEach
+  void nobodySeesAStackTrace() {
+    if (ended != null) {
+      assertFalse((ended.out() + ended.err()).contains("\tat "), ended.out() + ended.err());
+      assertFalse(ended.err().contains("eventchain.defect"), ended.err());
+    }
+  }
+
+  @ParameterizedTest(name = "{0} {1} -> {2} {3}")
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "requirements.md|DELETE|2|file.missing|requirements.md",
+        "requirements.md|nothing here|2|modeler.requirements.none|requirements.md",
+        "eventchain.yaml|name: [|2|project.configuration|eventchain.yaml:1",
+        "eventchain.yaml|nam: aeb|2|project.configuration|'nam'",
+        "eventchain.yaml|name: ../../x|2|project.configuration|../../x",
+        "software-base/components.json|[{]|2|modeler.json.syntax|components.json:1",
+        "software-base/signals.json|{}|2|modeler.value.type|signals.json:1",
+        "constraints.ocl|context SoftwareNode inv X: self.nam = ''|1|ocl.type|constraints.ocl:1",
+        "constraints.ocl|context SoftwareNode inv X: (|1|ocl.syntax|constraints.ocl:1",
+        "model/chain.xmi|<a|2|xmi.syntax|chain.xmi:2",
+        "scenarios/stopped-vehicle-50.yaml|name: [|2|scenario.syntax|stopped-vehicle-50.yaml:2",
+      })
+  void aBrokenFileIsNamedWithItsPlace(
+      String file, String content, int code, String id, String place) throws IOException {
+    byte[] before = Files.readAllBytes(project.resolve("out/chain.xmi"));
+    Path path = project.resolve(file);
+    Files.createDirectories(path.getParent());
+    if (content.equals("DELETE")) {
+      Files.delete(path);
+    } else {
+      Files.writeString(path, content + "\n");
+    }
+    ended = new Program().run("run", project);
+    ended.expect(code).says(id).says(place);
+    assertArrayEquals(before, Files.readAllBytes(project.resolve("out/chain.xmi")));
+  }
+
+  @Test
+  void aBrokenTemplateIsNamedWithItsPlace() throws IOException {
+    Files.writeString(project.resolve("mine.mtl"), "[module main('x')]\n[template public main(\n");
+    Files.writeString(
+        project.resolve("eventchain.yaml"),
+        "template: mine.mtl\n" + Files.readString(project.resolve("eventchain.yaml")));
+    ended = new Program().run("run", project);
+    ended.expect(2).says("m2t.").says("mine.mtl:");
+  }
+
+  @Test
+  void aMissingRecordingSaysWhatChanged() throws IOException {
+    Path requirements = project.resolve("requirements.md");
+    Files.writeString(
+        requirements,
+        Files.readString(requirements).replace("below 1.0 seconds", "below 1.5 seconds"));
+    ended = new Program().run("run", project);
+    ended.expect(2).says("llm.recording.missing").says("1.5 seconds").says("handoff:");
+  }
+
+  @ParameterizedTest(name = "{index}: {0}")
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "raise ValueError('no')|component.raised",
+        "return None|component.result.type",
+        "return {'other': 1.0}|component.result.keys",
+        "return {'braking_force': float('nan')}|component.result.nan",
+        "exec('while True: pass')|component.",
+      })
+  void aComponentThatMisbehavesIsNamedWithItsLine(String body, String id) throws IOException {
+    replaceDecision(body);
+    ended = new Program().run("run", project);
+    ended.expect(1).says(id).says("Braking_Decision.py:");
+  }
+
+  @Test
+  void aComponentThatHangsIsStopped() throws IOException {
+    replaceDecision("while True: pass");
+    ended = new Program().run("run", project, "--scenario", "stopped-vehicle-50");
+    ended.expect(1).says("timeout").says("Braking_Decision");
+  }
+
+  @Test
+  void aComponentThatAlwaysBrakesFailsTheVerdict() throws IOException {
+    replaceDecision("return {'braking_force': 1.0}");
+    ended = new Program().run("run", project);
+    ended
+        .expect(1)
+        .says("FAILED")
+        .says("simulation.criterion.failed")
+        .says("eventchain.file.edited");
+  }
+
+  @ParameterizedTest(name = "{index}: {0}")
+  @CsvSource({"../../x", "class", "a\"]"})
+  void aNameThatIsNoNameIsRefusedBeforeAnythingIsGenerated(String name) throws IOException {
+    Path model = project.resolve("model/chain.xmi");
+    Files.createDirectories(model.getParent());
+    String text = Files.readString(project.resolve("out/chain.xmi"));
+    String escaped = name.replace("\"", "&quot;");
+    Files.writeString(
+        model,
+        text.replace("<software name=\"TTC_Calculation\"", "<software name=\"" + escaped + "\""));
+    ended = new Program().run("run", project, "--from", "validate");
+    ended.expect(1).says("ocl.violated").says("chain.xmi:");
+    assertFalse(Files.exists(project.resolve("x")), "nothing outside");
+  }
+
+  @Test
+  void withoutPythonTheMachineLacksSomething() {
+    ended =
+        new Program().with("EVENTCHAIN_PYTHON", "/nowhere/python3").run("run", project, "--again");
+    ended.expect(3).says("python").says("EVENTCHAIN_PYTHON");
+  }
+
+  @Test
+  void anOutputThatCannotBeWrittenIsNamed() throws IOException {
+    Path file = Files.writeString(folder.resolve("file"), "in the way");
+    ended = new Program().run("run", project, "-o", file.resolve("out"));
+    ended.expect(2).says("output.unwritable").says("-o");
+    assertEquals("in the way", Files.readString(file));
+  }
+
+  @Test
+  void twoRunsDoNotMix() throws Exception {
+    Path out = folder.resolve("first.out");
+    Path err = folder.resolve("first.err");
+    Process first = new Program().start(out, err, "run", project, "--again");
+    try {
+      while (first.isAlive() && !Files.readString(err).contains("Design")) {
+        Thread.sleep(5);
+      }
+      ended = new Program().run("run", project, "--again");
+      ended.expect(2).says("output.locked");
+    } finally {
+      first.waitFor();
+    }
+    assertEquals(0, first.exitValue(), Files.readString(err));
+  }
+
+  @Test
+  void anInterruptedRunLeavesEarlierOutputWhole() throws Exception {
+    byte[] verdict = Files.readAllBytes(project.resolve("out/verdict.json"));
+    Path err = folder.resolve("err");
+    Process run = new Program().start(folder.resolve("out.txt"), err, "run", project, "--again");
+    while (run.isAlive() && !Files.readString(err).contains("Generate")) {
+      Thread.sleep(5);
+    }
+    new ProcessBuilder("kill", "-INT", Long.toString(run.pid())).start().waitFor();
+    assertEquals(130, run.waitFor(), Files.readString(err));
+    assertArrayEquals(verdict, Files.readAllBytes(project.resolve("out/verdict.json")));
+    new Program().run("run", project).expect(0).says("PASSED");
+  }
+
+  @ParameterizedTest(name = "{index}: {0}")
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "--nonsense|2|--nonsense",
+        "run|2|DIR",
+        "run nowhere|2|project.missing",
+        "run . --from simulate --to design|2|comes after",
+        "run . --to nowhere|2|nowhere",
+        "validate --ocl a.ocl b.xmi|2|b.xmi",
+        "generate --template t.mtl m.xmi|2|-o",
+      })
+  void wrongUsageSaysWhatIsWrong(String command, int code, String text) {
+    ended = new Program().run((Object[]) command.split(" ", -1));
+    ended.expect(code).says(text);
+  }
+
+  private void replaceDecision(String body) throws IOException {
+    Files.writeString(
+        project.resolve(DECISION),
+        "class Braking_Decision:\n    def execute(self, ttc):\n        " + body + "\n");
+  }
+
+  private static void copy(Path from, Path to) throws IOException {
+    try (Stream<Path> files = Files.walk(from)) {
+      for (Path file : files.toList()) {
+        Path target = to.resolve(from.relativize(file).toString());
+        if (Files.isDirectory(file)) {
+          Files.createDirectories(target);
+        } else {
+          Files.copy(file, target, java.nio.file.StandardCopyOption.COPY_ATTRIBUTES);
+        }
+      }
+    }
+  }
+}

@@ -1,0 +1,122 @@
+package dev.eventchain.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+
+/** Starts the program as the launcher does, from the folder that the build made. */
+final class Program {
+
+  /** The project's root folder. */
+  static final Path ROOT = Path.of("").toAbsolutePath().getParent().getParent();
+
+  private static final long LONGEST_SECONDS = 120;
+
+  private final Map<String, String> environment = new TreeMap<>();
+  private final List<String> prefix = new ArrayList<>();
+
+  /**
+   * How the program ended.
+   *
+   * @param code its exit code
+   */
+  record Ended(int code, String out, String err) {
+
+    /** Fails with everything that was printed if the exit code is another. */
+    Ended expect(int expected) {
+      assertTrue(
+          code == expected,
+          () ->
+              "exit code "
+                  + code
+                  + ", not "
+                  + expected
+                  + "\n--- out\n"
+                  + out
+                  + "\n--- err\n"
+                  + err);
+      return this;
+    }
+
+    /** Fails with everything that was printed if nothing printed holds the text. */
+    Ended says(String text) {
+      assertTrue(
+          out.contains(text) || err.contains(text),
+          () -> "nowhere: " + text + "\n--- out\n" + out + "\n--- err\n" + err);
+      return this;
+    }
+  }
+
+  /** Sets an environment variable for the program. */
+  Program with(String name, String value) {
+    environment.put(name, value);
+    return this;
+  }
+
+  /** Starts the program by another one. */
+  Program by(String... command) {
+    prefix.addAll(List.of(command));
+    return this;
+  }
+
+  /** Starts the program and waits for its end. */
+  Ended run(Object... arguments) {
+    try {
+      Path out = Files.createTempFile("eventchain", ".out");
+      Path err = Files.createTempFile("eventchain", ".err");
+      Process process = start(out, err, arguments);
+      if (!process.waitFor(LONGEST_SECONDS, TimeUnit.SECONDS)) {
+        process.destroyForcibly().waitFor();
+        throw new AssertionError("still running: " + Files.readString(err));
+      }
+      Ended ended = new Ended(process.exitValue(), Files.readString(out), Files.readString(err));
+      Files.delete(out);
+      Files.delete(err);
+      return ended;
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new IllegalStateException(e);
+    }
+  }
+
+  /** Starts the program, writing to files. */
+  Process start(Path out, Path err, Object... arguments) throws IOException {
+    List<String> command = new ArrayList<>(prefix);
+    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
+    command.addAll(List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-cp"));
+    command.add(ROOT.resolve("bundles/cli/target/eventchain/lib") + "/*");
+    command.add("dev.eventchain.cli.Main");
+    Stream.of(arguments).map(String::valueOf).forEach(command::add);
+    ProcessBuilder builder = new ProcessBuilder(command).directory(ROOT.toFile());
+    builder.environment().putAll(environment);
+    return builder.redirectOutput(out.toFile()).redirectError(err.toFile()).start();
+  }
+
+  /** A copy of the AEB example without what runs have put there. */
+  static Path exampleIn(Path folder) throws IOException {
+    Path source = ROOT.resolve("examples/aeb");
+    Path copy = folder.resolve("aeb");
+    try (Stream<Path> files = Files.walk(source)) {
+      for (Path file : files.filter(f -> !f.startsWith(source.resolve("out"))).toList()) {
+        Path target = copy.resolve(source.relativize(file).toString());
+        if (Files.isDirectory(file)) {
+          Files.createDirectories(target);
+        } else {
+          Files.copy(file, target);
+        }
+      }
+    }
+    return copy;
+  }
+}

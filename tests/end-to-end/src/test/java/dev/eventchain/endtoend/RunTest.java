@@ -1,0 +1,133 @@
+package dev.eventchain.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** From requirements to a verdict, as in the README. */
+class RunTest {
+
+  @TempDir static Path folder;
+
+  private static Path project;
+  private static Program.Ended first;
+
+  @BeforeAll
+  static void runOnce() throws IOException {
+    project = Program.exampleIn(folder);
+    first = new Program().run("run", project);
+  }
+
+  @Test
+  void theExamplePassesAndSaysSo() {
+    first.expect(0).says("PASSED: 10 of 10 scenarios passed").says("report.html");
+  }
+
+  @Test
+  void everyFileOfTheUsersFolderIsThere() {
+    for (String name :
+        List.of(
+            "chain.json",
+            "chain.xmi",
+            "generated.ocl",
+            "components/TTC_Calculation.py",
+            "components/Braking_Decision.py",
+            "ros2/aeb/aeb/ttc_calculation_node.py",
+            "ros2/aeb/aeb/components/ObjectDetection.py",
+            "report.html",
+            "measurements.json",
+            "verdict.json",
+            "chain.measured.xmi",
+            "COLCON_IGNORE")) {
+      assertTrue(Files.exists(project.resolve("out").resolve(name)), name);
+    }
+  }
+
+  @Test
+  void aFreshRunElsewhereGivesTheSameBytes() throws IOException {
+    Path other = folder.resolve("elsewhere");
+    new Program().run("run", project, "-o", other).expect(0);
+    for (String name :
+        List.of("chain.json", "chain.xmi", "generated.ocl", "verdict.json", "chain.measured.xmi")) {
+      assertArrayEquals(
+          Files.readAllBytes(project.resolve("out").resolve(name)),
+          Files.readAllBytes(other.resolve(name)),
+          name);
+    }
+    JsonNode one = measurements(project.resolve("out"));
+    JsonNode two = measurements(other);
+    assertEquals(one, two);
+  }
+
+  /** Host times stand apart, because they differ. */
+  private static JsonNode measurements(Path out) throws IOException {
+    JsonNode json = new ObjectMapper().readTree(out.resolve("measurements.json").toFile());
+    assertTrue(json.has("host"), "host times stand apart");
+    return ((com.fasterxml.jackson.databind.node.ObjectNode) json).without("host");
+  }
+
+  @Test
+  void aSecondRunSkipsWhatIsUnchangedAndTouchesNothing() throws IOException {
+    Map<Path, FileTime> before = times();
+    new Program().run("run", project).expect(0).says("unchanged").says("PASSED");
+    Map<Path, FileTime> after = times();
+    before.keySet().removeIf(file -> file.endsWith("report.html"));
+    for (Map.Entry<Path, FileTime> file : before.entrySet()) {
+      assertEquals(file.getValue(), after.get(file.getKey()), file.getKey().toString());
+    }
+  }
+
+  private static Map<Path, FileTime> times() throws IOException {
+    Map<Path, FileTime> times = new TreeMap<>();
+    try (Stream<Path> files = Files.walk(project.resolve("out"))) {
+      for (Path file : files.filter(Files::isRegularFile).toList()) {
+        if (!file.toString().contains("/.eventchain/")) {
+          times.put(file, Files.getLastModifiedTime(file));
+        }
+      }
+    }
+    return times;
+  }
+
+  @Test
+  void theReportIsOneFileThatNeedsNothingElse() throws IOException {
+    String report = Files.readString(project.resolve("out/report.html"));
+    assertFalse(report.contains("<link"), "no style sheet elsewhere");
+    assertFalse(report.matches("(?s).*<script[^>]+src=.*"), "no script elsewhere");
+    assertTrue(report.contains("stopped-vehicle-50"));
+    assertTrue(report.contains("AEB-4"));
+  }
+
+  @Test
+  void theMeasuredModelHoldsTheLatencyThatTheRuleIsAbout() throws IOException {
+    String model = Files.readString(project.resolve("out/chain.measured.xmi"));
+    assertTrue(model.contains("<latency"), model.substring(0, 200));
+    assertTrue(Files.readString(project.resolve("out/generated.ocl")).contains("250"));
+  }
+
+  @Test
+  void noNetworkIsNeeded() throws IOException {
+    Path out = folder.resolve("offline");
+    Program offline = new Program().by("unshare", "-r", "-n");
+    if (new ProcessBuilder("unshare", "-r", "-n", "true").start().onExit().join().exitValue()
+        != 0) {
+      offline = new Program(); // The kernel forbids it: at least the run itself is tested.
+    }
+    offline.run("run", project, "-o", out).expect(0).says("PASSED");
+  }
+}
