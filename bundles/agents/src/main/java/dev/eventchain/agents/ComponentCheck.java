@@ -2,15 +2,8 @@ package dev.eventchain.agents;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.agents.ChainView.Component;
-import dev.eventchain.agents.ChainView.Value;
-import java.util.HashMap;
-import java.util.Locale;
-import java.util.Map;
 
-/**
- * What a component of a designed chain must have beyond what a description must have: a frequency,
- * and names that stay apart in what is generated.
- */
+/** What a component of a designed chain must have that a description may lack: a frequency. */
 final class ComponentCheck {
   private static final double HIGHEST_FREQUENCY = 10_000;
 
@@ -21,31 +14,7 @@ final class ComponentCheck {
   }
 
   void check(ChainView chain) {
-    Map<String, String> names = new HashMap<>();
-    for (Component component : chain.components()) {
-      frequency(component);
-      component.inputValues().forEach(this::parameter);
-      // Files are named after components in lower case.
-      String earlier =
-          names.putIfAbsent(component.name().toLowerCase(Locale.ROOT), component.name());
-      if (earlier != null && !earlier.equals(component.name())) {
-        findings.error(
-            "agents.name.collision",
-            component.pointer() + "/name",
-            "'%s' and '%s' would have the same file.".formatted(earlier, component.name()),
-            "Names of components differ in more than upper and lower case.");
-      }
-    }
-  }
-
-  private void parameter(Value value) {
-    if (value.name().equals("self")) {
-      findings.error(
-          "agents.name.collision",
-          value.pointer() + "/name",
-          "'self' cannot be a parameter of execute(), which has one already.",
-          "Give the value another name.");
-    }
+    chain.components().forEach(this::frequency);
   }
 
   private void frequency(Component component) {
