@@ -30,12 +30,14 @@ final class GenerateStage implements StageWork {
   @Override
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
     fingerprint.add(run.project().configuration().template()).addFile(run.model());
-    fingerprint.addFiles(run.project().existingComponents());
+    fingerprint.addFiles(
+        run.softwareBase().components().stream().map(SoftwareBase.Component::file).toList());
     RunContext.LoadedChain model = run.loadChain(run.model());
     for (SoftwareNode node : model.chain().getSoftware()) {
       fingerprint.addFile(run.file(COMPONENTS + node.getName() + ".py"));
     }
-    Templates.own(run.project()).ifPresent(fingerprint::addFile);
+    Templates.own(run.project())
+        .ifPresent(main -> fingerprint.add(main).addFiles(run.project().filesBeside(main, ".mtl")));
   }
 
   @Override

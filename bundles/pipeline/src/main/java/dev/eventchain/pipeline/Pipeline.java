@@ -7,6 +7,7 @@ import dev.eventchain.pipeline.Progress.Status;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.EnumMap;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -44,7 +45,7 @@ public final class Pipeline {
    * @throws DiagnosticException INPUT if the output folder cannot be written or is in use
    */
   public static RunResult run(Project project, RunOptions options, Progress progress) {
-    try (OutputFolder output = OutputFolder.open(options.output());
+    try (OutputFolder output = outputFor(options);
         RunContext context = new RunContext(project, options, output, progress)) {
       StageMemory memory = new StageMemory(output, options.output());
       output.damage().ifPresent(context::find);
@@ -52,6 +53,12 @@ public final class Pipeline {
       context.write("COLCON_IGNORE", new byte[0]);
       return new Pipeline(context, memory, progress).runStages();
     }
+  }
+
+  /** Validation alone writes nothing, so that it works where nothing can be written. */
+  private static OutputFolder outputFor(RunOptions options) {
+    boolean readsOnly = options.first() == Stage.VALIDATE && options.last() == Stage.VALIDATE;
+    return readsOnly ? OutputFolder.inMemory(new HashMap<>()) : OutputFolder.open(options.output());
   }
 
   private RunResult runStages() {

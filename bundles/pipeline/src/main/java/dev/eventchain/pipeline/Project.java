@@ -99,20 +99,19 @@ public final class Project {
 
   /** The scenarios, by name. */
   List<Path> scenarios() {
-    return filesIn("scenarios", ".yaml");
-  }
-
-  /** The existing components' Python files, by name. */
-  List<Path> existingComponents() {
-    return filesIn("software-base/components", ".py");
+    return filesIn(folder.resolve("scenarios"), ".yaml");
   }
 
   private Optional<Path> existing(String name) {
     return Optional.of(folder.resolve(name)).filter(Files::exists);
   }
 
-  private List<Path> filesIn(String name, String suffix) {
-    Path parent = folder.resolve(name);
+  /** The files of a file's folder that end like it, by name. */
+  List<Path> filesBeside(Path file, String suffix) {
+    return filesIn(file.toAbsolutePath().getParent(), suffix);
+  }
+
+  private static List<Path> filesIn(Path parent, String suffix) {
     if (!Files.isDirectory(parent)) {
       return List.of();
     }

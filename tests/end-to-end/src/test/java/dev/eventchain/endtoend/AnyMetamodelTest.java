@@ -1,0 +1,118 @@
+package dev.eventchain.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.FileTime;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Validation and generation on a metamodel that has nothing to do with event chains. */
+class AnyMetamodelTest {
+
+  private static final String ECORE =
+      """
+      <?xml version="1.0" encoding="UTF-8"?>
+      <ecore:EPackage xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI" xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns:ecore="http://www.eclipse.org/emf/2002/Ecore" name="library" nsURI="http://example.org/library" nsPrefix="library">
+        <eClassifiers xsi:type="ecore:EClass" name="Book">
+          <eStructuralFeatures xsi:type="ecore:EAttribute" name="title" eType="ecore:EDataType http://www.eclipse.org/emf/2002/Ecore#//EString"/>
+          <eStructuralFeatures xsi:type="ecore:EAttribute" name="pages" eType="ecore:EDataType http://www.eclipse.org/emf/2002/Ecore#//EInt"/>
+        </eClassifiers>
+        <eClassifiers xsi:type="ecore:EClass" name="Library">
+          <eStructuralFeatures xsi:type="ecore:EReference" name="books" upperBound="-1" eType="#//Book" containment="true"/>
+        </eClassifiers>
+      </ecore:EPackage>
+      """;
+
+  private static final String MODEL =
+      """
+      <?xml version="1.0" encoding="UTF-8"?>
+      <library:Library xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI" xmlns:library="http://example.org/library">
+        <books title="Good" pages="100"/>
+        <books title="Bad" pages="-1"/>
+      </library:Library>
+      """;
+
+  private static final String TEMPLATE =
+      """
+      [module main('http://example.org/library')]
+      [template public main(library : Library)]
+      [comment @main /]
+      [for (book : Book | library.books)]
+      [file (book.title.toLowerCase().concat('.txt'), false, 'UTF-8')]
+      [book.title/] has [book.pages/] pages.
+      [/file]
+      [/for]
+      [/template]
+      """;
+
+  @TempDir Path folder;
+  private Path ecore;
+  private Path model;
+
+  @BeforeEach
+  void write() throws IOException {
+    ecore = Files.writeString(folder.resolve("library.ecore"), ECORE);
+    model = Files.writeString(folder.resolve("model.xmi"), MODEL);
+  }
+
+  @Test
+  void aViolationPointsToItsLineAndEndsWithOne() throws IOException {
+    Path ocl = ocl("context Book inv HasPages: self.pages > 0\n");
+    new Program()
+        .run("validate", "--metamodel", ecore, "--ocl", ocl, model)
+        .expect(1)
+        .says("model.xmi:4:3: error:")
+        .says("[ocl.violated Book::HasPages]")
+        .says("evaluated 2 times");
+  }
+
+  @Test
+  void whatHoldsEndsWithZeroAndSaysWhatWasEvaluated() throws IOException {
+    Path ocl = ocl("context Book inv HasTitle: self.title.size() > 0\n");
+    new Program()
+        .run("validate", "--metamodel", ecore, "--ocl", ocl, model)
+        .expect(0)
+        .says("1 constraints evaluated 2 times on 3 elements");
+  }
+
+  @Test
+  void nothingEvaluatedIsNoPass() throws IOException {
+    new Program()
+        .run("validate", "--metamodel", ecore, "--ocl", ocl("-- nothing\n"), model)
+        .expect(1)
+        .says("ocl.nothing-evaluated");
+  }
+
+  @Test
+  void jsonIsForPrograms() throws IOException {
+    Path ocl = ocl("context Book inv HasPages: self.pages > 0\n");
+    Program.Ended ended =
+        new Program()
+            .run("validate", "--format", "json", "--metamodel", ecore, "--ocl", ocl, model)
+            .expect(1);
+    var findings = new com.fasterxml.jackson.databind.ObjectMapper().readTree(ended.out());
+    assertEquals(1, findings.size());
+    assertEquals(4, findings.get(0).get("line").asInt());
+  }
+
+  @Test
+  void aTemplateWritesItsFilesAndTouchesThemNoSecondTime() throws IOException {
+    Path template = Files.writeString(folder.resolve("main.mtl"), TEMPLATE);
+    Path out = folder.resolve("out");
+    Object[] command = {"generate", "--metamodel", ecore, "--template", template, model, "-o", out};
+    new Program().run(command).expect(0);
+    Path file = out.resolve("good.txt");
+    assertEquals("Good has 100 pages.\n", Files.readString(file));
+    FileTime before = Files.getLastModifiedTime(file);
+    new Program().run(command).expect(0);
+    assertEquals(before, Files.getLastModifiedTime(file));
+  }
+
+  private Path ocl(String text) throws IOException {
+    return Files.writeString(folder.resolve("rules.ocl"), text);
+  }
+}
