@@ -77,16 +77,17 @@ final class Constraints {
   /** What a validation did, in words. */
   static String words(OclResult result) {
     String checked =
-        result.constraints()
-            + " constraints evaluated "
-            + result.evaluations()
-            + " times on "
-            + result.elements()
-            + " elements";
+        counted(result.constraints(), "constraint")
+            + " evaluated "
+            + counted(result.evaluations(), "time")
+            + " on "
+            + counted(result.elements(), "element");
     int findings = result.diagnostics().size();
-    return findings == 0
-        ? checked
-        : checked + ", " + findings + (findings == 1 ? " finding" : " findings");
+    return findings == 0 ? checked : checked + ", " + counted(findings, "finding");
+  }
+
+  private static String counted(long number, String what) {
+    return number + " " + what + (number == 1 ? "" : "s");
   }
 
   /** What a validation did, for the report. */

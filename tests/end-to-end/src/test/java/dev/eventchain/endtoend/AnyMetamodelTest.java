@@ -76,7 +76,7 @@ class AnyMetamodelTest {
     new Program()
         .run("validate", "--metamodel", ecore, "--ocl", ocl, model)
         .expect(0)
-        .says("1 constraints evaluated 2 times on 3 elements");
+        .says("1 constraint evaluated 2 times on 3 elements");
   }
 
   @Test
