@@ -188,7 +188,9 @@ class BadInputTest {
   void anInterruptedRunLeavesEarlierOutputWhole() throws Exception {
     byte[] verdict = Files.readAllBytes(project.resolve("out/verdict.json"));
     Path err = folder.resolve("err");
-    Process run = new Program().start(folder.resolve("out.txt"), err, "run", project, "--again");
+    // A shell that starts tests in the background makes its children ignore interrupts.
+    Program program = new Program().by("env", "--default-signal=INT");
+    Process run = program.start(folder.resolve("out.txt"), err, "run", project, "--again");
     while (run.isAlive() && !Files.readString(err).contains("Generate")) {
       Thread.sleep(5);
     }
