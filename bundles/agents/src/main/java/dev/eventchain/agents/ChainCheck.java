@@ -3,18 +3,12 @@ package dev.eventchain.agents;
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.modeler.Requirements;
-import dev.eventchain.modeler.SoftwareBase;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/**
- * What a designed chain must be beyond its format, given the requirements and the software that
- * exists.
- */
+/** What a designed chain must be beyond its format, given the requirements and the signals. */
 final class ChainCheck {
   private final List<String> requirements;
-  private final Map<String, JsonNode> existing = new LinkedHashMap<>();
   private final Map<String, Signal> signals;
 
   /**
@@ -22,9 +16,8 @@ final class ChainCheck {
    *
    * @param signals the existing signals, as signals.json describes them
    */
-  ChainCheck(Requirements requirements, List<SoftwareBase.Component> components, JsonNode signals) {
+  ChainCheck(Requirements requirements, JsonNode signals) {
     this.requirements = requirements.items().stream().map(Requirements.Item::id).toList();
-    components.forEach(component -> existing.put(component.name(), component.json()));
     this.signals = Signal.read(signals);
   }
 
@@ -34,7 +27,6 @@ final class ChainCheck {
     new ComponentCheck(findings).check(chain);
     new FlowCheck(chain, signals, findings).check();
     new RequirementCheck(requirements, findings).check(chain);
-    new ReuseCheck(existing, findings).check(chain);
     return findings.diagnostics();
   }
 }

@@ -3,7 +3,9 @@ package dev.eventchain.agents;
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.modeler.EventChainReader;
+import dev.eventchain.modeler.Modeled;
 import dev.eventchain.modeler.Requirements;
 import dev.eventchain.modeler.SoftwareBase;
 import java.util.ArrayList;
@@ -52,14 +54,14 @@ public final class DesignAgent {
   }
 
   static List<Diagnostic> check(SourceText text, Requirements requirements, SoftwareBase base) {
-    List<Diagnostic> diagnostics =
-        new ArrayList<>(
-            EventChainReader.read(text, "chain", requirements, OptionalDouble.empty())
-                .diagnostics());
+    Modeled<EventChain> chain =
+        EventChainReader.read(text, "chain", requirements, OptionalDouble.empty());
+    List<Diagnostic> diagnostics = new ArrayList<>(chain.diagnostics());
+    diagnostics.addAll(base.check(chain.root(), chain.origins()::locate));
     JsonText json = JsonText.of(text);
     if (json.root().isArray()) {
       JsonNode signals = JsonText.of(SourceText.of("signals.json", base.signalsText())).root();
-      diagnostics.addAll(new ChainCheck(requirements, base.components(), signals).check(json));
+      diagnostics.addAll(new ChainCheck(requirements, signals).check(json));
     }
     return diagnostics;
   }

@@ -251,14 +251,16 @@ public final class EventChainReader {
       // Files and packages are named after components in lower case.
       SoftwareNode earlier = seen.putIfAbsent(node.getName().toLowerCase(Locale.ROOT), node);
       if (earlier != null && !node.getName().isEmpty()) {
-        find(
-            "modeler.name.duplicate",
-            "There is a component '"
-                + earlier.getName()
-                + "' in line "
-                + origins.locate(earlier).line()
-                + " already.",
-            origins.locate(node));
+        diagnostics.add(
+            Diagnostic.error(
+                    "modeler.name.duplicate",
+                    "There is a component '"
+                        + earlier.getName()
+                        + "' in line "
+                        + origins.locate(earlier).line()
+                        + " already.",
+                    origins.locate(node))
+                .withHint("Names of components differ in more than upper and lower case."));
       }
     }
   }

@@ -34,6 +34,9 @@ final class ReuseCheck {
   void check() {
     compare("input", byName(existing.getInput()), byName(used.getInput()));
     compare("output", byName(existing.getOutput()), byName(used.getOutput()));
+    if (existing.isSetFrequency() && used.isSetFrequency()) {
+      compareFrequency(existing.getFrequency(), used.getFrequency());
+    }
   }
 
   private void compare(String side, Map<String, Data> there, Map<String, Data> here) {
@@ -67,6 +70,17 @@ final class ReuseCheck {
         "message type",
         qualified(there.getMessageType()),
         qualified(here.getMessageType()));
+  }
+
+  private void compareFrequency(double wanted, double given) {
+    if (wanted != given) {
+      report(
+          "value.changed",
+          "The existing component '%s' executes with %s Hz, not %s Hz."
+              .formatted(existing.getName(), wanted, given),
+          used,
+          "Describe an existing component as it is, or give the new one another name.");
+    }
   }
 
   private void compareProperty(String side, Data here, String what, String wanted, String given) {

@@ -1,6 +1,5 @@
 package dev.eventchain.modeler;
 
-import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
@@ -29,15 +28,10 @@ public final class SoftwareBase {
    *
    * @param implementation whether it is a class that needs a node around it, or a node by itself
    * @param file its Python file
-   * @param json its description
    * @param location where it is described
    */
   public record Component(
-      String name,
-      ComponentImplementation implementation,
-      Path file,
-      JsonNode json,
-      SourceLocation location) {}
+      String name, ComponentImplementation implementation, Path file, SourceLocation location) {}
 
   private final Map<String, Component> components;
   private final String componentsText;
@@ -124,7 +118,8 @@ public final class SoftwareBase {
 
   /**
    * Whether a chain uses the existing components as they are: the same values of the same fields of
-   * the same topics. An output that the chain leaves out is a warning, all else an error.
+   * the same topics, with the same frequency. An output that the chain leaves out is a warning, all
+   * else an error.
    *
    * @param locator the places of the chain's elements
    */
@@ -185,8 +180,7 @@ public final class SoftwareBase {
             "The component '" + name + "' has no file " + file + ".",
             json.location());
       }
-      return Optional.of(
-          new Component(name, implementation, path, text.root().at(pointer), json.location()));
+      return Optional.of(new Component(name, implementation, path, json.location()));
     }
 
     private ComponentImplementation implementation(JsonObjectReader json) {
