@@ -3,6 +3,8 @@ package dev.eventchain.simulation;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.metamodel.eventchain.ComponentImplementation;
 import dev.eventchain.metamodel.eventchain.Data;
@@ -41,6 +43,24 @@ final class NodeSetup {
   /** The nodes, in chain order. */
   List<SoftwareNode> nodes() {
     return nodes;
+  }
+
+  /**
+   * A finding for each node of the chain that is not simulated, so that nobody takes it for tested.
+   */
+  List<Diagnostic> leftOut() {
+    return request.chain().getSoftware().stream()
+        .filter(node -> !nodes.contains(node))
+        .map(
+            node ->
+                Diagnostic.warning(
+                        "simulation.node.left-out",
+                        "The component '"
+                            + node.getName()
+                            + "' is a node by itself: it is not simulated.",
+                        SourceLocation.NONE.withElement(node.getName()))
+                    .withHint("Describe it as a component to simulate it; see the rule's page."))
+        .toList();
   }
 
   /** All topics that a node reads. */

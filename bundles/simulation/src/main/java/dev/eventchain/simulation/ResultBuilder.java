@@ -14,6 +14,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
 import java.util.zip.CRC32;
 
 /** Judges what happened, and makes figures of it. */
@@ -151,7 +152,7 @@ final class ResultBuilder {
         warnings.putIfAbsent(id + message, Diagnostic.warning(id, message, topic));
       }
     }
-    return List.copyOf(warnings.values());
+    return Stream.concat(setup.leftOut().stream(), warnings.values().stream()).toList();
   }
 
   /** A digest of everything that was measured in simulated time. */

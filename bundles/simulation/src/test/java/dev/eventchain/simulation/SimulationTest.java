@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.metamodel.eventchain.ComponentImplementation;
 import dev.eventchain.python.PythonEnvironment;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -35,6 +36,15 @@ class SimulationTest {
         result.verdicts().stream().flatMap(verdict -> verdict.diagnostics().stream()).toList());
     assertTrue(result.passed());
     assertEquals(List.of(), result.diagnostics());
+  }
+
+  @Test
+  void nodeThatIsNotSimulatedIsNamed() throws Exception {
+    AebProject project = new AebProject(folder);
+    project.chain().getSoftware().get(0).setImplementation(ComponentImplementation.NODE);
+    SimulationResult result = project.simulate(List.of(AebProject.scenario("stopped-vehicle-50")));
+    assertEquals("simulation.node.left-out", result.diagnostics().get(0).id());
+    assertFalse(result.passed());
   }
 
   @ParameterizedTest

@@ -121,6 +121,31 @@ class RunTest {
   }
 
   @Test
+  void aSlowNodeBreaksTheDesignRuleOnTheMeasuredModel() throws IOException {
+    Path slow = Program.exampleIn(folder.resolve("slow"));
+    Files.createDirectories(slow.resolve("model"));
+    String model = Files.readString(project.resolve("out/chain.xmi"));
+    Files.writeString(
+        slow.resolve("model/chain.xmi"),
+        model.replace(
+            "<software name=\"TTC_Calculation\"",
+            "<software name=\"TTC_Calculation\" worstCaseExecutionTime=\"300.0\""));
+    Path out = slow.resolve("out");
+    Files.createDirectories(out);
+    for (String name :
+        List.of(
+            "generated.ocl", "components/TTC_Calculation.py", "components/Braking_Decision.py")) {
+      Files.createDirectories(out.resolve(name).getParent());
+      Files.copy(project.resolve("out").resolve(name), out.resolve(name));
+    }
+    new Program()
+        .run("run", slow, "--from", "validate")
+        .expect(1)
+        .says("ocl.violated EventChain::BrakeCommandWithin250Milliseconds")
+        .says("chain.measured.xmi:");
+  }
+
+  @Test
   void noNetworkIsNeeded() throws IOException {
     Path out = folder.resolve("offline");
     Program offline = new Program().by("unshare", "-r", "-n");
