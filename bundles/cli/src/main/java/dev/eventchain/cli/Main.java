@@ -3,6 +3,7 @@ package dev.eventchain.cli;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.diagnostics.SourceLocation;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.PrintWriter;
@@ -75,7 +76,12 @@ public final class Main {
       commandLine.usage(err);
       return ExitCode.INPUT;
     }
-    return commandLine.execute(arguments);
+    try {
+      return commandLine.execute(arguments);
+    } catch (Error e) {
+      // Left to Java, it would end the process with the code of a finding.
+      return defect(e, err);
+    }
   }
 
   private static int usage(ParameterException e, PrintWriter err) {
@@ -96,19 +102,21 @@ public final class Main {
       err.print(DiagnosticFormat.TEXT.render(diagnostics.diagnostics()));
       return ExitCode.of(diagnostics.reason());
     }
-    err.print(DiagnosticFormat.TEXT.render(List.of(defect(e))));
-    return ExitCode.UNAVAILABLE;
+    return defect(e, err);
   }
 
-  /** The finding that this program itself is wrong, with the place in its code. */
-  static Diagnostic defect(Throwable e) {
+  /** Says that this program itself is wrong, with the place in its code. */
+  private static int defect(Throwable e, PrintWriter err) {
     StackTraceElement[] stack = e.getStackTrace();
     String place = stack.length == 0 ? "" : " at " + stack[0];
-    return Diagnostic.error(
-            "eventchain.defect",
-            "This is a defect of eventchain: " + e + place,
-            dev.eventchain.diagnostics.SourceLocation.NONE)
-        .withHint("Report it with the command and the input that led to it.");
+    Diagnostic defect =
+        Diagnostic.error(
+                "eventchain.defect",
+                "This is a defect of eventchain: " + e + place,
+                SourceLocation.NONE)
+            .withHint("Report it with the command and the input that led to it.");
+    err.print(DiagnosticFormat.TEXT.render(List.of(defect)));
+    return ExitCode.UNAVAILABLE;
   }
 
   private static PrintWriter writer(FileDescriptor descriptor) {

@@ -86,10 +86,13 @@ final class RecordingReader {
               ? source.at(0)
               : source.at(e.getLocation().getLineNr(), e.getLocation().getColumnNr());
       throw broken(
-          List.of(
-              Diagnostic.error(
-                  "llm.recording.json", "This is no JSON: " + e.getOriginalMessage(), place)));
+          List.of(Diagnostic.error("llm.recording.json", "This is no JSON: " + reason(e), place)));
     }
+  }
+
+  /** What the parser says, without its settings and a second place. */
+  private static String reason(JsonProcessingException e) {
+    return e.getOriginalMessage().replaceFirst("(?s)( \\(start marker|: enable `|\\R).*$", "");
   }
 
   private void request(JsonNode request) {
