@@ -32,7 +32,8 @@ import picocli.CommandLine.ParameterException;
     footer = {
       "",
       "Exit codes: 0 fine; 1 findings of severity error, or a failed verdict; 2 wrong usage or",
-      "unreadable input; 3 something this machine lacks; 4 waiting for an answer; 130 interrupted."
+      "unreadable input; 3 something this machine lacks, or a defect of eventchain, which says so;",
+      "4 waiting for an answer; 130 interrupted."
     })
 public final class Main {
 

@@ -2,7 +2,6 @@ package dev.eventchain.pipeline;
 
 import java.io.File;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -46,7 +45,7 @@ final class Fingerprint {
       digest.update(bytes);
       return this;
     } catch (IOException e) {
-      throw new UncheckedIOException(e);
+      throw Project.unreadable(file, e);
     }
   }
 

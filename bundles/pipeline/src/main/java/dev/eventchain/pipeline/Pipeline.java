@@ -45,8 +45,8 @@ public final class Pipeline {
    * @throws DiagnosticException INPUT if the output folder cannot be written or is in use
    */
   public static RunResult run(Project project, RunOptions options, Progress progress) {
-    try (OutputFolder output = outputFor(options);
-        RunContext context = new RunContext(project, options, output, progress)) {
+    try (OutputFolder output = outputFor(options)) {
+      RunContext context = new RunContext(project, options, output, progress);
       StageMemory memory = new StageMemory(output, options.output());
       output.damage().ifPresent(context::find);
       // The generated package is for people to copy, not for a colcon build of the project.
@@ -83,26 +83,41 @@ public final class Pipeline {
       work.fingerprint(run, fingerprint);
       String key = fingerprint.value();
       Optional<StageRecord> remembered =
-          run.options().again() || !work.skippable() ? Optional.empty() : memory.recall(stage, key);
+          mayBeSkipped(work) ? memory.recall(stage, key).filter(this::isKept) : Optional.empty();
       return remembered.isPresent()
           ? unchanged(stage, remembered.get(), start)
           : executed(stage, work, key, start);
     } catch (DiagnosticException e) {
       failure = Optional.of(e.reason());
+      List<Diagnostic> found = new ArrayList<>(run.takeFindings());
+      found.addAll(e.diagnostics());
       return new StageOutcome(
-          stage, Status.FAILED, since(start), reason(e), e.diagnostics(), Optional.empty());
+          stage, Status.FAILED, since(start), reason(e), found, Optional.empty());
     }
   }
 
+  private boolean mayBeSkipped(StageWork work) {
+    return work.skippable() && !run.options().again();
+  }
+
+  /** Files that a person edited are written again if they are to be replaced. */
+  private boolean isKept(StageRecord record) {
+    return !run.options().overwrite()
+        || record.outputs().stream().noneMatch(run.output()::isEdited);
+  }
+
   private StageOutcome executed(Stage stage, StageWork work, String key, long start) {
+    if (work.skippable()) {
+      // Whatever happens from here on, the files are no longer those that are remembered.
+      memory.forget(stage);
+    }
     StageResult result = work.execute(run);
     List<Diagnostic> found = new ArrayList<>(run.takeFindings());
     found.addAll(result.diagnostics());
     boolean failed = Diagnostic.anyError(found);
     if (failed) {
-      memory.forget(stage);
       failure = Optional.of(DiagnosticException.Reason.FINDINGS);
-    } else if (work.skippable()) {
+    } else if (work.skippable() && !(stage == Stage.SIMULATE && run.options().isPartial())) {
       memory.remember(
           stage, new StageRecord(key, result.outputs(), result.details(), found, result.report()));
     }
@@ -130,9 +145,9 @@ public final class Pipeline {
         Optional.of(record.report()));
   }
 
-  private StageOutcome notRun(Stage stage) {
-    return new StageOutcome(
-        stage, Status.NOT_RUN, Duration.ZERO, "", List.of(), memory.lastReport(stage));
+  /** What an earlier run found out proves nothing about the files of this one. */
+  private static StageOutcome notRun(Stage stage) {
+    return new StageOutcome(stage, Status.NOT_RUN, Duration.ZERO, "", List.of(), Optional.empty());
   }
 
   private static String reason(DiagnosticException e) {

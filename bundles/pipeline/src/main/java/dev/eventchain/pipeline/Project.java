@@ -118,12 +118,18 @@ public final class Project {
     try (Stream<Path> files = Files.list(parent)) {
       return files.filter(file -> file.toString().endsWith(suffix)).sorted().toList();
     } catch (IOException e) {
-      throw new DiagnosticException(
-          DiagnosticException.Reason.INPUT,
-          Diagnostic.error(
-              "file.unreadable",
-              "The folder cannot be read: " + e.getMessage(),
-              SourceLocation.of(parent)));
+      throw unreadable(parent, e);
     }
+  }
+
+  /** The failure that a file or folder of the project cannot be read. */
+  static DiagnosticException unreadable(Path path, IOException e) {
+    return new DiagnosticException(
+        DiagnosticException.Reason.INPUT,
+        Diagnostic.error(
+                "file.unreadable",
+                "This cannot be read: " + e.getClass().getSimpleName() + ".",
+                SourceLocation.of(path))
+            .withHint("Check that it is there and that you may read it."));
   }
 }

@@ -23,7 +23,7 @@ import java.util.List;
 import java.util.Optional;
 
 /** What the stages of a run share: the project, the output folder, and the Python environment. */
-final class RunContext implements AutoCloseable {
+final class RunContext {
 
   private final Project project;
   private final RunOptions options;
@@ -212,10 +212,5 @@ final class RunContext implements AutoCloseable {
       python = PythonEnvironment.ensure(message -> progress.step(stage, message));
     }
     return python;
-  }
-
-  @Override
-  public void close() {
-    findings.clear();
   }
 }

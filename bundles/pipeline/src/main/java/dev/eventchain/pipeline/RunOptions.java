@@ -47,6 +47,11 @@ public record RunOptions(
     return new RunOptions(output, newFirst, newLast, again, llm, record, overwrite, scenarios);
   }
 
+  /** Whether only some of the scenarios are simulated, which is not enough for a verdict. */
+  boolean isPartial() {
+    return !scenarios.isEmpty();
+  }
+
   boolean runs(Stage stage) {
     return first.compareTo(stage) <= 0 && stage.compareTo(last) <= 0;
   }

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.metamodel.Origins;
 import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.ocl.OclResult;
@@ -13,7 +14,6 @@ import dev.eventchain.simulation.Simulation;
 import dev.eventchain.simulation.SimulationRequest;
 import dev.eventchain.simulation.SimulationResult;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -22,8 +22,10 @@ import java.util.Locale;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.eclipse.emf.ecore.EObject;
 
 /** The generated nodes in the closed loop: verdicts, measurements, and the measured model. */
 final class SimulateStage implements StageWork {
@@ -49,20 +51,32 @@ final class SimulateStage implements StageWork {
     List<Scenario> scenarios = scenarios(run);
     SimulationResult result = simulate(run, model.chain(), scenarios);
     EventChain measured = result.measuredModel(model.chain());
-    run.writeResult(MEASUREMENTS, result.toJson());
-    run.writeResult(VERDICT, SimulationReport.verdict(model.chain(), result));
-    run.writeResult(MEASURED_MODEL, XmiStore.toBytes(measured));
     List<Diagnostic> found = new ArrayList<>(result.diagnostics());
     result.verdicts().forEach(verdict -> found.addAll(verdict.diagnostics()));
-    RunContext.LoadedChain reread = run.loadChain(run.file(MEASURED_MODEL));
-    OclResult validation = Constraints.of(run).check(reread.chain(), reread.origins()::locate);
+    Function<EObject, SourceLocation> locator = new Origins()::locate;
+    List<String> files = List.of();
+    if (!run.options().isPartial()) {
+      files = write(run, model.chain(), measured, result);
+      RunContext.LoadedChain reread = run.loadChain(run.file(MEASURED_MODEL));
+      measured = reread.chain();
+      locator = reread.origins()::locate;
+    }
+    OclResult validation = Constraints.of(run).check(measured, locator);
     found.addAll(validation.diagnostics());
     ObjectNode report = SimulationReport.of(result);
     report.set(
         "validation",
         Constraints.report(SourceLocation.of(run.file(MEASURED_MODEL)).file(), validation));
-    return new StageResult(
-        details(result), List.of(MEASUREMENTS, VERDICT, MEASURED_MODEL), found, report);
+    return new StageResult(details(result), files, found, report);
+  }
+
+  /** The results of all scenarios; those of some must not take their place. */
+  private static List<String> write(
+      RunContext run, EventChain chain, EventChain measured, SimulationResult result) {
+    run.writeResult(MEASUREMENTS, result.toJson());
+    run.writeResult(VERDICT, SimulationReport.verdict(chain, result));
+    run.writeResult(MEASURED_MODEL, XmiStore.toBytes(measured));
+    return List.of(MEASUREMENTS, VERDICT, MEASURED_MODEL);
   }
 
   private static String details(SimulationResult result) {
@@ -145,7 +159,7 @@ final class SimulateStage implements StageWork {
           .sorted()
           .toList();
     } catch (IOException e) {
-      throw new UncheckedIOException(e);
+      throw Project.unreadable(folder, e);
     }
   }
 }

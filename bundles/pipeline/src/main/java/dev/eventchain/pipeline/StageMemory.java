@@ -1,7 +1,6 @@
 package dev.eventchain.pipeline;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
-import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import dev.eventchain.m2t.OutputFolder;
 import java.io.IOException;
@@ -46,14 +45,11 @@ final class StageMemory {
     }
   }
 
-  /** What a stage last added to the report, whatever has changed since. */
-  Optional<JsonNode> lastReport(Stage stage) {
-    return read(stage).map(StageRecord::report);
-  }
-
   /** Forgets a stage, which then runs again. */
   void forget(Stage stage) {
-    output.write(name(stage), new byte[0], OutputFolder.OnEdit.OVERWRITE);
+    if (output.read(name(stage)).isPresent()) {
+      output.write(name(stage), new byte[0], OutputFolder.OnEdit.OVERWRITE);
+    }
   }
 
   /** Remembers a stage that succeeded. */

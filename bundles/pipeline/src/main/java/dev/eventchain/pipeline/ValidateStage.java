@@ -2,8 +2,10 @@ package dev.eventchain.pipeline;
 
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.ocl.OclResult;
+import java.util.ArrayList;
 import java.util.List;
 
 /** The model against its constraints. */
@@ -27,6 +29,8 @@ final class ValidateStage implements StageWork {
     OclResult result = constraints.check(model.chain(), origins::locate);
     ObjectNode report = JsonNodeFactory.instance.objectNode();
     report.set("validation", Constraints.report(SourceLocation.of(run.model()).file(), result));
-    return new StageResult(Constraints.words(result), List.of(), result.diagnostics(), report);
+    List<Diagnostic> found = new ArrayList<>(result.diagnostics());
+    found.addAll(run.softwareBase().check(model.chain(), origins::locate));
+    return new StageResult(Constraints.words(result), List.of(), found, report);
   }
 }
