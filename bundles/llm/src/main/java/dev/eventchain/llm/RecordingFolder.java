@@ -6,7 +6,6 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -57,7 +56,14 @@ final class RecordingFolder {
     try (Stream<Path> files = Files.list(tasks)) {
       return files.filter(file -> file.toString().endsWith(".json")).sorted().toList();
     } catch (IOException e) {
-      throw new UncheckedIOException(e);
+      throw new DiagnosticException(
+          Reason.INPUT,
+          List.of(
+              Diagnostic.error(
+                      "file.unreadable",
+                      "The recordings cannot be read: " + e.getClass().getSimpleName() + ".",
+                      SourceLocation.of(tasks))
+                  .withHint("Check that you may read the folder.")));
     }
   }
 

@@ -41,7 +41,8 @@ final class Conclusion {
     Verdict verdict = verdict(found);
     String summary = summary(verdict, scenarios, found);
     Optional<Path> report = Optional.empty();
-    if (run.options().runs(Stage.REPORT) && !failure.equals(Optional.of(Reason.WAITING))) {
+    boolean reportable = !run.options().isPartial() && !failure.equals(Optional.of(Reason.WAITING));
+    if (run.options().runs(Stage.REPORT) && reportable) {
       report = writeReport(verdict, summary, found);
       found.addAll(run.takeFindings());
     }
@@ -55,7 +56,8 @@ final class Conclusion {
     if (Diagnostic.anyError(found)) {
       return Verdict.FAILED;
     }
-    boolean judged = outcome(Stage.SIMULATE).status() != Status.NOT_RUN;
+    boolean judged =
+        outcome(Stage.SIMULATE).status() != Status.NOT_RUN && !run.options().isPartial();
     return judged ? Verdict.PASSED : Verdict.INCOMPLETE;
   }
 
@@ -70,7 +72,7 @@ final class Conclusion {
     return switch (verdict) {
       case PASSED -> scenarioText;
       case FAILED -> scenarios.isEmpty() ? errorText : scenarioText + ", " + errorText;
-      case INCOMPLETE -> failure.isPresent() ? stopped() : lastDetails();
+      case INCOMPLETE -> failure.isPresent() ? stopped() : unjudged(scenarios, scenarioText);
     };
   }
 
@@ -80,6 +82,12 @@ final class Conclusion {
         .map(outcome -> "stopped in the stage '" + outcome.stage().id() + "'")
         .findFirst()
         .orElse("stopped");
+  }
+
+  private String unjudged(List<ScenarioLine> scenarios, String scenarioText) {
+    return scenarios.isEmpty()
+        ? lastDetails()
+        : scenarioText + "; no verdict, because the others were not simulated";
   }
 
   /** What the last stage made, where a run was not asked for a verdict. */

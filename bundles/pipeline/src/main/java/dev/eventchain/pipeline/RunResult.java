@@ -26,7 +26,7 @@ public record RunResult(
 
   /** What a run comes to. */
   public enum Verdict {
-    /** All stages ran, no finding is an error, and every scenario met its criteria. */
+    /** Every stage asked for ran, no finding is an error, and every scenario met its criteria. */
     PASSED,
     /** Something was found wanting. */
     FAILED,

@@ -3,6 +3,7 @@ package dev.eventchain.endtoend;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
@@ -154,6 +155,38 @@ class BadInputTest {
     ended = new Program().run("run", project, "--from", "validate");
     ended.expect(1).says("ocl.violated").says("chain.xmi:");
     assertEquals(before, filesIn(folder), "nothing new, inside or outside of the output");
+  }
+
+  @Test
+  void aRunThatStopsEarlyProvesNothingWithAnEarlierRun() throws IOException {
+    String proved = "\"proved\":true";
+    assertTrue(Files.readString(project.resolve("out/report.html")).contains(proved));
+    Path requirements = project.resolve("requirements.md");
+    String written = Files.readString(requirements);
+    Files.writeString(requirements, written.replace("below 1.0 seconds", "below 1.5 seconds"));
+    ended = new Program().run("run", project);
+    ended.expect(2);
+    assertFalse(Files.readString(project.resolve("out/report.html")).contains(proved));
+    Files.writeString(requirements, written);
+    new Program().run("run", project).expect(0).says("✓ Design");
+  }
+
+  @Test
+  void overwriteReplacesWhatAPersonEdited() throws IOException {
+    String generated = Files.readString(project.resolve(DECISION));
+    replaceDecision("return {'braking_force': 1.0}");
+    ended = new Program().run("run", project, "--overwrite");
+    ended.expect(0).says("PASSED");
+    assertEquals(generated, Files.readString(project.resolve(DECISION)));
+  }
+
+  @Test
+  void someScenariosAreNoVerdict() throws IOException {
+    byte[] verdict = Files.readAllBytes(project.resolve("out/verdict.json"));
+    ended = new Program().run("run", project, "--scenario", "empty-road");
+    ended.expect(0).says("1 of 1 scenarios passed; no verdict");
+    assertArrayEquals(verdict, Files.readAllBytes(project.resolve("out/verdict.json")));
+    new Program().run("run", project, "--scenario", "empty").expect(2).says("stopped-vehicle-50");
   }
 
   @Test
