@@ -52,10 +52,22 @@ public final class Main {
   public static void main(String[] arguments) {
     PrintWriter out = writer(FileDescriptor.out);
     PrintWriter err = writer(FileDescriptor.err);
+    // The end below is a halt, so only a signal gets here.
+    Thread farewell = new Thread(() -> interrupted(err), "interrupted");
+    Runtime.getRuntime().addShutdownHook(farewell);
     int code = run(arguments, out, err, Terminal.of(System.getenv()));
-    out.flush();
+    if (out.checkError() && code == ExitCode.FINE) {
+      err.println("eventchain: standard output cannot be written");
+      code = ExitCode.INPUT;
+    }
     err.flush();
     Runtime.getRuntime().halt(code);
+  }
+
+  private static void interrupted(PrintWriter err) {
+    err.println();
+    err.println("eventchain: interrupted; every file is as it was or complete");
+    err.flush();
   }
 
   /**

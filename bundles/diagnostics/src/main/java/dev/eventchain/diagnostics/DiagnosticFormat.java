@@ -78,9 +78,7 @@ public enum DiagnosticFormat {
     int from =
         Math.max(0, Math.min(column - LONGEST_EXCERPT / 2, excerpt.length() - LONGEST_EXCERPT));
     int to = Math.min(excerpt.length(), from + LONGEST_EXCERPT);
-    text.append("    ")
-        .append(printable(excerpt.substring(from, to)).replace('\n', ' '))
-        .append('\n');
+    text.append("    ").append(printable(excerpt.substring(from, to))).append('\n');
     if (location.column() > 0) {
       text.append("    ");
       for (int i = from; i < column; i++) {
@@ -95,10 +93,25 @@ public enum DiagnosticFormat {
     StringBuilder result = new StringBuilder(text.length());
     for (int i = 0; i < text.length(); i++) {
       char c = text.charAt(i);
-      boolean harmless = c == '\n' || c == '\t' || !Character.isISOControl(c);
-      result.append(harmless ? c : '\uFFFD');
+      if (c == '\n') {
+        // What follows must not pass for a finding of its own.
+        result.append("\n    ");
+      } else if (c == '\t' || !(Character.isISOControl(c) || isDirection(c))) {
+        result.append(c);
+      } else {
+        result.append('\uFFFD');
+      }
     }
     return result.toString();
+  }
+
+  /** Characters that make text run the other way, so that it reads as something else. */
+  private static boolean isDirection(char c) {
+    return (c >= '\u202A' && c <= '\u202E')
+        || (c >= '\u2066' && c <= '\u2069')
+        || c == '\u200E'
+        || c == '\u200F'
+        || c == '\u061C';
   }
 
   private static void writeJson(Diagnostic diagnostic, JsonGenerator json) throws IOException {

@@ -12,6 +12,7 @@ import java.util.Arrays;
 /** A text and its name, which turns offsets into places. Immutable. */
 public final class SourceText {
 
+  private static final long LARGEST = 256L << 20;
   private static final char BYTE_ORDER_MARK = '\uFEFF';
 
   private final String name;
@@ -53,12 +54,28 @@ public final class SourceText {
 
   private static byte[] bytesOf(Path file) {
     try {
+      if (Files.exists(file) && !Files.isDirectory(file)) {
+        requireReadable(file);
+      }
       return Files.readAllBytes(file);
     } catch (NoSuchFileException e) {
       throw unreadable("file.missing", "There is no such file.", file);
     } catch (IOException e) {
       String problem = Files.isDirectory(file) ? "This is a folder." : reason(e);
       throw unreadable("file.unreadable", "The file cannot be read: " + problem, file);
+    }
+  }
+
+  /** A device or a pipe never ends, and no text of a project is as large as the limit. */
+  private static void requireReadable(Path file) throws IOException {
+    if (!Files.isRegularFile(file)) {
+      throw unreadable("file.unreadable", "This is no regular file.", file);
+    }
+    if (Files.size(file) > LARGEST) {
+      throw unreadable(
+          "file.unreadable",
+          "The file has " + Files.size(file) + " bytes; at most " + LARGEST + " are read.",
+          file);
     }
   }
 

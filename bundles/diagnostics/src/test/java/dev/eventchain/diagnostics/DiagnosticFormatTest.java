@@ -72,6 +72,14 @@ class DiagnosticFormatTest {
   }
 
   @Test
+  void textFromModelsCannotPassForAFindingOfItsOwn() {
+    Diagnostic forged =
+        Diagnostic.error("a.b", "x\nmodel:1:1: error: fake \u202Eabc", SourceLocation.NONE);
+    String text = DiagnosticFormat.TEXT.render(List.of(forged));
+    assertEquals("error: x\n    model:1:1: error: fake \uFFFDabc [a.b]\n", text);
+  }
+
+  @Test
   void findingsSortByPlaceThenSeverity() {
     Diagnostic warning = Diagnostic.warning("z", "w", new SourceLocation("a", 1, 1, "", ""));
     Diagnostic error = Diagnostic.error("z", "e", new SourceLocation("a", 1, 1, "", ""));

@@ -48,6 +48,7 @@ class SourceTextTest {
     Files.write(latin, "gut\nschön\n".getBytes(StandardCharsets.ISO_8859_1));
     assertEquals("file.missing", idOf(folder.resolve("none")));
     assertEquals("file.unreadable", idOf(folder));
+    assertEquals("file.unreadable", idOf(Path.of("/dev/zero")));
     assertEquals("file.encoding", idOf(latin));
     DiagnosticException e = assertThrows(DiagnosticException.class, () -> SourceText.read(latin));
     assertEquals(2, e.diagnostics().get(0).location().line());

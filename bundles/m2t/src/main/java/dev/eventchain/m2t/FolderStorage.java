@@ -109,8 +109,9 @@ final class FolderStorage implements OutputStorage {
     Path folder = base;
     for (Path segment : base.relativize(file)) {
       folder = folder.resolve(segment);
-      if (folder.equals(file) || checkedFolders.add(folder)) {
+      if (folder.equals(file) || !checkedFolders.contains(folder)) {
         refuseLinkLeaving(base, folder);
+        checkedFolders.add(folder);
       }
     }
     return file;

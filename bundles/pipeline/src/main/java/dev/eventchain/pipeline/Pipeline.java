@@ -83,7 +83,9 @@ public final class Pipeline {
       work.fingerprint(run, fingerprint);
       String key = fingerprint.value();
       Optional<StageRecord> remembered =
-          mayBeSkipped(work) ? memory.recall(stage, key).filter(this::isKept) : Optional.empty();
+          mayBeSkipped(work)
+              ? memory.recall(stage, key).filter(r -> isKept(stage, r))
+              : Optional.empty();
       return remembered.isPresent()
           ? unchanged(stage, remembered.get(), start)
           : executed(stage, work, key, start);
@@ -100,10 +102,10 @@ public final class Pipeline {
     return work.skippable() && !run.options().again();
   }
 
-  /** Files that a person edited are written again if they are to be replaced. */
-  private boolean isKept(StageRecord record) {
-    return !run.options().overwrite()
-        || record.outputs().stream().noneMatch(run.output()::isEdited);
+  /** Files that a person edited are written again if they are results, or to be replaced. */
+  private boolean isKept(Stage stage, StageRecord record) {
+    boolean keepsEdits = stage != Stage.SIMULATE && !run.options().overwrite();
+    return keepsEdits || record.outputs().stream().noneMatch(run.output()::isEdited);
   }
 
   private StageOutcome executed(Stage stage, StageWork work, String key, long start) {
@@ -153,7 +155,7 @@ public final class Pipeline {
   private static String reason(DiagnosticException e) {
     int count = e.diagnostics().size();
     String more = count > 1 ? " (and " + (count - 1) + " more)" : "";
-    return e.diagnostics().get(0).message() + more;
+    return e.diagnostics().get(0).message().lines().findFirst().orElse("") + more;
   }
 
   private static Duration since(long start) {

@@ -176,22 +176,11 @@ final class RunContext {
   }
 
   /**
-   * Writes a result of the run. A person's version in its place would pass for the result, so it is
-   * an error.
+   * Writes a result of the run. A person's version in its place would pass for the result: it is
+   * replaced, and that is said.
    */
   void writeResult(String name, byte[] content) {
-    OutputFolder.Written written =
-        output.write(
-            name,
-            content,
-            options.overwrite() ? OutputFolder.OnEdit.OVERWRITE : OutputFolder.OnEdit.KEEP);
-    boolean kept = written.outcome() == OutputFolder.Outcome.KEPT;
-    written
-        .finding()
-        .map(
-            finding ->
-                kept ? finding.withSeverity(dev.eventchain.diagnostics.Severity.ERROR) : finding)
-        .ifPresent(findings::add);
+    output.write(name, content, OutputFolder.OnEdit.OVERWRITE).finding().ifPresent(findings::add);
   }
 
   /** Adds a finding to the stage that runs. */

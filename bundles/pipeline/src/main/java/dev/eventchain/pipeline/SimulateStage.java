@@ -7,6 +7,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.metamodel.Origins;
 import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import dev.eventchain.ocl.OclResult;
 import dev.eventchain.simulation.Scenario;
 import dev.eventchain.simulation.ScenarioVerdict;
@@ -135,6 +136,9 @@ final class SimulateStage implements StageWork {
                           + scenarios.size()
                           + ": "
                           + verdict.scenario()));
+    } catch (DiagnosticException e) {
+      throw new DiagnosticException(
+          e.reason(), e.diagnostics().stream().map(found -> atSource(found, run, chain)).toList());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new DiagnosticException(
@@ -142,6 +146,20 @@ final class SimulateStage implements StageWork {
           Diagnostic.error(
               "simulation.interrupted", "The simulation was interrupted.", SourceLocation.NONE));
     }
+  }
+
+  /** A finding in the generated package's copy of a component belongs to the file it is from. */
+  private static Diagnostic atSource(Diagnostic found, RunContext run, EventChain chain) {
+    SourceLocation place = found.location();
+    for (SoftwareNode node : chain.getSoftware()) {
+      if (place.file().endsWith("/components/" + node.getName() + ".py")) {
+        String source = SourceLocation.of(GenerateStage.componentFile(run, node)).file();
+        return found.withLocation(
+            new SourceLocation(
+                source, place.line(), place.column(), place.element(), place.excerpt()));
+      }
+    }
+    return found;
   }
 
   /** The folder of the generated ROS 2 package, which holds the Python package of the same name. */

@@ -3,6 +3,7 @@ package dev.eventchain.pipeline;
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import java.util.List;
+import java.util.Objects;
 
 /**
  * What is remembered of a stage that succeeded, so that it need not run again while nothing
@@ -19,4 +20,13 @@ record StageRecord(
     List<String> outputs,
     String details,
     List<Diagnostic> diagnostics,
-    JsonNode report) {}
+    JsonNode report) {
+  /** Refuses what a damaged file leaves out. */
+  StageRecord {
+    Objects.requireNonNull(key);
+    outputs = List.copyOf(outputs);
+    Objects.requireNonNull(details);
+    diagnostics = List.copyOf(diagnostics);
+    Objects.requireNonNull(report);
+  }
+}

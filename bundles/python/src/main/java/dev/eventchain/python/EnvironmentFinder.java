@@ -134,7 +134,12 @@ final class EnvironmentFinder {
   private PythonEnvironment create(Path python, Path remembered) {
     Path script =
         PythonSources.unpack(getClass().getClassLoader(), RESOURCES).resolve(CONTENT.get(0));
-    Path executable = Path.of(run(python, script));
+    Path executable = Path.of(run(python, script)).toAbsolutePath();
+    if (!Files.isExecutable(executable) || Files.isDirectory(executable)) {
+      throw unavailable(
+          python + " is no Python: it answered with nothing that can be started.",
+          "Name a Python 3.10 or later in EVENTCHAIN_PYTHON, or unset it.");
+    }
     try {
       PythonEnvironment found = open(executable.getParent().getParent());
       remember(remembered, executable.getParent().getParent());

@@ -197,6 +197,28 @@ class BadInputTest {
   }
 
   @Test
+  void aLinkOutOfTheOutputFolderIsNotFollowed() throws IOException {
+    Path elsewhere = Files.createDirectories(folder.resolve("elsewhere"));
+    Path out = Files.createDirectories(folder.resolve("linked"));
+    Files.createSymbolicLink(out.resolve("components"), elsewhere);
+    ended = new Program().run("run", project, "-o", out);
+    ended.expect(1).says("output.path.refused");
+    try (Stream<Path> files = Files.list(elsewhere)) {
+      assertEquals(0, files.count());
+    }
+  }
+
+  @Test
+  void anEditedVerdictIsReplacedAndThatIsSaid() throws IOException {
+    Path verdict = project.resolve("out/verdict.json");
+    String written = Files.readString(verdict);
+    Files.writeString(verdict, written.replace("true", "false"));
+    ended = new Program().run("run", project);
+    ended.expect(0).says("eventchain.file.edited").says("PASSED");
+    assertEquals(written, Files.readString(verdict));
+  }
+
+  @Test
   void anOutputThatCannotBeWrittenIsNamed() throws IOException {
     Path file = Files.writeString(folder.resolve("file"), "in the way");
     ended = new Program().run("run", project, "-o", file.resolve("out"));
@@ -233,6 +255,7 @@ class BadInputTest {
     }
     new ProcessBuilder("kill", "-INT", Long.toString(run.pid())).start().waitFor();
     assertEquals(130, run.waitFor(), Files.readString(err));
+    assertTrue(Files.readString(err).contains("interrupted"), Files.readString(err));
     assertArrayEquals(verdict, Files.readAllBytes(project.resolve("out/verdict.json")));
     new Program().run("run", project).expect(0).says("PASSED");
   }
