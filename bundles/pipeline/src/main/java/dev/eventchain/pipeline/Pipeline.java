@@ -71,7 +71,31 @@ public final class Pipeline {
       outcomes.put(stage, outcome);
       progress.ended(stage, outcome.status(), outcome.duration(), outcome.details());
     }
+    if (failure.equals(Optional.of(DiagnosticException.Reason.FINDINGS))) {
+      withdrawVerdict();
+    }
     return new Conclusion(run, outcomes, failure, progress).conclude();
+  }
+
+  /**
+   * A run that was found wanting before it simulated must not leave an earlier verdict standing.
+   */
+  private void withdrawVerdict() {
+    boolean simulated = outcomes.get(Stage.SIMULATE).report().isPresent();
+    if (!simulated && run.options().runs(Stage.SIMULATE) && !run.options().isPartial()) {
+      memory.forget(Stage.SIMULATE);
+      run.writeResult(
+          SimulateStage.VERDICT,
+          SimulationReport.noVerdict(run.project().configuration().name(), stoppedIn()));
+    }
+  }
+
+  private Stage stoppedIn() {
+    return outcomes.values().stream()
+        .filter(outcome -> outcome.status() == Status.FAILED)
+        .map(StageOutcome::stage)
+        .findFirst()
+        .orElseThrow();
   }
 
   private StageOutcome runStage(Stage stage) {

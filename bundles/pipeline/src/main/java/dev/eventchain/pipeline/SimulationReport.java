@@ -60,6 +60,18 @@ final class SimulationReport {
       verdict.requirements().forEach(requirements::add);
       criteria(scenario, verdict);
     }
+    return pretty(json);
+  }
+
+  /** The content of {@code verdict.json} when a run was found wanting before it simulated. */
+  static byte[] noVerdict(String chain, Stage stoppedIn) {
+    ObjectNode json = JsonNodeFactory.instance.objectNode();
+    json.put("chain", chain).put("passed", false).put("stoppedIn", stoppedIn.id());
+    json.putArray("scenarios");
+    return pretty(json);
+  }
+
+  private static byte[] pretty(ObjectNode json) {
     DefaultIndenter indenter = new DefaultIndenter("  ", "\n");
     DefaultPrettyPrinter printer =
         new DefaultPrettyPrinter().withObjectIndenter(indenter).withArrayIndenter(indenter);

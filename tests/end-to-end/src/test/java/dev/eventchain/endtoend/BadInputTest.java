@@ -219,6 +219,20 @@ class BadInputTest {
   }
 
   @Test
+  void aRunThatIsFoundWantingLeavesNoEarlierVerdictStanding() throws IOException {
+    Path verdict = project.resolve("out/verdict.json");
+    String passed = Files.readString(verdict);
+    Path constraints = project.resolve("constraints.ocl");
+    Files.writeString(constraints, "context SoftwareNode inv Fast: self.frequency >= 30.0\n");
+    ended = new Program().run("run", project);
+    ended.expect(1).says("ocl.violated SoftwareNode::Fast");
+    assertTrue(Files.readString(verdict).contains("\"passed\" : false"));
+    Files.delete(constraints);
+    new Program().run("run", project).expect(0).says("PASSED");
+    assertEquals(passed, Files.readString(verdict));
+  }
+
+  @Test
   void anOutputThatCannotBeWrittenIsNamed() throws IOException {
     Path file = Files.writeString(folder.resolve("file"), "in the way");
     ended = new Program().run("run", project, "-o", file.resolve("out"));
