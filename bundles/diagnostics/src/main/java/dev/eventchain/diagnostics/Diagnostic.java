@@ -74,11 +74,6 @@ public record Diagnostic(
     return new Diagnostic(id, severity, message, newLocation, hint, rule);
   }
 
-  /** The same finding with another severity. */
-  public Diagnostic withSeverity(Severity newSeverity) {
-    return new Diagnostic(id, newSeverity, message, location, hint, rule);
-  }
-
   @Override
   public int compareTo(Diagnostic other) {
     return ORDER.compare(this, other);

@@ -25,19 +25,6 @@ public interface Progress {
     }
   }
 
-  /** Hears nothing. */
-  Progress SILENT =
-      new Progress() {
-        @Override
-        public void started(Stage stage) {}
-
-        @Override
-        public void step(Stage stage, String message) {}
-
-        @Override
-        public void ended(Stage stage, Status status, Duration duration, String details) {}
-      };
-
   /** A stage begins. */
   void started(Stage stage);
 

@@ -36,17 +36,6 @@ public record RunOptions(
     scenarios = List.copyOf(scenarios);
   }
 
-  /** All stages, skipping what is unchanged. */
-  public static RunOptions of(Path output) {
-    return new RunOptions(
-        output, Stage.DESIGN, Stage.REPORT, false, Optional.empty(), false, false, List.of());
-  }
-
-  /** The same with other stages. */
-  public RunOptions between(Stage newFirst, Stage newLast) {
-    return new RunOptions(output, newFirst, newLast, again, llm, record, overwrite, scenarios);
-  }
-
   /** Whether only some of the scenarios are simulated, which is not enough for a verdict. */
   boolean isPartial() {
     return !scenarios.isEmpty();
