@@ -87,7 +87,7 @@ public final class OclValidator {
     private final List<EObject> elements;
     private final Evaluation evaluation;
     private final List<Diagnostic> findings = new ArrayList<>();
-    private long evaluations;
+    private final List<OclResult.Check> checks = new ArrayList<>();
 
     Run(Collection<? extends EObject> roots, Function<EObject, SourceLocation> locator) {
       this.locator = locator;
@@ -105,17 +105,21 @@ public final class OclValidator {
     }
 
     OclResult validate() {
-      rules.constraints().forEach(this::evaluate);
+      for (OclConstraint constraint : rules.constraints()) {
+        checks.add(new OclResult.Check(constraint, evaluate(constraint)));
+      }
       findings.sort(null);
       List<Diagnostic> all = new ArrayList<>(rules.diagnostics());
       all.addAll(findings);
-      if (evaluations == 0) {
+      if (checks.stream().allMatch(check -> check.evaluations() == 0)) {
         all.add(nothingEvaluated());
       }
-      return new OclResult(rules.constraints().size(), elements.size(), evaluations, all);
+      return new OclResult(elements.size(), checks, all);
     }
 
-    private void evaluate(OclConstraint constraint) {
+    /** Evaluates an invariant on its elements and says on how many. */
+    private long evaluate(OclConstraint constraint) {
+      long evaluations = 0;
       long deadline = System.nanoTime() + timeLimit.toNanos();
       for (EObject element : elements) {
         if (constraint.context().isInstance(element)) {
@@ -125,12 +129,13 @@ public final class OclValidator {
           Object value = constraint.evaluate(element, evaluation);
           if (value instanceof Invalid invalid && invalid.limit()) {
             findings.add(limit(constraint, element, invalid));
-            return;
+            return evaluations;
           } else if (!Boolean.TRUE.equals(value)) {
             findings.add(finding(constraint, element, value));
           }
         }
       }
+      return evaluations;
     }
 
     private Diagnostic finding(OclConstraint constraint, EObject element, Object value) {

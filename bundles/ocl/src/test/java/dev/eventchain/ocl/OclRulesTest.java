@@ -98,4 +98,21 @@ class OclRulesTest {
     assertEquals("ocl.nothing-evaluated", result.diagnostics().get(0).id());
     assertTrue(result.diagnostics().get(0).message().contains("1 constraints, 1 elements"));
   }
+
+  @Test
+  void aResultTellsHowOftenEachConstraintWasEvaluatedAlsoIfNever() {
+    OclResult result =
+        OclValidator.validate(
+            rules(
+                "context Book inv A: true context AudioBook inv B: true context Library inv C: true"),
+            library.eContents().subList(0, 2),
+            element -> dev.eventchain.diagnostics.SourceLocation.NONE);
+    assertEquals(
+        List.of("Book::A 2", "AudioBook::B 0", "Library::C 0"),
+        result.checks().stream()
+            .map(each -> each.constraint() + " " + each.evaluations())
+            .toList());
+    assertEquals(2, result.evaluations());
+    assertEquals(3, result.constraints());
+  }
 }
