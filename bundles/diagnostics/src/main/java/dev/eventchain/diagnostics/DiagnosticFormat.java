@@ -64,9 +64,17 @@ public enum DiagnosticFormat {
     if (!location.element().isEmpty()) {
       text.append("  at: ").append(printable(location.element())).append('\n');
     }
+    for (SourceLocation related : diagnostic.related()) {
+      text.append("  see: ").append(printable(nameOf(related))).append('\n');
+    }
     if (!diagnostic.hint().isEmpty()) {
       text.append("  hint: ").append(printable(diagnostic.hint())).append('\n');
     }
+  }
+
+  /** The place, or else the element where no place is known. */
+  private static String nameOf(SourceLocation related) {
+    return related.toString().isEmpty() ? related.element() : related.toString();
   }
 
   private static void appendExcerpt(SourceLocation location, StringBuilder text) {
@@ -120,13 +128,26 @@ public enum DiagnosticFormat {
     json.writeStringField("id", diagnostic.id());
     json.writeStringField("severity", diagnostic.severity().toString());
     json.writeStringField("message", diagnostic.message());
+    writePlace(location, json);
+    writeIfKnown("hint", diagnostic.hint(), json);
+    writeIfKnown("rule", diagnostic.rule(), json);
+    if (!diagnostic.related().isEmpty()) {
+      json.writeArrayFieldStart("related");
+      for (SourceLocation related : diagnostic.related()) {
+        json.writeStartObject();
+        writePlace(related, json);
+        json.writeEndObject();
+      }
+      json.writeEndArray();
+    }
+    json.writeEndObject();
+  }
+
+  private static void writePlace(SourceLocation location, JsonGenerator json) throws IOException {
     writeIfKnown("file", location.file(), json);
     writeIfKnown("line", location.line(), json);
     writeIfKnown("column", location.column(), json);
     writeIfKnown("element", location.element(), json);
-    writeIfKnown("hint", diagnostic.hint(), json);
-    writeIfKnown("rule", diagnostic.rule(), json);
-    json.writeEndObject();
   }
 
   private static void writeIfKnown(String name, String value, JsonGenerator json)

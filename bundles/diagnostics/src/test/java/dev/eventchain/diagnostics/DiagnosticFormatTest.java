@@ -17,7 +17,8 @@ class DiagnosticFormatTest {
               new SourceLocation(
                   "out/chain.xmi", 3, 7, "//@software.1", "\t<software name=\"TTC\"/>"))
           .withHint("Give it an output.")
-          .withRule("SoftwareNode::HasInputAndOutputData");
+          .withRule("SoftwareNode::HasInputAndOutputData")
+          .withRelated(new SourceLocation("rules.ocl", 2, 5, "", ""));
 
   @Test
   void textShowsPlaceLineCaretElementAndHint() {
@@ -27,6 +28,7 @@ class DiagnosticFormatTest {
             \t<software name="TTC"/>
             \t     ^
           at: //@software.1
+          see: rules.ocl:2:5
           hint: Give it an output.
         """,
         DiagnosticFormat.TEXT.render(List.of(VIOLATED)));
@@ -51,7 +53,14 @@ class DiagnosticFormatTest {
   void jsonHoldsEverything() {
     String json = DiagnosticFormat.JSON.render(List.of(VIOLATED));
     for (String part :
-        List.of("ocl.violated", "error", "\"line\" : 3", "\"column\" : 7", "//@software.1")) {
+        List.of(
+            "ocl.violated",
+            "error",
+            "\"line\" : 3",
+            "\"column\" : 7",
+            "//@software.1",
+            "\"file\" : \"rules.ocl\"",
+            "\"line\" : 2")) {
       assertTrue(json.contains(part), json);
     }
   }
@@ -77,6 +86,20 @@ class DiagnosticFormatTest {
         Diagnostic.error("a.b", "x\nmodel:1:1: error: fake \u202Eabc", SourceLocation.NONE);
     String text = DiagnosticFormat.TEXT.render(List.of(forged));
     assertEquals("error: x\n    model:1:1: error: fake \uFFFDabc [a.b]\n", text);
+  }
+
+  @Test
+  void placesThatAreNowhereAreNotRelated() {
+    assertEquals(List.of(), VIOLATED.withRelated(SourceLocation.NONE).related());
+  }
+
+  @Test
+  void theOrderIsTotal() {
+    Diagnostic none = Diagnostic.error("a", "m", SourceLocation.NONE);
+    Diagnostic one = none.withRelated(SourceLocation.of("a"));
+    Diagnostic two = none.withRelated(SourceLocation.of("a"), SourceLocation.of("b"));
+    assertEquals(List.of(none, one, two), Stream.of(two, none, one).sorted().toList());
+    assertEquals(0, one.compareTo(none.withRelated(SourceLocation.of("a"))));
   }
 
   @Test

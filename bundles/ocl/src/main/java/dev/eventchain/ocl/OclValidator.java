@@ -157,7 +157,8 @@ public final class OclValidator {
           message,
           locator.apply(element),
           hint,
-          constraint.qualifiedName());
+          constraint.qualifiedName(),
+          List.of());
     }
 
     private Diagnostic limit(OclConstraint constraint, EObject element, Invalid invalid) {
