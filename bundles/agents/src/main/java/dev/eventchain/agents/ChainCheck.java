@@ -2,6 +2,7 @@ package dev.eventchain.agents;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.modeler.JsonText;
 import dev.eventchain.modeler.Requirements;
 import java.util.List;
 import java.util.Map;

@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.modeler.EventChainReader;
+import dev.eventchain.modeler.JsonText;
 import dev.eventchain.modeler.Modeled;
 import dev.eventchain.modeler.Requirements;
 import dev.eventchain.modeler.SoftwareBase;
@@ -58,9 +59,9 @@ public final class DesignAgent {
         EventChainReader.read(text, "chain", requirements, OptionalDouble.empty());
     List<Diagnostic> diagnostics = new ArrayList<>(chain.diagnostics());
     diagnostics.addAll(base.check(chain.root(), chain.origins()::locate));
-    JsonText json = JsonText.of(text);
+    JsonText json = JsonText.parse(text);
     if (json.root().isArray()) {
-      JsonNode signals = JsonText.of(SourceText.of("signals.json", base.signalsText())).root();
+      JsonNode signals = JsonText.parse(SourceText.of("signals.json", base.signalsText())).root();
       diagnostics.addAll(new ChainCheck(requirements, signals).check(json));
     }
     return diagnostics;

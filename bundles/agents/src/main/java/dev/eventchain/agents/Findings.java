@@ -1,6 +1,7 @@
 package dev.eventchain.agents;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.modeler.JsonText;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -14,11 +15,11 @@ final class Findings {
   }
 
   void error(String id, String pointer, String message, String hint) {
-    diagnostics.add(Diagnostic.error(id, message, text.locate(pointer)).withHint(hint));
+    diagnostics.add(Diagnostic.error(id, message, text.at(pointer)).withHint(hint));
   }
 
   void warning(String id, String pointer, String message, String hint) {
-    diagnostics.add(Diagnostic.warning(id, message, text.locate(pointer)).withHint(hint));
+    diagnostics.add(Diagnostic.warning(id, message, text.at(pointer)).withHint(hint));
   }
 
   List<Diagnostic> diagnostics() {

@@ -2,6 +2,7 @@ package dev.eventchain.agents;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.modeler.JsonText;
 import dev.eventchain.modeler.Requirements;
 import dev.eventchain.python.ComponentProbe;
 import java.util.List;
@@ -42,7 +43,7 @@ public final class ImplementAgent {
    */
   public AgentResult implement(SourceText chain, String component, Requirements requirements) {
     ChainView.Component described =
-        ChainView.of(JsonText.of(chain).root()).components().stream()
+        ChainView.of(JsonText.parse(chain).root()).components().stream()
             .filter(candidate -> candidate.name().equals(component))
             .findFirst()
             .orElseThrow(
@@ -51,7 +52,7 @@ public final class ImplementAgent {
         Map.of(
             "requirements", RuleText.items(ownRequirements(described.json(), requirements)),
             "Description of target software extracted from the event chain description.",
-                JsonText.layout(described.json()));
+                JsonLayout.of(described.json()));
     ImplementationCheck check = new ImplementationCheck(probe, described);
     return new RepairLoop(context, "implement", AnswerKind.PYTHON)
         .run("components/" + component + ".py", PROMPT, values, Optional.empty(), check::check);

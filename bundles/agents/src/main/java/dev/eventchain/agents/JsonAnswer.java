@@ -1,8 +1,11 @@
 package dev.eventchain.agents;
 
+import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.StreamReadConstraints;
 import com.fasterxml.jackson.core.StreamReadFeature;
+import com.fasterxml.jackson.core.exc.StreamConstraintsException;
 import com.fasterxml.jackson.core.io.JsonEOFException;
 import com.fasterxml.jackson.core.json.JsonReadFeature;
 import com.fasterxml.jackson.databind.DeserializationFeature;
@@ -11,6 +14,7 @@ import com.fasterxml.jackson.databind.cfg.JsonNodeFeature;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.modeler.JsonText;
 import java.io.IOException;
 import java.util.List;
 import java.util.OptionalInt;
@@ -23,7 +27,11 @@ import java.util.regex.Pattern;
  */
 final class JsonAnswer {
   private static final JsonMapper TOLERANT =
-      JsonMapper.builder()
+      JsonMapper.builder(
+              JsonFactory.builder()
+                  .streamReadConstraints(
+                      StreamReadConstraints.builder().maxNestingDepth(JsonText.DEEPEST).build())
+                  .build())
           .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
           .enable(JsonReadFeature.ALLOW_TRAILING_COMMA)
           .enable(JsonReadFeature.ALLOW_JAVA_COMMENTS)
@@ -48,7 +56,7 @@ final class JsonAnswer {
       int end = (int) parser.currentLocation().getCharOffset();
       return holdsAnother(rest.substring(end))
           ? AnswerText.several(AnswerKind.JSON, file, 2)
-          : AnswerText.found(file, JsonText.layout(node));
+          : AnswerText.found(file, JsonLayout.of(node));
     } catch (IOException e) {
       return broken(file, rest, e);
     }
@@ -83,7 +91,7 @@ final class JsonAnswer {
       JsonNode node =
           TOLERANT.reader().with(DeserializationFeature.FAIL_ON_TRAILING_TOKENS).readTree(text);
       return node.isContainerNode()
-          ? AnswerText.found(file, JsonText.layout(node))
+          ? AnswerText.found(file, JsonLayout.of(node))
           : AnswerText.nothing(AnswerKind.JSON, file);
     } catch (IOException e) {
       return broken(file, text, e);
@@ -99,10 +107,17 @@ final class JsonAnswer {
       return AnswerText.problem(
           Diagnostic.error(
               "agents.answer.json",
-              "This is no JSON: " + problem.getOriginalMessage().replaceAll(": enable .*", ""),
+              "This is no JSON: " + reason(problem),
               source.at(problem.getLocation().getLineNr(), problem.getLocation().getColumnNr())));
     }
     return AnswerText.problem(
         Diagnostic.error("agents.answer.json", "This is no JSON: " + e.getMessage(), source.at(0)));
+  }
+
+  /** What the parser says, without the names of its settings. */
+  private static String reason(JsonProcessingException problem) {
+    return problem instanceof StreamConstraintsException
+        ? "it is nested deeper than " + JsonText.DEEPEST + " levels, or a token is too long."
+        : problem.getOriginalMessage().replaceAll(": enable .*", "");
   }
 }

@@ -59,6 +59,15 @@ class AnswerTextTest {
     assertEquals("class A:\n    pass\n", text.artefact().orElseThrow().text());
   }
 
+  @Test
+  void jsonThatTheModelerWouldRefuseAsTooDeepIsAProblemOfTheAnswer() {
+    String deep = "[".repeat(201) + "]".repeat(201);
+    AnswerText text = AnswerText.extract(AnswerKind.JSON, "a", response(deep, FinishReason.STOP));
+    assertEquals(
+        List.of("This is no JSON: it is nested deeper than 200 levels, or a token is too long."),
+        text.problems().stream().map(problem -> problem.message()).toList());
+  }
+
   private static ChatResponse response(String text, FinishReason reason) {
     return new ChatResponse(text, reason, "test", "test", Optional.empty());
   }

@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.modeler.JsonText;
 import dev.eventchain.modeler.Requirements;
 import dev.eventchain.python.ComponentProbe;
 import dev.eventchain.python.PythonEnvironment;
@@ -36,7 +37,8 @@ class ImplementAgentTest {
   @MethodSource
   void eachFaultIsFoundWhereItIs(Path file) throws IOException {
     ImplementationCheck check =
-        new ImplementationCheck(probe, ChainView.of(JsonText.of(CHAIN).root()).components().get(0));
+        new ImplementationCheck(
+            probe, ChainView.of(JsonText.parse(CHAIN).root()).components().get(0));
     List<Diagnostic> found = check.check(SourceText.read(file));
     // One line for each kind of fault: how many calls show it does not matter here.
     List<Diagnostic> first = found.stream().limit(1).toList();

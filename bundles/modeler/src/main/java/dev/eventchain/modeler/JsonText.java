@@ -10,6 +10,7 @@ import com.fasterxml.jackson.core.StreamReadFeature;
 import com.fasterxml.jackson.core.exc.StreamConstraintsException;
 import com.fasterxml.jackson.databind.DeserializationFeature;
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.cfg.JsonNodeFeature;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
@@ -19,10 +20,12 @@ import java.io.IOException;
 import java.util.HashMap;
 import java.util.Map;
 
-/** A JSON document that knows the place of each of its values. */
-final class JsonText {
+/** A JSON document that knows the place of each of its values. Immutable. */
+public final class JsonText {
 
-  private static final int DEEPEST = 200;
+  /** How deep a document may be nested. */
+  public static final int DEEPEST = 200;
+
   private static final int LONGEST = 16 * 1024 * 1024;
 
   private static final JsonMapper MAPPER =
@@ -33,6 +36,9 @@ final class JsonText {
                   .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
                   .build())
           .enable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
+          // Numbers are shown again as they were written.
+          .enable(DeserializationFeature.USE_BIG_DECIMAL_FOR_FLOATS)
+          .configure(JsonNodeFeature.STRIP_TRAILING_BIGDECIMAL_ZEROES, false)
           .build();
 
   private final SourceText source;
@@ -51,7 +57,7 @@ final class JsonText {
    *
    * @throws DiagnosticException INPUT, {@code modeler.json.syntax}, if it is not such a document
    */
-  static JsonText parse(SourceText source) {
+  public static JsonText parse(SourceText source) {
     if (source.text().length() > LONGEST) {
       throw syntax("The file is longer than " + LONGEST + " characters.", source.at(0));
     }
@@ -101,12 +107,16 @@ final class JsonText {
     return offsets;
   }
 
-  JsonNode root() {
+  /** The whole document. Not to be changed. */
+  public JsonNode root() {
     return root;
   }
 
-  /** The place of a value; where there is no such value, that of the nearest one around it. */
-  SourceLocation at(String pointer) {
+  /**
+   * The place of a JSON pointer's value; where there is no such value, that of the nearest one
+   * around it.
+   */
+  public SourceLocation at(String pointer) {
     for (JsonPointer known = JsonPointer.compile(pointer); known != null; known = known.head()) {
       Integer offset = offsets.get(known);
       if (offset != null) {
