@@ -1,6 +1,7 @@
 package dev.eventchain.agents;
 
 import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonLocation;
 import com.fasterxml.jackson.core.JsonParser;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.StreamReadConstraints;
@@ -103,21 +104,21 @@ final class JsonAnswer {
       return AnswerText.truncated(file, "The answer ends inside its JSON.");
     }
     SourceText source = SourceText.of(file, text);
-    if (e instanceof JsonProcessingException problem && problem.getLocation() != null) {
-      return AnswerText.problem(
-          Diagnostic.error(
-              "agents.answer.json",
-              "This is no JSON: " + reason(problem),
-              source.at(problem.getLocation().getLineNr(), problem.getLocation().getColumnNr())));
-    }
+    JsonLocation place = e instanceof JsonProcessingException json ? json.getLocation() : null;
     return AnswerText.problem(
-        Diagnostic.error("agents.answer.json", "This is no JSON: " + e.getMessage(), source.at(0)));
+        Diagnostic.error(
+            "agents.answer.json",
+            "This is no JSON: " + reason(e),
+            place == null ? source.at(0) : source.at(place.getLineNr(), place.getColumnNr())));
   }
 
   /** What the parser says, without the names of its settings. */
-  private static String reason(JsonProcessingException problem) {
-    return problem instanceof StreamConstraintsException
-        ? "it is nested deeper than " + JsonText.DEEPEST + " levels, or a token is too long."
-        : problem.getOriginalMessage().replaceAll(": enable .*", "");
+  private static String reason(IOException e) {
+    if (e instanceof StreamConstraintsException) {
+      return "it is nested deeper than " + JsonText.DEEPEST + " levels, or a token is too long.";
+    }
+    return e instanceof JsonProcessingException json
+        ? json.getOriginalMessage().replaceAll(": enable .*", "")
+        : e.getMessage();
   }
 }
