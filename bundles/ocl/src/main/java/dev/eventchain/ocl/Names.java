@@ -35,7 +35,9 @@ final class Names {
   static String label(EObject object) {
     String type = object.eClass().getName();
     String name = nameOf(object);
-    return name.isEmpty() ? type + " " + pathOf(object) : type + " '" + name + "'";
+    return name.isEmpty()
+        ? type + " " + pathOf(object)
+        : type + " '" + ValueTexts.shortened(name) + "'";
   }
 
   private static String nameOf(EObject object) {

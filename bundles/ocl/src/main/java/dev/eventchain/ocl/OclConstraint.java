@@ -31,6 +31,7 @@ public final class OclConstraint {
   private final String name;
   private final EClass context;
   private final Expression condition;
+  private final SubExpressions parts;
   private final RuleComments comments;
   private final MessageTemplate message;
   private final SourceLocation location;
@@ -40,6 +41,7 @@ public final class OclConstraint {
       String name,
       EClass context,
       Expression condition,
+      SubExpressions parts,
       RuleComments comments,
       MessageTemplate message,
       SourceLocation location,
@@ -47,6 +49,7 @@ public final class OclConstraint {
     this.name = name;
     this.context = context;
     this.condition = condition;
+    this.parts = parts;
     this.comments = comments;
     this.message = message;
     this.location = location;
@@ -114,14 +117,20 @@ public final class OclConstraint {
     }
   }
 
-  /** What to say of an element that violates it. */
-  String messageFor(EObject element, Evaluation run) {
-    if (message == null) {
-      return Names.label(element) + " violates '" + name + "'.";
-    }
+  /**
+   * What to say of an element that violates it.
+   *
+   * @param limit how long it may take to find the values that made it so
+   */
+  String messageFor(EObject element, Evaluation run, Duration limit) {
     run.bind("self", element);
     try {
-      return message.render(run);
+      if (message != null) {
+        return message.render(run.withTimeLimit(limit));
+      }
+      String why = Explanation.whyFalse(condition.ast(), parts, run, limit);
+      String what = Names.label(element) + " violates '" + name + "'";
+      return why.isEmpty() ? what + "." : what + ": " + why + ".";
     } finally {
       run.unbind("self");
     }

@@ -83,14 +83,14 @@ public final class OclValidator {
   }
 
   private final class Run {
-    private final Function<EObject, SourceLocation> locator;
     private final List<EObject> elements;
     private final Evaluation evaluation;
-    private final List<Diagnostic> findings = new ArrayList<>();
+    private final Findings findings;
+    private final List<Diagnostic> found = new ArrayList<>();
     private final List<OclResult.Check> checks = new ArrayList<>();
 
     Run(Collection<? extends EObject> roots, Function<EObject, SourceLocation> locator) {
-      this.locator = locator;
+      this.findings = new Findings(locator);
       this.elements = elementsOf(roots);
       this.evaluation = Evaluation.over(roots);
     }
@@ -108,9 +108,9 @@ public final class OclValidator {
       for (OclConstraint constraint : rules.constraints()) {
         checks.add(new OclResult.Check(constraint, evaluate(constraint)));
       }
-      findings.sort(null);
+      found.sort(null);
       List<Diagnostic> all = new ArrayList<>(rules.diagnostics());
-      all.addAll(findings);
+      all.addAll(found);
       if (checks.stream().allMatch(check -> check.evaluations() == 0)) {
         all.add(nothingEvaluated());
       }
@@ -128,54 +128,23 @@ public final class OclValidator {
           evaluations++;
           Object value = constraint.evaluate(element, evaluation);
           if (value instanceof Invalid invalid && invalid.limit()) {
-            findings.add(limit(constraint, element, invalid));
+            String reason =
+                evaluation.ranOutOfTime()
+                    ? "it takes longer than " + text(timeLimit)
+                    : invalid.reason();
+            found.add(findings.limit(constraint, element, reason));
             return evaluations;
           } else if (!Boolean.TRUE.equals(value)) {
-            findings.add(finding(constraint, element, value));
+            left = Math.max(0, deadline - System.nanoTime());
+            boolean violated = value instanceof Boolean;
+            found.add(
+                violated
+                    ? findings.violated(constraint, element, evaluation, Duration.ofNanos(left))
+                    : findings.undefined(constraint, element, value));
           }
         }
       }
       return evaluations;
-    }
-
-    private Diagnostic finding(OclConstraint constraint, EObject element, Object value) {
-      boolean violated = value instanceof Boolean;
-      String message =
-          violated
-              ? constraint.messageFor(element, evaluation)
-              : "'"
-                  + constraint.name()
-                  + "' is neither true nor false for "
-                  + Names.label(element)
-                  + ": "
-                  + reasonOf(value)
-                  + ".";
-      String hint = violated ? constraint.hint() : placeOf(constraint, value);
-      return new Diagnostic(
-          violated ? "ocl.violated" : "ocl.undefined",
-          constraint.severity(),
-          message,
-          locator.apply(element),
-          hint,
-          constraint.qualifiedName(),
-          List.of());
-    }
-
-    private Diagnostic limit(OclConstraint constraint, EObject element, Invalid invalid) {
-      String reason =
-          evaluation.ranOutOfTime() ? "it takes longer than " + text(timeLimit) : invalid.reason();
-      return Diagnostic.error(
-              "ocl.limit",
-              "'"
-                  + constraint.name()
-                  + "' was given up at "
-                  + Names.label(element)
-                  + ": "
-                  + reason
-                  + ".",
-              constraint.location())
-          .withHint("Later elements were not checked. Mend the recursion or make the rule cheaper.")
-          .withRule(constraint.qualifiedName());
     }
 
     private Diagnostic nothingEvaluated() {
@@ -189,18 +158,6 @@ public final class OclValidator {
               SourceLocation.NONE)
           .withHint("Give rules for the classes of this model.");
     }
-  }
-
-  private static String reasonOf(Object value) {
-    return value instanceof Invalid invalid ? invalid.reason() : "it is null";
-  }
-
-  private static String placeOf(OclConstraint constraint, Object value) {
-    SourceLocation place =
-        value instanceof Invalid invalid && !invalid.location().equals(SourceLocation.NONE)
-            ? invalid.location()
-            : constraint.location();
-    return "See " + place + ". Guard it: x <> null implies ...";
   }
 
   private static String text(Duration duration) {

@@ -236,6 +236,7 @@ final class RuleParser {
               name,
               resolved.context(),
               condition.get(),
+              new SubExpressions(language),
               comments,
               message.orElse(null),
               resolved.location(),

@@ -1,0 +1,84 @@
+package dev.eventchain.ocl;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.SourceLocation;
+import java.time.Duration;
+import java.util.List;
+import java.util.function.Function;
+import org.eclipse.emf.ecore.EObject;
+
+/** Puts into words what the evaluation of invariants found. */
+final class Findings {
+
+  private static final Invalid IS_NULL = new Invalid("it is null", SourceLocation.NONE, false);
+
+  private final Function<EObject, SourceLocation> locator;
+
+  /**
+   * Makes findings about a model.
+   *
+   * @param locator tells where an element stands; only asked for what is found
+   */
+  Findings(Function<EObject, SourceLocation> locator) {
+    this.locator = locator;
+  }
+
+  /**
+   * An element for which an invariant is false.
+   *
+   * @param limit how long it may take to find the values that made it so
+   */
+  Diagnostic violated(
+      OclConstraint constraint, EObject element, Evaluation evaluation, Duration limit) {
+    return new Diagnostic(
+        "ocl.violated",
+        constraint.severity(),
+        constraint.messageFor(element, evaluation, limit),
+        locator.apply(element),
+        constraint.hint(),
+        constraint.qualifiedName(),
+        List.of(constraint.location()));
+  }
+
+  /** An element for which an invariant is neither true nor false. */
+  Diagnostic undefined(OclConstraint constraint, EObject element, Object value) {
+    Invalid invalid = value instanceof Invalid reason ? reason : IS_NULL;
+    boolean placed = !SourceLocation.NONE.equals(invalid.location());
+    return new Diagnostic(
+        "ocl.undefined",
+        constraint.severity(),
+        "'"
+            + constraint.name()
+            + "' is neither true nor false for "
+            + Names.label(element)
+            + ": "
+            + invalid.reason()
+            + ".",
+        locator.apply(element),
+        guard(invalid.reason()),
+        constraint.qualifiedName(),
+        List.of(placed ? invalid.location() : constraint.location()));
+  }
+
+  private static String guard(String reason) {
+    if (reason.contains("null")) {
+      return "Guard it: x <> null implies ...";
+    }
+    return reason.contains("empty collection")
+        ? "Guard it: x->notEmpty() implies ..."
+        : "Say what holds then: if ... then ... else ... endif.";
+  }
+
+  /** An invariant that was given up at an element. */
+  Diagnostic limit(OclConstraint constraint, EObject element, String reason) {
+    return new Diagnostic(
+        "ocl.limit",
+        Severity.ERROR,
+        "'" + constraint.name() + "' was given up at " + Names.label(element) + ": " + reason + ".",
+        constraint.location(),
+        "Later elements were not checked. Mend the recursion or make the rule cheaper.",
+        constraint.qualifiedName(),
+        List.of(locator.apply(element)));
+  }
+}

@@ -1,0 +1,87 @@
+package dev.eventchain.ocl;
+
+import java.util.Map;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import org.eclipse.emf.common.notify.Adapter;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.util.EcoreUtil;
+import org.eclipse.ocl.expressions.OCLExpression;
+
+/**
+ * The parts of an expression, each ready to be evaluated on its own, once it was asked for. Safe
+ * for threads.
+ */
+final class SubExpressions {
+
+  /** White space around these is that of a broken line. */
+  private static final Set<String> JOINING = Set.of(".", "->", "::");
+
+  private final ExpressionLanguage language;
+  private final Map<OCLExpression<EClassifier>, Expression> known = new ConcurrentHashMap<>();
+
+  SubExpressions(ExpressionLanguage language) {
+    this.language = language;
+  }
+
+  OclEnvironment environment() {
+    return language.environment();
+  }
+
+  /** The value of a part; the run binds the variables that are declared outside it. */
+  Object evaluate(OCLExpression<EClassifier> part, Evaluation run) {
+    return known.computeIfAbsent(part, node -> new Expression(language, node)).evaluate(run);
+  }
+
+  /** The words of a part as they stand in the source, with single spaces, and shortened. */
+  static String text(OCLExpression<EClassifier> part) {
+    for (EObject each = part; each != null; each = each.eContainer()) {
+      Adapter source = EcoreUtil.getExistingAdapter(each, InvalidOrigin.Source.class);
+      if (source != null) {
+        return textIn(((InvalidOrigin.Source) source).text().text(), part);
+      }
+    }
+    return "";
+  }
+
+  private static String textIn(String source, OCLExpression<EClassifier> part) {
+    int start = Math.max(0, part.getStartPosition());
+    int end = Math.min(source.length(), part.getEndPosition());
+    if (start >= end) {
+      return "";
+    }
+    StringBuilder words = new StringBuilder();
+    String last = "";
+    boolean blank = false;
+    for (int i = start; i < end; ) {
+      int next = Lexer.end(source, i, end);
+      if (Lexer.isBlank(source, i)) {
+        blank = !last.isEmpty();
+      } else {
+        String word = source.substring(i, next);
+        boolean joined = JOINING.contains(last) || JOINING.contains(word);
+        words.append(blank && !joined ? " " : "").append(word);
+        last = word;
+        blank = false;
+      }
+      i = next;
+    }
+    return ValueTexts.shortened(withoutParentheses(words.toString()));
+  }
+
+  /** Parentheses around the whole say nothing any more when it stands alone. */
+  private static String withoutParentheses(String text) {
+    int depth = 0;
+    for (int i = 0; i < text.length(); i = Lexer.end(text, i, text.length())) {
+      char c = text.charAt(i);
+      depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+      if (depth == 0 && i < text.length() - 1) {
+        return text;
+      }
+    }
+    return text.startsWith("(")
+        ? withoutParentheses(text.substring(1, text.length() - 1).strip())
+        : text;
+  }
+}
