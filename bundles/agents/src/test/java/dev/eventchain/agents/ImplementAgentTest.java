@@ -2,6 +2,7 @@ package dev.eventchain.agents;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -69,12 +70,24 @@ class ImplementAgentTest {
 
   @Test
   void thePromptHoldsTheDescriptionAndTheComponentsOwnRequirements() {
-    ScriptedModel model = new ScriptedModel().answer(text("right.py"));
-    new ImplementAgent(AgentContext.of(model), probe).implement(CHAIN, "Time_Left", REQUIREMENTS);
-    String prompt = model.requests.get(0).messages().get(0).content();
+    String prompt = promptFor(CHAIN);
     assertTrue(prompt.contains("\"name\": \"Time_Left\""), prompt);
     assertTrue(prompt.contains("- R-1: The system shall watch.\n"), prompt);
     assertFalse(prompt.contains("R-2"), prompt);
+  }
+
+  @Test
+  void aBudgetOfTimeOrMemoryDoesNotChangeThePrompt() {
+    String budgets = "[{\"worst_case_execution_time\": 4.5, \"memory\": 12, ";
+    String withBudgets = CHAIN.text().replaceFirst("\\[\\s*\\{", budgets);
+    assertNotEquals(CHAIN.text(), withBudgets);
+    assertEquals(promptFor(CHAIN), promptFor(SourceText.of("chain.json", withBudgets)));
+  }
+
+  private static String promptFor(SourceText chain) {
+    ScriptedModel model = new ScriptedModel().answer(text("right.py"));
+    new ImplementAgent(AgentContext.of(model), probe).implement(chain, "Time_Left", REQUIREMENTS);
+    return model.requests.get(0).messages().get(0).content();
   }
 
   @Test
