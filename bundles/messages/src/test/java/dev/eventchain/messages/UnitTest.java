@@ -1,0 +1,105 @@
+package dev.eventchain.messages;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import java.util.Optional;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class UnitTest {
+
+  private static Unit unit(String text) {
+    return Unit.parse(text).orElseThrow(() -> new AssertionError("not understood: " + text));
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "m/s2, m/s^2",
+    "m/s2, m.s-2",
+    "m/s2, m·s⁻²",
+    "m/s2, m/s/s",
+    "m/s2, m/s**2",
+    "m/s2, m*s^-2",
+    "m/s2, ' m/s² '",
+    "1/s, Hz",
+    "/s, Hz",
+    "km/h, kmh",
+    "mm, m/1000",
+    "N, kg.m/s2",
+    "Nm, N.m",
+    "J/(kg.K), m2/(s2.K)",
+    "V.A, W",
+    "kPa, 10.hPa",
+    "µs, us",
+    "°C, degC",
+    "K/s, degC/s",
+    "B, byte",
+    "%, percent",
+    "mph, mi/h",
+  })
+  void spellingsOfTheSame(String first, String second) {
+    assertEquals(Unit.Relation.SAME, unit(first).relationTo(unit(second)));
+    assertEquals(Unit.Relation.SAME, unit(second).relationTo(unit(first)));
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "m/s, km/h, multiply by 3.6",
+    "km/h, m/s, divide by 3.6",
+    "ms, s, divide by 1000",
+    "s, ns, multiply by 1000000000",
+    "deg, rad, divide by 57.29577951",
+    "K, degC, subtract 273.15",
+    "degC, K, add 273.15",
+    "degC, degF, 'multiply by 1.8, then add 32'",
+    "degF, degC, 'divide by 1.8, then subtract 17.77777778'",
+    "%, 1, divide by 100",
+    "bar, kPa, multiply by 100",
+    "rpm, rad/s, divide by 9.549296586",
+    "kWh, J, multiply by 3600000",
+  })
+  void conversionsAreSaid(String from, String to, String words) {
+    assertEquals(Unit.Relation.CONVERTIBLE, unit(from).relationTo(unit(to)));
+    assertEquals(words, unit(from).conversionTo(unit(to)));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"m/s, m/s2", "m, s", "N, Nm", "1, m", "rad, m", "Hz, s", "byte, 1"})
+  void otherDimensions(String first, String second) {
+    assertEquals(Unit.Relation.INCOMPATIBLE, unit(first).relationTo(unit(second)));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"rad, 1", "rad/s, Hz", "deg, %", "rpm, 1/min"})
+  void anglesThatMayBeMissing(String first, String second) {
+    assertEquals(Unit.Relation.ANGLE, unit(first).relationTo(unit(second)));
+    assertEquals(Unit.Relation.ANGLE, unit(second).relationTo(unit(first)));
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "",
+        " ",
+        "furlong",
+        "KM/H",
+        "C",
+        "dB",
+        "m/",
+        "m//s",
+        "(m",
+        "m)",
+        "m^",
+        "m^x",
+        "0",
+        "m s2 )",
+        "/",
+        "-",
+        "((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((((",
+        "Tm99.Tm99.Tm99",
+      })
+  void whatIsNotUnderstoodIsNoUnit(String text) {
+    assertEquals(Optional.empty(), Unit.parse(text));
+  }
+}
