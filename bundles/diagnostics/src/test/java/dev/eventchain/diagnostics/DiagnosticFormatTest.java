@@ -4,6 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -35,9 +37,19 @@ class DiagnosticFormatTest {
   }
 
   @Test
-  void textOfNothingIsEmptyAndJsonOfNothingIsAnArray() {
+  void textOfNothingIsEmpty() {
     assertEquals("", DiagnosticFormat.TEXT.render(List.of()));
-    assertEquals("[ ]\n", DiagnosticFormat.JSON.render(List.of()));
+  }
+
+  @Test
+  void ofManyFindingsOfOneRuleTheExcerptShowsTheFirstAndCountsTheOthers() {
+    List<Diagnostic> many = new ArrayList<>(Collections.nCopies(5, VIOLATED));
+    many.add(VIOLATED.withRule("SoftwareNode::Other"));
+    String text = DiagnosticFormat.textExcerpt(Report.of(many), 2);
+    assertEquals(3, text.lines().filter(line -> line.contains("error:")).count(), text);
+    assertTrue(
+        text.contains("... and 3 more [ocl.violated SoftwareNode::HasInputAndOutputData]\n"), text);
+    assertEquals(6, DiagnosticFormat.TEXT.render(many).split("error:", -1).length - 1);
   }
 
   @Test

@@ -94,7 +94,8 @@ class AnyMetamodelTest {
         new Program()
             .run("validate", "--format", "json", "--metamodel", ecore, "--ocl", ocl, model)
             .expect(1);
-    var findings = new com.fasterxml.jackson.databind.ObjectMapper().readTree(ended.out());
+    var findings =
+        new com.fasterxml.jackson.databind.ObjectMapper().readTree(ended.out()).get("findings");
     assertEquals(1, findings.size());
     assertEquals(4, findings.get(0).get("line").asInt());
   }

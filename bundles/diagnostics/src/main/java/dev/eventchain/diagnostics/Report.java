@@ -1,0 +1,81 @@
+package dev.eventchain.diagnostics;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
+
+/**
+ * All that a command has to say about its input, which every {@link DiagnosticFormat} renders.
+ *
+ * @param version the version of the program
+ * @param exitCode the exit code of the command
+ * @param coverage what was checked
+ * @param diagnostics what was found, in order; without what is suppressed
+ * @param suppressed what was found and is suppressed
+ */
+public record Report(
+    String version,
+    int exitCode,
+    Coverage coverage,
+    List<Diagnostic> diagnostics,
+    List<Suppressions.Suppressed> suppressed) {
+
+  /** The exit code from which on the command could not do its work. */
+  private static final int FIRST_FAILURE = 2;
+
+  /** Keeps the lists from changing. */
+  public Report {
+    Objects.requireNonNull(version);
+    Objects.requireNonNull(coverage);
+    diagnostics = List.copyOf(diagnostics);
+    suppressed = List.copyOf(suppressed);
+  }
+
+  /** Findings alone, of a command that says nothing else. */
+  static Report of(List<Diagnostic> diagnostics) {
+    int exitCode = Diagnostic.anyError(diagnostics) ? 1 : 0;
+    return new Report("", exitCode, Coverage.NONE, diagnostics, List.of());
+  }
+
+  /** Whether the command did its work, whatever it found. */
+  boolean successful() {
+    return exitCode < FIRST_FAILURE;
+  }
+
+  /** What was found and checked, in a line: the same for the same input. */
+  public String summary() {
+    List<String> parts = new ArrayList<>();
+    parts.add(counted(count(Severity.ERROR), "error"));
+    parts.add(counted(count(Severity.WARNING), "warning"));
+    if (!suppressed.isEmpty()) {
+      parts.add(suppressed.size() + " suppressed");
+    }
+    String found = String.join(", ", parts);
+    if (coverage.equals(Coverage.NONE)) {
+      return found;
+    }
+    String contracts = "";
+    if (coverage.checks().stream().anyMatch(c -> c.kind() == Coverage.Kind.CONTRACT)) {
+      contracts = ", " + counted(coverage.evaluations(Coverage.Kind.CONTRACT), "message contract");
+    }
+    return found
+        + " in "
+        + counted(coverage.files().size(), "file")
+        + ": "
+        + counted(coverage.elements(), "element")
+        + ", "
+        + counted(coverage.constraints(), "constraint")
+        + " evaluated "
+        + counted(coverage.evaluations(Coverage.Kind.CONSTRAINT), "time")
+        + contracts;
+  }
+
+  /** How many findings are this bad. */
+  long count(Severity severity) {
+    return diagnostics.stream().filter(found -> found.severity() == severity).count();
+  }
+
+  private static String counted(long number, String what) {
+    return number + " " + what + (number == 1 ? "" : "s");
+  }
+}

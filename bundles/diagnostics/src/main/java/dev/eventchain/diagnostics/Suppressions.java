@@ -1,0 +1,182 @@
+package dev.eventchain.diagnostics;
+
+import java.time.LocalDate;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Predicate;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+
+/**
+ * Findings that people have decided to live with for a while, each with a reason and an end. A
+ * suppressed finding does not make a command fail, and stays visible in the reports. Immutable.
+ */
+public final class Suppressions {
+
+  /** Nothing is suppressed. */
+  public static final Suppressions NONE = new Suppressions(List.of(), LocalDate.EPOCH);
+
+  /** What says that something was not checked or not proved would otherwise pass for a proof. */
+  private static final Set<String> NEVER =
+      Set.of(
+          "eventchain.defect",
+          "ocl.nothing-evaluated",
+          "ocl.type",
+          "ocl.not-boolean",
+          "simulation.criterion.failed");
+
+  private final List<Entry> entries;
+  private final LocalDate today;
+
+  /**
+   * Suppressions as of a day.
+   *
+   * @param today the day on which they are judged, which is an input so that equal inputs give
+   *     equal results
+   */
+  public Suppressions(List<Entry> entries, LocalDate today) {
+    this.entries = List.copyOf(entries);
+    this.today = today;
+  }
+
+  /**
+   * Which findings are suppressed, why, and until when. In all parts but the id and the reason,
+   * {@code *} stands for any characters, and what is empty matches everything.
+   *
+   * @param id the id of the findings
+   * @param rule the user's rule that found them
+   * @param element the element that they are about
+   * @param file the file that they are in; a file's last parts are enough
+   * @param message their message
+   * @param reason why that is right
+   * @param expires the last day on which it is
+   * @param location where the entry stands
+   */
+  public record Entry(
+      String id,
+      String rule,
+      String element,
+      String file,
+      String message,
+      String reason,
+      LocalDate expires,
+      SourceLocation location) {
+
+    /** Refuses nulls, and an entry without a reason. */
+    public Entry {
+      Objects.requireNonNull(id);
+      Objects.requireNonNull(expires);
+      Objects.requireNonNull(location);
+      if (reason.isBlank()) {
+        throw new IllegalArgumentException("an entry needs a reason");
+      }
+    }
+
+    /** Whether the finding is one of those meant, the day apart. */
+    public boolean matches(Diagnostic finding) {
+      return finding.id().equals(id)
+          && like(rule, finding.rule())
+          && like(element, finding.location().element())
+          && (like(file, finding.location().file()) || like("*/" + file, finding.location().file()))
+          && like(message, finding.message());
+    }
+
+    private static boolean like(String pattern, String text) {
+      if (pattern.isEmpty()) {
+        return true;
+      }
+      String expression =
+          Arrays.stream(pattern.split("\\*", -1))
+              .map(Pattern::quote)
+              .collect(Collectors.joining(".*"));
+      return Pattern.compile(expression, Pattern.DOTALL).matcher(text).matches();
+    }
+  }
+
+  /**
+   * A finding that is suppressed.
+   *
+   * @param by the entry that says so, the first of several
+   */
+  public record Suppressed(Diagnostic finding, Entry by) {}
+
+  /**
+   * Findings, parted.
+   *
+   * @param remaining those that count
+   * @param suppressed those that do not
+   */
+  public record Parted(List<Diagnostic> remaining, List<Suppressed> suppressed) {}
+
+  /** Whether findings of this id may be suppressed at all. */
+  public static boolean mayBeSuppressed(String id) {
+    return !NEVER.contains(id)
+        && !id.endsWith(".syntax")
+        && !id.startsWith("suppression.")
+        && !id.startsWith("report.");
+  }
+
+  /** Parts the findings into those that count and those that do not, each in the order given. */
+  public Parted part(List<Diagnostic> findings) {
+    List<Diagnostic> remaining = new ArrayList<>();
+    List<Suppressed> suppressed = new ArrayList<>();
+    for (Diagnostic finding : findings) {
+      entryFor(finding)
+          .ifPresentOrElse(
+              entry -> suppressed.add(new Suppressed(finding, entry)),
+              () -> remaining.add(finding));
+    }
+    return new Parted(remaining, suppressed);
+  }
+
+  private Optional<Entry> entryFor(Diagnostic finding) {
+    if (!mayBeSuppressed(finding.id())) {
+      return Optional.empty();
+    }
+    return entries.stream()
+        .filter(entry -> !isExpired(entry) && entry.matches(finding))
+        .findFirst();
+  }
+
+  private boolean isExpired(Entry entry) {
+    return today.isAfter(entry.expires);
+  }
+
+  /** A warning for each entry whose last day is over. */
+  public List<Diagnostic> expired() {
+    return entries.stream()
+        .filter(this::isExpired)
+        .map(
+            entry ->
+                Diagnostic.warning(
+                        "suppression.expired",
+                        "The suppression of " + entry.id + " ended on " + entry.expires + ".",
+                        entry.location)
+                    .withHint("Mend what it suppressed, or decide anew and give another day."))
+        .toList();
+  }
+
+  /**
+   * A warning for each entry that matches nothing any more.
+   *
+   * @param judged whether the findings that an entry is about have been looked for
+   * @param findings everything that was found, whether suppressed or not
+   */
+  public List<Diagnostic> stale(Predicate<Entry> judged, List<Diagnostic> findings) {
+    return entries.stream()
+        .filter(entry -> !isExpired(entry) && judged.test(entry))
+        .filter(entry -> findings.stream().noneMatch(entry::matches))
+        .map(
+            entry ->
+                Diagnostic.warning(
+                        "suppression.stale",
+                        "The suppression of " + entry.id + " matches no finding.",
+                        entry.location)
+                    .withHint("Delete it: what it suppressed is mended, or is called otherwise."))
+        .toList();
+  }
+}

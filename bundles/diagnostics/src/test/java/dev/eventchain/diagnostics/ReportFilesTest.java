@@ -1,0 +1,125 @@
+package dev.eventchain.diagnostics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.networknt.schema.JsonSchema;
+import com.networknt.schema.JsonSchemaFactory;
+import com.networknt.schema.SpecVersion;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.StringReader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import javax.xml.XMLConstants;
+import javax.xml.transform.stream.StreamSource;
+import javax.xml.validation.SchemaFactory;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.xml.sax.SAXException;
+
+/** A report in each format, to the byte, and valid by the format's own schema. */
+class ReportFilesTest {
+
+  private static final Path EXPECTED =
+      Path.of("src/test/resources/dev/eventchain/diagnostics/reports");
+
+  @ParameterizedTest
+  @EnumSource
+  void aReportWithOneOfEverythingGivesTheseBytes(DiagnosticFormat format) throws IOException {
+    String actual = format.render(Reports.full());
+    Path file = EXPECTED.resolve("full." + format.name().toLowerCase(Locale.ROOT));
+    if (!Files.exists(file)) {
+      Files.createDirectories(EXPECTED);
+      Files.writeString(file, actual);
+      fail("wrote the missing expectation " + file);
+    }
+    assertEquals(Files.readString(file), actual);
+  }
+
+  @Test
+  void sarifIsValidByItsSchema() throws IOException {
+    JsonSchema schema = sarifSchema();
+    for (Report report : all()) {
+      JsonNode sarif = json(DiagnosticFormat.SARIF.render(report));
+      assertEquals(List.of(), List.copyOf(schema.validate(sarif)));
+    }
+    JsonNode broken = json("{\"version\": \"2.1.0\", \"runs\": [{}]}");
+    assertNotEquals(0, schema.validate(broken).size(), "the schema finds what is wrong");
+  }
+
+  @Test
+  void junitIsValidByItsSchema() throws Exception {
+    var schema =
+        SchemaFactory.newInstance(XMLConstants.W3C_XML_SCHEMA_NS_URI)
+            .newSchema(ReportFilesTest.class.getResource("junit-10.xsd"));
+    for (Report report : all()) {
+      String xml = DiagnosticFormat.JUNIT.render(report);
+      try {
+        schema.newValidator().validate(new StreamSource(new StringReader(xml)));
+      } catch (SAXException e) {
+        fail(e.getMessage() + "\n" + xml);
+      }
+    }
+  }
+
+  private static List<Report> all() {
+    Diagnostic strange =
+        Diagnostic.error(
+                "a.b",
+                "\u0000 \uD800 \uFFFF ]]> <&\"'\n\t",
+                new SourceLocation("a\\b:c%", 1, 0, "\u0001", "\uDC00".repeat(300)))
+            .withRule("a/b\u0002");
+    return List.of(
+        Reports.full(),
+        Report.of(List.of()),
+        Report.of(List.of(strange)),
+        new Report("", 2, Coverage.NONE, List.of(strange), List.of()));
+  }
+
+  @Test
+  void fingerprintsStayWhenLinesMove() throws IOException {
+    Diagnostic finding = Reports.full().diagnostics().get(0);
+    SourceLocation old = finding.location();
+    Diagnostic moved =
+        finding.withLocation(
+            new SourceLocation(old.file(), 99, 1, old.element(), "  " + old.excerpt()));
+    assertEquals(fingerprints(finding), fingerprints(moved));
+    assertNotEquals(
+        fingerprints(finding), fingerprints(finding.withLocation(old.withElement("other"))));
+    List<String> twice = fingerprints(finding, finding);
+    assertNotEquals(twice.get(0), twice.get(1));
+  }
+
+  private static List<String> fingerprints(Diagnostic... findings) throws IOException {
+    return json(DiagnosticFormat.SARIF.render(List.of(findings)))
+        .findValuesAsText("eventchainFinding/v1");
+  }
+
+  @Test
+  void aCommandThatCouldNotWorkSaysSo() throws IOException {
+    Report failed = new Report("", 2, Coverage.NONE, Report.of(List.of()).diagnostics(), List.of());
+    JsonNode run = json(DiagnosticFormat.SARIF.render(failed)).at("/runs/0/invocations/0");
+    assertEquals(2, run.get("exitCode").asInt());
+    assertTrue(run.get("executionSuccessful").isBoolean());
+    assertEquals(false, run.get("executionSuccessful").asBoolean());
+  }
+
+  private static JsonSchema sarifSchema() throws IOException {
+    try (InputStream schema =
+        ReportFilesTest.class.getResourceAsStream("/schema/sarif-schema-2.1.0.json")) {
+      return JsonSchemaFactory.getInstance(SpecVersion.VersionFlag.V7).getSchema(schema);
+    }
+  }
+
+  private static JsonNode json(String text) throws IOException {
+    return new ObjectMapper().readTree(text);
+  }
+}

@@ -1,0 +1,82 @@
+package dev.eventchain.diagnostics;
+
+import dev.eventchain.diagnostics.Coverage.Check;
+import dev.eventchain.diagnostics.Coverage.Kind;
+import java.time.LocalDate;
+import java.util.List;
+
+/** Reports that tests render. */
+final class Reports {
+
+  private static final SourceLocation NODE =
+      new SourceLocation(
+          "model/chain 1.xmi", 3, 4, "EventChain[a]/software[TTC]", "  <software name=\"TTC\"/>");
+
+  private Reports() {}
+
+  /** Has one of everything. */
+  static Report full() {
+    Diagnostic violated =
+        Diagnostic.error("ocl.violated", "Node 'TTC' [see](http://x) has no output.", NODE)
+            .withHint("Give it an output.")
+            .withRule("SoftwareNode::HasOutput")
+            .withRelated(new SourceLocation("rules.ocl", 2, 5, "", "inv HasOutput: ..."));
+    Diagnostic again = violated.withLocation(NODE.withElement("EventChain[a]/software[Brake]"));
+    Diagnostic slow =
+        Diagnostic.warning("ocl.violated", "Node \u202E'TTC'\u0007 is slow.", NODE)
+            .withRule("SoftwareNode::Fast");
+    Diagnostic topic =
+        Diagnostic.error(
+            "contract.topic.type", "Two types on /scan.", SourceLocation.of("/abs/ü.json"));
+    Diagnostic known = violated.withRule("SoftwareNode::Known");
+    Diagnostic info = Diagnostic.info("file.odd", "Odd.", SourceLocation.of("rules.ocl"));
+    Diagnostic nowhere = Diagnostic.error("python.unavailable", "No Python.", SourceLocation.NONE);
+    Suppressions.Entry entry =
+        new Suppressions.Entry(
+            "ocl.violated",
+            "*::Known",
+            "",
+            "",
+            "",
+            "Replaced in June <3.",
+            LocalDate.of(2027, 6, 1),
+            new SourceLocation("eventchain-suppressions.yaml", 1, 3, "", "- id: ocl.violated"));
+    return new Report(
+        "1.2.3",
+        1,
+        coverage(),
+        List.of(violated, again, slow, topic, info, nowhere),
+        List.of(new Suppressions.Suppressed(known, entry)));
+  }
+
+  private static Coverage coverage() {
+    return new Coverage(
+        List.of("model/chain 1.xmi", "rules.ocl"),
+        75,
+        List.of(
+            constraint("SoftwareNode::HasOutput", Severity.ERROR, 2, 4),
+            constraint("SoftwareNode::Fast", Severity.WARNING, 3, 4),
+            constraint("SoftwareNode::Known", Severity.ERROR, 4, 4),
+            constraint("SoftwareNode::Fine", Severity.ERROR, 5, 4),
+            constraint("EventChain::Idle", Severity.ERROR, 6, 0),
+            new Check(
+                Kind.CONTRACT,
+                "contract.topic.type",
+                "",
+                Severity.ERROR,
+                SourceLocation.NONE,
+                "",
+                7)));
+  }
+
+  private static Check constraint(String rule, Severity severity, int line, int evaluations) {
+    return new Check(
+        Kind.CONSTRAINT,
+        "ocl.violated",
+        rule,
+        severity,
+        new SourceLocation("rules.ocl", line, 5, "", ""),
+        "Mend " + rule + ".",
+        evaluations);
+  }
+}

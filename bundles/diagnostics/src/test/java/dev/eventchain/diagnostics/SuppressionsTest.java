@@ -1,0 +1,100 @@
+package dev.eventchain.diagnostics;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.diagnostics.Suppressions.Entry;
+import java.time.LocalDate;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class SuppressionsTest {
+
+  private static final LocalDate LAST_DAY = LocalDate.of(2026, 12, 24);
+  private static final Diagnostic FINDING =
+      Diagnostic.error(
+              "ocl.violated",
+              "'TTC' is 20.0 Hz.",
+              new SourceLocation("a/model/chain.xmi", 3, 1, "EventChain[a]/software[TTC]", ""))
+          .withRule("SoftwareNode::Fast");
+
+  @ParameterizedTest
+  @CsvSource({
+    "ocl.violated,,,,,true",
+    "ocl.undefined,,,,,false",
+    "ocl.violated,SoftwareNode::Fast,,,,true",
+    "ocl.violated,SoftwareNode::Fas,,,,false",
+    "ocl.violated,*::Fast,EventChain[a]/software[*],,,true",
+    "ocl.violated,,EventChain[a]/software[X*],,,false",
+    "ocl.violated,,,a/model/chain.xmi,,true",
+    "ocl.violated,,,chain.xmi,,true",
+    "ocl.violated,,,ain.xmi,,false",
+    "ocl.violated,,,,'''TTC''*',true",
+    "ocl.violated,,,,.*,false",
+  })
+  void allPartsOfAnEntryMustMatch(
+      String id, String rule, String element, String file, String message, boolean matches) {
+    Entry entry =
+        new Entry(
+            id,
+            text(rule),
+            text(element),
+            text(file),
+            text(message),
+            "known",
+            LAST_DAY,
+            SourceLocation.NONE);
+    assertEquals(matches, entry.matches(FINDING));
+  }
+
+  private static String text(String value) {
+    return value == null ? "" : value;
+  }
+
+  @Test
+  void aMatchingFindingIsSuppressedUpToTheLastDayAndCountsAfterIt() {
+    Suppressions onTheDay = new Suppressions(List.of(entry("ocl.violated")), LAST_DAY);
+    assertEquals(List.of(), onTheDay.part(List.of(FINDING)).remaining());
+    assertEquals("known", onTheDay.part(List.of(FINDING)).suppressed().get(0).by().reason());
+    assertEquals(List.of(), onTheDay.expired());
+    Suppressions later = new Suppressions(List.of(entry("ocl.violated")), LAST_DAY.plusDays(1));
+    assertEquals(List.of(FINDING), later.part(List.of(FINDING)).remaining());
+    assertEquals("suppression.expired", later.expired().get(0).id());
+    assertEquals(List.of(), later.stale(entry -> true, List.of()));
+  }
+
+  @Test
+  void anEntryThatMatchesNothingIsStaleIfItsFindingsWereLookedFor() {
+    Suppressions suppressions =
+        new Suppressions(List.of(entry("ocl.violated"), entry("ocl.undefined")), LAST_DAY);
+    List<Diagnostic> stale = suppressions.stale(entry -> true, List.of(FINDING));
+    assertEquals(1, stale.size());
+    assertTrue(stale.get(0).message().contains("ocl.undefined"), stale.get(0).message());
+    assertEquals(List.of(), suppressions.stale(entry -> false, List.of()));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"ocl.nothing-evaluated", "ocl.syntax", "xmi.syntax", "suppression.stale"})
+  void whatSaysThatSomethingWasNotCheckedCannotBeSuppressed(String id) {
+    assertFalse(Suppressions.mayBeSuppressed(id));
+    Diagnostic finding = Diagnostic.error(id, "m", SourceLocation.NONE);
+    Suppressions suppressions = new Suppressions(List.of(entry(id)), LAST_DAY);
+    assertEquals(List.of(finding), suppressions.part(List.of(finding)).remaining());
+  }
+
+  @Test
+  void anEntryNeedsAReason() {
+    assertThrows(
+        IllegalArgumentException.class,
+        () -> new Entry("a.b", "", "", "", "", " ", LAST_DAY, SourceLocation.NONE));
+  }
+
+  private static Entry entry(String id) {
+    return new Entry(id, "", "", "", "", "known", LAST_DAY, SourceLocation.NONE);
+  }
+}
