@@ -25,11 +25,9 @@ import org.eclipse.ocl.utilities.PredefinedType;
  */
 final class Explanation {
 
-  private static final int DEEPEST_DEFINITION = 3;
-
   private final Probe probe;
   private final Facts facts;
-  private int definitions;
+  private boolean insideDefinition;
 
   private Explanation(Probe probe) {
     this.probe = probe;
@@ -133,7 +131,10 @@ final class Explanation {
     }
   }
 
-  /** Only what a definition says of {@code self}: of other objects its words would mislead. */
+  /**
+   * Only what a definition says of {@code self}, and not what another one says that it uses: there,
+   * the same words would mean other values.
+   */
   private void explainDefinition(
       Constraint definition,
       OCLExpression<EClassifier> source,
@@ -142,15 +143,15 @@ final class Explanation {
     if (definition == null
         || definition.getSpecification() == null
         || !Asts.isSelf(source)
-        || definitions >= DEEPEST_DEFINITION) {
+        || insideDefinition) {
       return;
     }
     ExpressionInOCL<EClassifier, EParameter> body = definition.getSpecification();
     List<Object> values = arguments.stream().map(probe::evaluate).toList();
-    definitions++;
+    insideDefinition = true;
     probe.withAll(
         body.getParameterVariable(), values, () -> explain(body.getBodyExpression(), actual));
-    definitions--;
+    insideDefinition = false;
   }
 
   private void explainIterator(IteratorExp<EClassifier, EParameter> loop, boolean actual) {

@@ -10,6 +10,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EParameter;
 import org.eclipse.emf.ecore.EcorePackage;
 import org.eclipse.ocl.Environment;
 import org.eclipse.ocl.ecore.Constraint;
@@ -17,9 +18,11 @@ import org.eclipse.ocl.ecore.TypeType;
 import org.eclipse.ocl.expressions.CollectionKind;
 import org.eclipse.ocl.expressions.LetExp;
 import org.eclipse.ocl.expressions.OCLExpression;
+import org.eclipse.ocl.expressions.Variable;
 import org.eclipse.ocl.parser.ValidationVisitor;
 import org.eclipse.ocl.types.CollectionType;
 import org.eclipse.ocl.util.TypeUtil;
+import org.eclipse.ocl.utilities.ExpressionInOCL;
 
 /**
  * OCL over some metamodels, with operations of its own. Parses expressions; those that it parsed
@@ -33,6 +36,7 @@ import org.eclipse.ocl.util.TypeUtil;
 public final class ExpressionLanguage {
 
   private static final String EXPRESSION_PREFIX = "inv:\n";
+  private static final String ANY_BODY = " null";
   private static final String TYPE_PREFIX = "inv:\nlet type : ";
   private static final String TYPE_SUFFIX = "\n = null in true";
 
@@ -78,43 +82,113 @@ public final class ExpressionLanguage {
       Scope scope,
       EPackage contextPackage,
       List<Diagnostic> problems) {
+    return parse(text, start, end, environment(scope, contextPackage), problems)
+        .map(ast -> new Expression(this, ast));
+  }
+
+  private Optional<OCLExpression<EClassifier>> parse(
+      SourceText text, int start, int end, OclEnvironment environment, List<Diagnostic> problems) {
     if (text.text().substring(start, end).isBlank()) {
       problems.add(
           Diagnostic.error("ocl.syntax", "An expression is missing here.", text.at(start)));
       return Optional.empty();
     }
     StringLiterals.check(text, start, end, problems);
-    return parseConstraint(
-            text, start, end, EXPRESSION_PREFIX, "", environment(scope, contextPackage), problems)
-        .map(constraint -> new Expression(this, constraint));
+    return parseConstraint(text, start, end, EXPRESSION_PREFIX, "", environment, problems);
   }
 
   /**
-   * Adds an operation or a property to a class, for all expressions parsed from now on.
+   * Adds an operation or a property to a class, for all expressions parsed from now on. It must be
+   * given its body with {@link #complete} before any of them is evaluated.
    *
    * @param start the offset of {@code def}, or of {@code static} before it
+   * @param end the offset after the equals sign
    * @param scope has {@code self}, whose type is the class
-   * @return whether it has no error
+   * @return the operation or property; empty if the signature has an error
    */
-  synchronized boolean define(
+  synchronized Optional<Object> declare(
       SourceText text,
       int start,
       int end,
       Scope scope,
       EPackage contextPackage,
       List<Diagnostic> problems) {
-    StringLiterals.check(text, start, end, problems);
-    List<Object> before = root.definitionsOf(scope.typeOf(Environment.SELF_VARIABLE_NAME));
-    boolean defined =
-        parseConstraint(text, start, end, "", "", environment(scope, contextPackage), problems)
+    EClassifier owner = scope.typeOf(Environment.SELF_VARIABLE_NAME);
+    List<Object> before = root.definitionsOf(owner);
+    boolean declared =
+        parseConstraint(
+                text, start, end, "", ANY_BODY, environment(scope, contextPackage), problems)
             .isPresent();
-    if (!defined) {
-      // Eclipse OCL keeps a feature whose body could be parsed but has errors.
-      List<Object> after = root.definitionsOf(scope.typeOf(Environment.SELF_VARIABLE_NAME));
-      after.removeAll(before);
-      after.forEach(root::undefine);
+    List<Object> added = root.definitionsOf(owner);
+    added.removeAll(before);
+    if (declared) {
+      return Optional.of(added.get(0));
     }
-    return defined;
+    // Eclipse OCL keeps a feature whose signature could be parsed but has errors.
+    added.forEach(root::undefine);
+    return Optional.empty();
+  }
+
+  /**
+   * Gives a declared operation or property its body; none if that has an error.
+   *
+   * @param start the offset after the equals sign
+   */
+  synchronized void complete(
+      Object feature,
+      SourceText text,
+      int start,
+      int end,
+      EPackage contextPackage,
+      List<Diagnostic> problems) {
+    ExpressionInOCL<EClassifier, EParameter> definition =
+        root.getDefinition(feature).getSpecification();
+    Variable<EClassifier, EParameter> self = definition.getContextVariable();
+    OclEnvironment environment = factory.createEnvironment(root);
+    if (contextPackage != null) {
+      environment.setPackage(contextPackage);
+    }
+    environment.addVariable(self);
+    // An environment takes its variables out of what contains them; they are put back below.
+    List<Variable<EClassifier, EParameter>> parameters =
+        List.copyOf(definition.getParameterVariable());
+    parameters.forEach(environment::addVariable);
+    EClassifier declared = root.getUMLReflection().getOCLType(feature);
+    Optional<OCLExpression<EClassifier>> body =
+        parse(text, start, end, environment, problems)
+            .filter(found -> hasType(found, feature, declared, text, start, end, problems));
+    definition.setContextVariable(self);
+    definition.getParameterVariable().addAll(parameters);
+    definition.setBodyExpression(body.orElse(null));
+  }
+
+  private boolean hasType(
+      OCLExpression<EClassifier> body,
+      Object feature,
+      EClassifier declared,
+      SourceText text,
+      int start,
+      int end,
+      List<Diagnostic> problems) {
+    if (TypeUtil.compatibleTypeMatch(root, body.getType(), declared)) {
+      return true;
+    }
+    int first = start;
+    while (first < end && Lexer.isBlank(text.text(), first)) {
+      first = Lexer.end(text.text(), first, end);
+    }
+    problems.add(
+        Diagnostic.error(
+            "ocl.type",
+            "'"
+                + Names.of(feature)
+                + "' is declared as "
+                + Names.of(declared)
+                + ", but its value is of type "
+                + Names.of(body.getType())
+                + ".",
+            text.at(first)));
+    return false;
   }
 
   private Optional<OCLExpression<EClassifier>> parseConstraint(

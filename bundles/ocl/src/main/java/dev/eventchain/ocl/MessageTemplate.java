@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.stream.Collectors;
 import org.eclipse.emf.common.util.Enumerator;
@@ -69,6 +70,11 @@ final class MessageTemplate {
       }
     }
     return -1;
+  }
+
+  /** The expressions in braces. */
+  List<Expression> expressions() {
+    return parts.stream().map(Part::expression).filter(Objects::nonNull).toList();
   }
 
   /** The message about the element that the run has bound to {@code self}. */

@@ -24,11 +24,8 @@ final class Names {
 
   /** {@code package::Class}. */
   static String qualified(EClassifier classifier) {
-    StringBuilder name = new StringBuilder(of(classifier));
-    for (EPackage each = classifier.getEPackage(); each != null; each = each.getESuperPackage()) {
-      name.insert(0, "::").insert(0, each.getName());
-    }
-    return name.toString();
+    EPackage owner = classifier.getEPackage();
+    return (owner == null ? "" : PackageIndex.qualifiedName(owner) + "::") + of(classifier);
   }
 
   /** The class of an object and its name, or else its place in its model. */

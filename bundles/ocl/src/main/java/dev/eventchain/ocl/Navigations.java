@@ -31,6 +31,23 @@ final class Navigations {
     return new ArrayList<>(navigations.found);
   }
 
+  /** The defined operations and properties that an expression names itself. */
+  static Set<Object> definitionsIn(EObject expression, OclEnvironment environment) {
+    Set<Object> definitions = new LinkedHashSet<>();
+    TreeIterator<EObject> nodes = EcoreUtil.getAllContents(List.of(expression));
+    while (nodes.hasNext()) {
+      EObject node = nodes.next();
+      Object feature =
+          node instanceof PropertyCallExp property
+              ? property.getReferredProperty()
+              : node instanceof OperationCallExp call ? call.getReferredOperation() : null;
+      if (feature != null && environment.getDefinition(feature) != null) {
+        definitions.add(feature);
+      }
+    }
+    return definitions;
+  }
+
   private void walk(EObject expression) {
     TreeIterator<EObject> nodes = EcoreUtil.getAllContents(List.of(expression));
     while (nodes.hasNext()) {
@@ -56,8 +73,9 @@ final class Navigations {
     if (definition == null) {
       return false;
     }
-    if (visited.add(definition) && definition.getSpecification() != null) {
-      walk((EObject) definition.getSpecification().getBodyExpression());
+    EObject body = (EObject) definition.getSpecification().getBodyExpression();
+    if (visited.add(definition) && body != null) {
+      walk(body);
     }
     return true;
   }

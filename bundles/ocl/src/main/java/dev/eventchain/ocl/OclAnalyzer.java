@@ -96,7 +96,7 @@ final class OclAnalyzer extends OCLAnalyzer {
         source == null
             ? texts().unknownName(simpleName, environment)
             : texts().unknownFeature(simpleName, source.getType());
-    report(problem, name.getStartOffset());
+    reportMissing(simpleName, problem, name.getStartOffset());
     return createDummyInvalidLiteralExp(environment, name);
   }
 
@@ -165,7 +165,8 @@ final class OclAnalyzer extends OCLAnalyzer {
     missing = null;
     if (wanted != null) {
       if (!texts().isError(wanted.owner())) {
-        report(
+        reportMissing(
+            wanted.name(),
             texts().unknownOperation(wanted.owner(), wanted.name(), wanted.arguments()),
             wanted.node().getStartOffset());
       } else if (!collector().failed()) {
@@ -174,13 +175,33 @@ final class OclAnalyzer extends OCLAnalyzer {
     } else if (node instanceof OperationCallExpCS call
         && call.getSource() == null
         && message.startsWith("illegal operation signature")) {
-      report(
+      reportMissing(
+          call.getSimpleNameCS().getValue(),
           texts().unknownFunction(call.getSimpleNameCS().getValue(), message),
           call.getStartOffset());
     } else if (node instanceof CSTNode place) {
-      report(texts().other(message), place.getStartOffset());
+      ProblemTexts.duplicate(message)
+          .ifPresentOrElse(
+              problem ->
+                  collector()
+                      .add(
+                          "ocl.duplicate",
+                          true,
+                          problem.message(),
+                          problem.hint(),
+                          place.getStartOffset()),
+              () -> report(texts().other(message), place.getStartOffset()));
     } else {
       super.ERROR(node, rule, message);
+    }
+  }
+
+  /** A definition that has an error is not reported again by all that use it. */
+  private void reportMissing(String name, ProblemTexts.Problem problem, int offset) {
+    if (((OclEnvironment) getEnvironment()).hasFailed(name)) {
+      collector().fail();
+    } else {
+      report(problem, offset);
     }
   }
 

@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.time.Duration;
 import java.util.List;
+import java.util.function.Supplier;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
@@ -35,7 +36,7 @@ public final class OclConstraint {
   private final RuleComments comments;
   private final MessageTemplate message;
   private final SourceLocation location;
-  private final List<Navigation> navigations;
+  private final Supplier<List<Navigation>> navigations;
 
   OclConstraint(
       String name,
@@ -45,7 +46,7 @@ public final class OclConstraint {
       RuleComments comments,
       MessageTemplate message,
       SourceLocation location,
-      List<Navigation> navigations) {
+      Supplier<List<Navigation>> navigations) {
     this.name = name;
     this.context = context;
     this.condition = condition;
@@ -53,7 +54,7 @@ public final class OclConstraint {
     this.comments = comments;
     this.message = message;
     this.location = location;
-    this.navigations = List.copyOf(navigations);
+    this.navigations = navigations;
   }
 
   /** The name; one that was not given a name has {@code inv} and its number in its class. */
@@ -91,7 +92,7 @@ public final class OclConstraint {
    * of the model must touch to change the verdict.
    */
   public List<Navigation> navigations() {
-    return navigations;
+    return navigations.get();
   }
 
   /**

@@ -53,9 +53,28 @@ final class OclEnvironment extends EcoreEnvironment {
     Variable<EClassifier, EParameter> variable = getOCLFactory().createVariable();
     getUMLReflection().setName(variable, name);
     getUMLReflection().setType(variable, getUMLReflection().asOCLType(type));
-    if (addElement(name, variable, true) && name.equals(SELF_VARIABLE_NAME)) {
+    addVariable(variable);
+  }
+
+  /** As the other one, with a variable that belongs to a definition. */
+  void addVariable(Variable<EClassifier, EParameter> variable) {
+    if (addElement(variable.getName(), variable, true)
+        && variable.getName().equals(SELF_VARIABLE_NAME)) {
       setSelfVariable(variable);
     }
+  }
+
+  /** Remembers a definition that could not be declared: to miss its name is no error of its own. */
+  void addFailedName(String name) {
+    factory.failedNames().add(name);
+  }
+
+  boolean hasFailed(String name) {
+    return factory.failedNames().contains(name);
+  }
+
+  void forgetFailedNames() {
+    factory.failedNames().clear();
   }
 
   /** Gives the analyzer the context that it needs, for an expression that has no {@code self}. */

@@ -1,5 +1,6 @@
 package dev.eventchain.ocl;
 
+import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
 import org.eclipse.emf.ecore.EClass;
@@ -28,6 +29,7 @@ final class OclEnvironmentFactory extends EcoreEnvironmentFactory {
   private final OclEnvironment root;
   private final ValueEnvironment.Kinds kinds;
   private final ProblemTexts texts;
+  private final Set<String> failedNames = new HashSet<>();
 
   OclEnvironmentFactory(PackageIndex packages, Libraries libraries) {
     super(packages.registry());
@@ -52,6 +54,10 @@ final class OclEnvironmentFactory extends EcoreEnvironmentFactory {
 
   ProblemTexts texts() {
     return texts;
+  }
+
+  Set<String> failedNames() {
+    return failedNames;
   }
 
   CollectionKind kindOf(ETypedElement element) {

@@ -50,7 +50,10 @@ final class PackageIndex {
     return registry;
   }
 
-  /** The packages whose qualified name ends with this path. */
+  /**
+   * The packages whose qualified name ends with this path; only the one whose whole name it is, if
+   * there is one.
+   */
   List<EPackage> packages(List<String> path) {
     List<EPackage> found = new ArrayList<>();
     for (EPackage each : packages) {
@@ -58,11 +61,27 @@ final class PackageIndex {
         found.add(each);
       }
     }
-    return found;
+    List<EPackage> exact = found.stream().filter(each -> depth(each) == path.size()).toList();
+    return exact.size() == 1 ? exact : found;
+  }
+
+  private static int depth(EPackage innermost) {
+    int depth = 0;
+    for (EPackage each = innermost; each != null; each = each.getESuperPackage()) {
+      depth++;
+    }
+    return depth;
+  }
+
+  /** {@code outer::inner}. */
+  static String qualifiedName(EPackage innermost) {
+    EPackage outer = innermost.getESuperPackage();
+    return (outer == null ? "" : qualifiedName(outer) + "::") + innermost.getName();
   }
 
   /**
-   * The classifiers of this simple or qualified name; those of Ecore only if there are no others.
+   * The classifiers of this simple or qualified name; only the one whose whole name it is, if there
+   * is one; those of Ecore only if there are no others.
    */
   List<EClassifier> classifiers(List<String> path) {
     List<EClassifier> found = new ArrayList<>();
@@ -72,7 +91,9 @@ final class PackageIndex {
     if (found.isEmpty()) {
       addClassifier(EcorePackage.eINSTANCE, path, found);
     }
-    return found;
+    List<EClassifier> exact =
+        found.stream().filter(each -> depth(each.getEPackage()) == path.size() - 1).toList();
+    return exact.size() == 1 ? exact : found;
   }
 
   private static void addClassifier(

@@ -37,6 +37,11 @@ final class ProblemCollector extends AbstractProblemHandler {
     return failed;
   }
 
+  /** Notes an error that is reported elsewhere. */
+  void fail() {
+    failed = true;
+  }
+
   @Override
   public void handleProblem(
       Severity severity,

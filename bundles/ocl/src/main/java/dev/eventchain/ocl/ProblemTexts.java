@@ -33,6 +33,8 @@ final class ProblemTexts {
   private static final Pattern UNKNOWN_LITERAL =
       Pattern.compile("Unknown enumeration literal \\((.*)\\)");
   private static final Pattern UNKNOWN_TYPE = Pattern.compile("Unknown type \\((.*)\\)");
+  private static final Pattern ALREADY_THERE =
+      Pattern.compile("(?:Property|Operation) \\((.*)\\) already defined in type \\((.*)\\)");
   private static final Pattern SIGNATURE = Pattern.compile(".*?\\((.*)\\)$");
   private static final Set<String> COMPARISONS = Set.of("=", "<>", "<", ">", "<=", ">=");
 
@@ -128,6 +130,17 @@ final class ProblemTexts {
   /** Whether a type stands for an error that has been reported. */
   boolean isError(EClassifier type) {
     return type == null || type instanceof InvalidType<?> || type instanceof VoidType<?>;
+  }
+
+  /** Whether a message says that a definition has the name of something that is there. */
+  static Optional<Problem> duplicate(String message) {
+    Matcher matcher = ALREADY_THERE.matcher(message);
+    return matcher.matches()
+        ? Optional.of(
+            new Problem(
+                matcher.group(2) + " has '" + matcher.group(1) + "' already.",
+                "Give the definition another name."))
+        : Optional.empty();
   }
 
   /** What Eclipse OCL says, with a hint if a name is wrong. */

@@ -1,0 +1,205 @@
+package dev.eventchain.ocl;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceText;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.ocl.expressions.OCLExpression;
+
+/**
+ * Adds the definitions of rule documents to a language: first the signatures of all, then their
+ * bodies, so that they may call each other in any order, also mutually. What uses a definition that
+ * has an error is found to be unusable without an error of its own.
+ */
+final class Definitions {
+
+  /** A definition whose signature is known. */
+  private record Declared(ResolvedClause clause, int bodyStart, Object feature) {}
+
+  private final ExpressionLanguage language;
+  private final List<Diagnostic> problems;
+  private final Map<String, ResolvedClause> names = new HashMap<>();
+  private final List<Declared> declared = new ArrayList<>();
+
+  Definitions(ExpressionLanguage language, List<Diagnostic> problems) {
+    this.language = language;
+    this.problems = problems;
+  }
+
+  /** Adds all of these. */
+  void addAll(List<ResolvedClause> clauses) {
+    clauses.forEach(this::declare);
+    declared.forEach(this::complete);
+    Map<Object, List<Declared>> users = new HashMap<>();
+    Deque<Declared> unusable = new ArrayDeque<>();
+    for (Declared each : declared) {
+      OCLExpression<EClassifier> body = bodyOf(each.feature());
+      if (body == null) {
+        unusable.add(each);
+      } else {
+        for (Object used : Navigations.definitionsIn(body, language.environment())) {
+          users.computeIfAbsent(used, none -> new ArrayList<>()).add(each);
+        }
+      }
+    }
+    while (!unusable.isEmpty()) {
+      for (Declared user : users.getOrDefault(unusable.remove().feature(), List.of())) {
+        if (bodyOf(user.feature()) != null) {
+          language
+              .environment()
+              .getDefinition(user.feature())
+              .getSpecification()
+              .setBodyExpression(null);
+          unusable.add(user);
+        }
+      }
+    }
+  }
+
+  /** Notes a definition for a class that there is not. */
+  void addHomeless(SourceText source, RuleDocument.Clause clause) {
+    Tokens tokens = new Tokens(source.text().substring(clause.start(), clause.end()));
+    language.environment().addFailedName(nameOf(tokens));
+  }
+
+  private OCLExpression<EClassifier> bodyOf(Object feature) {
+    return language.environment().getDefinition(feature).getSpecification().getBodyExpression();
+  }
+
+  /** Takes back what has an error, so that nothing that is parsed later can use it. */
+  void forgetUnusable() {
+    for (Declared each : declared) {
+      if (bodyOf(each.feature()) == null) {
+        language.environment().undefine(each.feature());
+      }
+    }
+    language.environment().forgetFailedNames();
+  }
+
+  /** Whether all definitions that an expression uses have a body. */
+  boolean isUsable(OCLExpression<EClassifier> expression) {
+    return Navigations.definitionsIn(expression, language.environment()).stream()
+        .allMatch(each -> bodyOf(each) != null);
+  }
+
+  private void declare(ResolvedClause clause) {
+    Tokens tokens = clause.tokens();
+    int equals = equalsSign(tokens);
+    Optional<Diagnostic> problem = shapeProblem(clause, tokens, equals);
+    if (problem.isPresent()) {
+      problems.add(problem.get());
+      language.environment().addFailedName(nameOf(tokens));
+    } else if (!isRepeated(clause, tokens, equals)) {
+      int start = clause.clause().start();
+      int end = start + tokens.end(equals);
+      language
+          .declare(clause.source(), start, end, clause.scope(), clause.contextPackage(), problems)
+          .ifPresentOrElse(
+              feature -> declared.add(new Declared(clause, end, feature)),
+              () -> language.environment().addFailedName(nameOf(tokens)));
+    }
+  }
+
+  /** What Eclipse OCL would complain of in words that help nobody. */
+  private static Optional<Diagnostic> shapeProblem(
+      ResolvedClause clause, Tokens tokens, int equals) {
+    if (tokens.is(0, "static")) {
+      return Optional.of(
+          Diagnostic.error(
+                  "ocl.unsupported", "Definitions cannot be static here.", clause.location())
+              .withHint("Leave 'static' out and call it on an object."));
+    } else if (equals == tokens.size()) {
+      return Optional.of(
+          Diagnostic.error(
+                  "ocl.syntax",
+                  "A definition needs '=' and an expression.",
+                  clause.source().at(clause.clause().end()))
+              .withHint("Write def: name : Type = ..."));
+    } else if (typeColon(tokens, equals) < 0) {
+      int at = clause.clause().start() + tokens.start(equals);
+      return Optional.of(
+          Diagnostic.error(
+                  "ocl.syntax", "A definition needs a type before '='.", clause.source().at(at))
+              .withHint("Write def: name : Type = ..."));
+    }
+    return Optional.empty();
+  }
+
+  /** The index of the colon after the name and the parameters; -1 if there is none. */
+  private static int typeColon(Tokens tokens, int equals) {
+    int depth = 0;
+    int colons = 0;
+    for (int i = 0; i < equals; i++) {
+      depth += tokens.is(i, "(") ? 1 : tokens.is(i, ")") ? -1 : 0;
+      colons += depth == 0 && tokens.is(i, ":") ? 1 : 0;
+      if (colons == 2) {
+        return i;
+      }
+    }
+    return -1;
+  }
+
+  /** The index of the first equals sign outside parentheses; the number of tokens if none. */
+  private static int equalsSign(Tokens tokens) {
+    int depth = 0;
+    for (int i = 0; i < tokens.size(); i++) {
+      depth += tokens.is(i, "(") ? 1 : tokens.is(i, ")") ? -1 : 0;
+      if (depth == 0 && tokens.is(i, "=")) {
+        return i;
+      }
+    }
+    return tokens.size();
+  }
+
+  /** The name of the feature: what follows the first colon. */
+  private static String nameOf(Tokens tokens) {
+    for (int i = 0; i + 1 < tokens.size(); i++) {
+      if (tokens.is(i, ":")) {
+        return tokens.text(i + 1);
+      }
+    }
+    return "";
+  }
+
+  private boolean isRepeated(ResolvedClause clause, Tokens tokens, int equals) {
+    int colon = 0;
+    while (colon < equals && !tokens.is(colon, ":")) {
+      colon++;
+    }
+    String signature = Names.qualified(clause.context()) + " " + clause.words(colon, equals);
+    ResolvedClause first = names.putIfAbsent(signature, clause);
+    if (first == null) {
+      return false;
+    } else if (!clause.repeats(first)) {
+      problems.add(
+          Diagnostic.error(
+                  "ocl.duplicate",
+                  "The definition '"
+                      + nameOf(tokens)
+                      + "' of "
+                      + clause.context().getName()
+                      + " is there twice.",
+                  clause.location())
+              .withHint("Give one of them another name.")
+              .withRelated(first.location()));
+    }
+    return true;
+  }
+
+  private void complete(Declared each) {
+    ResolvedClause clause = each.clause();
+    language.complete(
+        each.feature(),
+        clause.source(),
+        each.bodyStart(),
+        clause.clause().end(),
+        clause.contextPackage(),
+        problems);
+  }
+}

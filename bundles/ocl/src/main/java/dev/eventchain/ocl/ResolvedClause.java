@@ -1,0 +1,48 @@
+package dev.eventchain.ocl;
+
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EPackage;
+
+/**
+ * An invariant or a definition and what its names mean.
+ *
+ * @param context the class it is about
+ * @param contextPackage the package whose types come first
+ */
+record ResolvedClause(
+    SourceText source, RuleDocument.Clause clause, EClass context, EPackage contextPackage) {
+
+  Scope scope() {
+    return Scope.EMPTY.with("self", context);
+  }
+
+  SourceLocation location() {
+    return source.at(clause.keyword());
+  }
+
+  Tokens tokens() {
+    return new Tokens(source.text().substring(clause.start(), clause.end()));
+  }
+
+  /** The text, whatever its white space and comments. */
+  String words() {
+    return words(0, tokens().size());
+  }
+
+  /** Some of the tokens. */
+  String words(int from, int to) {
+    Tokens tokens = tokens();
+    StringBuilder words = new StringBuilder();
+    for (int i = from; i < to; i++) {
+      words.append(tokens.text(i)).append(' ');
+    }
+    return words.toString();
+  }
+
+  /** Whether another clause says the same in another document, which is no fault. */
+  boolean repeats(ResolvedClause other) {
+    return source != other.source && words().equals(other.words());
+  }
+}
