@@ -42,6 +42,7 @@ import org.eclipse.ocl.utilities.PredefinedType;
 final class Evaluator extends EvaluationVisitorImpl {
 
   private final Evaluation run;
+  private final LibraryCalls calls;
 
   Evaluator(
       OclEnvironment environment,
@@ -49,6 +50,7 @@ final class Evaluator extends EvaluationVisitorImpl {
       Map<? extends EClass, ? extends Set<? extends EObject>> extents) {
     super(environment, values, extents);
     this.run = values.run();
+    this.calls = values.calls();
   }
 
   @Override
@@ -182,7 +184,7 @@ final class Evaluator extends EvaluationVisitorImpl {
       arguments.add(value);
     }
     // What the library evaluates on the way must not pass for the reason of this result.
-    Object result = operation.implementation().call(source, arguments, run);
+    Object result = calls.call(call, operation.implementation(), source, arguments, run);
     run.setOrigin(null);
     if (result instanceof Invalid invalid) {
       run.setOrigin(new InvalidOrigin(call, source, invalid.reason()));
@@ -304,7 +306,7 @@ final class Evaluator extends EvaluationVisitorImpl {
   }
 
   /** Whether the set was made because an arrow follows a single value. */
-  private static boolean isImplicit(CollectionLiteralExp<EClassifier> literal) {
+  static boolean isImplicit(CollectionLiteralExp<EClassifier> literal) {
     EAnnotation annotation =
         literal instanceof EModelElement element
             ? element.getEAnnotation(AbstractOCLAnalyzer.OCL_ANNOTATIONS_URI)
@@ -312,6 +314,16 @@ final class Evaluator extends EvaluationVisitorImpl {
     return annotation != null
         && Boolean.parseBoolean(
             annotation.getDetails().get(AbstractOCLAnalyzer.IMPLICIT_SET_CONVERSION));
+  }
+
+  /** The expression that defines an operation; null if there is none. */
+  OCLExpression<EClassifier> bodyOf(EOperation operation) {
+    return getOperationBody(operation);
+  }
+
+  /** The expression that defines a property; null if there is none. */
+  OCLExpression<EClassifier> bodyOf(EStructuralFeature property) {
+    return getPropertyBody(property);
   }
 
   @Override

@@ -17,6 +17,9 @@ public final class Expression {
   private final ExpressionLanguage language;
   private final OCLExpression<EClassifier> ast;
 
+  /** Made at the first evaluation; published through a volatile field, as it is not all final. */
+  private volatile Lowered lowered;
+
   Expression(ExpressionLanguage language, OCLExpression<EClassifier> ast) {
     this.language = language;
     this.ast = ast;
@@ -63,8 +66,9 @@ public final class Expression {
     int height = run.values().size();
     boolean outermost = run.begin();
     try {
-      Object value = language.evaluator(run).visitExpression(ast);
-      return language.isInvalid(value) ? invalid(run.origin()) : value;
+      Frame frame = lowered().frame(run);
+      Object value = lowered.root().evaluate(frame);
+      return value == Node.INVALID ? explain(frame) : value;
     } catch (EvaluationHaltedException e) {
       return new Invalid(e.getMessage(), location(), true);
     } catch (StackOverflowError e) {
@@ -78,8 +82,28 @@ public final class Expression {
     }
   }
 
-  private Invalid invalid(InvalidOrigin origin) {
+  /** Evaluates again, and keeps an eye on where the value becomes invalid. */
+  private Invalid explain(Frame frame) {
+    frame.calls.replay();
+    frame.run.setOrigin(null);
+    language.evaluator(frame.run, frame.calls).visitExpression(ast);
+    InvalidOrigin origin = frame.run.origin();
     return origin == null ? new Invalid("it has no value", location(), false) : origin.toInvalid();
+  }
+
+  private Lowered lowered() {
+    if (lowered == null) {
+      lowered = language.lower(ast);
+    }
+    return lowered;
+  }
+
+  /**
+   * Whether the expression runs compiled as a whole; otherwise parts of it, or of the definitions
+   * it calls, are left to Eclipse OCL's evaluator.
+   */
+  boolean isLowered() {
+    return lowered().isWhole();
   }
 
   OCLExpression<EClassifier> ast() {

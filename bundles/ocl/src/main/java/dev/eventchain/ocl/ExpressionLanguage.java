@@ -42,10 +42,12 @@ public final class ExpressionLanguage {
 
   private final OclEnvironmentFactory factory;
   private final OclEnvironment root;
+  private final Lowering lowering;
 
   private ExpressionLanguage(OclEnvironmentFactory factory) {
     this.factory = factory;
     this.root = factory.root();
+    this.lowering = new Lowering(this);
   }
 
   /** The language over these packages, with the operations of these libraries, tried in order. */
@@ -316,7 +318,7 @@ public final class ExpressionLanguage {
 
   /** Whether a value is an instance of a type. */
   public boolean isInstance(Object value, EClassifier type) {
-    return new ValueEnvironment(factory, Evaluation.over(List.of())).isKindOf(value, type);
+    return lowering.environment().isKindOf(value, type);
   }
 
   /** The type of everything but collections. */
@@ -337,11 +339,12 @@ public final class ExpressionLanguage {
     return factory.packages();
   }
 
-  Evaluator evaluator(Evaluation run) {
-    return new Evaluator(root, new ValueEnvironment(factory, run), run.extents());
+  Evaluator evaluator(Evaluation run, LibraryCalls calls) {
+    return new Evaluator(root, new ValueEnvironment(factory, run, calls), run.extents());
   }
 
-  boolean isInvalid(Object value) {
-    return value == root.getOCLStandardLibrary().getInvalid();
+  /** Compiles an expression; not while another one is parsed, which may add definitions. */
+  synchronized Lowered lower(OCLExpression<EClassifier> expression) {
+    return lowering.lower(expression);
   }
 }

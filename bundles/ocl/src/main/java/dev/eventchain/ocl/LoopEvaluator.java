@@ -5,6 +5,7 @@ import java.util.Collection;
 import java.util.Deque;
 import java.util.Iterator;
 import java.util.LinkedHashSet;
+import java.util.function.UnaryOperator;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EObject;
@@ -88,32 +89,40 @@ final class LoopEvaluator {
     return result;
   }
 
-  /**
-   * Depth first, like Eclipse OCL, but with a stack of its own, so that a long chain of elements
-   * does not need a deep Java stack. As there, the sources themselves are left out unless they are
-   * reached again.
-   */
   private Object closure(Collection<?> sources) {
-    Collection<Object> result =
-        loop.getType() instanceof OrderedSetType<?, ?>
-            ? new LinkedHashSet<>()
-            : new InsertionOrderedSet<>();
     values.add(variable, null);
     try {
-      for (Object source : sources) {
-        Object next = body(source);
-        if (next == invalid || !addReachable(next, result)) {
-          return invalid;
-        }
-      }
+      boolean ordered = loop.getType() instanceof OrderedSetType<?, ?>;
+      Collection<Object> result = closure(sources, ordered, this::body);
+      return result == null ? invalid : result;
     } finally {
       values.remove(variable);
+    }
+  }
+
+  /**
+   * What can be reached. Depth first, like Eclipse OCL, but with a stack of its own, so that a long
+   * chain of elements does not need a deep Java stack. As there, the sources themselves are left
+   * out unless they are reached again.
+   *
+   * @param step leads from an element to some others, to one, or to null
+   * @return null if a step is invalid
+   */
+  static Collection<Object> closure(
+      Collection<?> sources, boolean ordered, UnaryOperator<Object> step) {
+    Collection<Object> result = ordered ? new LinkedHashSet<>() : new InsertionOrderedSet<>();
+    for (Object source : sources) {
+      Object next = step.apply(source);
+      if (next == Node.INVALID || !addReachable(next, result, step)) {
+        return null;
+      }
     }
     return result;
   }
 
   /** Adds what can be reached from one step; false if a step is invalid. */
-  private boolean addReachable(Object first, Collection<Object> result) {
+  private static boolean addReachable(
+      Object first, Collection<Object> result, UnaryOperator<Object> step) {
     Deque<Iterator<?>> open = new ArrayDeque<>();
     open.push(CollectionCalls.elementsOf(first).iterator());
     while (!open.isEmpty()) {
@@ -123,8 +132,8 @@ final class LoopEvaluator {
       }
       Object element = open.peek().next();
       if (result.add(element)) {
-        Object next = body(element);
-        if (next == invalid) {
+        Object next = step.apply(element);
+        if (next == Node.INVALID) {
           return false;
         }
         open.push(CollectionCalls.elementsOf(next).iterator());

@@ -28,12 +28,14 @@ final class ValueEnvironment extends EcoreEvaluationEnvironment {
 
   private final OclEnvironmentFactory factory;
   private final Evaluation run;
+  private final LibraryCalls calls;
   private final ValueStack values;
 
-  ValueEnvironment(OclEnvironmentFactory factory, Evaluation run) {
+  ValueEnvironment(OclEnvironmentFactory factory, Evaluation run, LibraryCalls calls) {
     super(factory);
     this.factory = factory;
     this.run = run;
+    this.calls = calls;
     this.values = run.values();
   }
 
@@ -44,11 +46,21 @@ final class ValueEnvironment extends EcoreEvaluationEnvironment {
     ValueEnvironment caller = (ValueEnvironment) parent;
     this.factory = caller.factory;
     this.run = caller.run;
+    this.calls = caller.calls;
     this.values = new ValueStack();
   }
 
   Evaluation run() {
     return run;
+  }
+
+  LibraryCalls calls() {
+    return calls;
+  }
+
+  /** The kind of collection that a feature holds; null for a single value. */
+  CollectionKind kindOf(EStructuralFeature feature) {
+    return factory.kindOf(feature);
   }
 
   @Override

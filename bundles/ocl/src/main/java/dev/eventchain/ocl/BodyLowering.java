@@ -1,0 +1,239 @@
+package dev.eventchain.ocl;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EOperation;
+import org.eclipse.emf.ecore.EParameter;
+import org.eclipse.emf.ecore.EStructuralFeature;
+import org.eclipse.ocl.expressions.CollectionItem;
+import org.eclipse.ocl.expressions.CollectionKind;
+import org.eclipse.ocl.expressions.CollectionLiteralExp;
+import org.eclipse.ocl.expressions.CollectionLiteralPart;
+import org.eclipse.ocl.expressions.CollectionRange;
+import org.eclipse.ocl.expressions.IfExp;
+import org.eclipse.ocl.expressions.IterateExp;
+import org.eclipse.ocl.expressions.IteratorExp;
+import org.eclipse.ocl.expressions.LetExp;
+import org.eclipse.ocl.expressions.LiteralExp;
+import org.eclipse.ocl.expressions.OCLExpression;
+import org.eclipse.ocl.expressions.OperationCallExp;
+import org.eclipse.ocl.expressions.PropertyCallExp;
+import org.eclipse.ocl.expressions.TupleLiteralExp;
+import org.eclipse.ocl.expressions.TupleLiteralPart;
+import org.eclipse.ocl.expressions.TypeExp;
+import org.eclipse.ocl.expressions.Variable;
+import org.eclipse.ocl.expressions.VariableExp;
+import org.eclipse.ocl.types.CollectionType;
+import org.eclipse.ocl.types.VoidType;
+
+/** Lowers one expression, or the body of one definition. */
+final class BodyLowering {
+
+  private final Lowering lowering;
+  private final boolean definition;
+  private final OperationLowering operations;
+  private final LoopLowering loops;
+  private final List<Lowered> called = new ArrayList<>();
+
+  /** The variables that can be seen, and their slots. */
+  private Map<String, Integer> visible = new LinkedHashMap<>();
+
+  private final List<String> slots = new ArrayList<>();
+  private boolean whole = true;
+
+  /**
+   * Starts.
+   *
+   * @param parameters the variables of a definition, which sees no others; null for an expression,
+   *     whose other variables are those of its scope
+   */
+  BodyLowering(Lowering lowering, List<String> parameters) {
+    this.lowering = lowering;
+    this.definition = parameters != null;
+    this.operations = new OperationLowering(this, lowering);
+    this.loops = new LoopLowering(this);
+    if (definition) {
+      parameters.forEach(parameter -> visible.put(parameter, newSlot(null)));
+    }
+  }
+
+  void lower(OCLExpression<EClassifier> expression, Lowered result) {
+    Node root = node(expression);
+    result.complete(root, slots.size(), slots.toArray(String[]::new), whole, called);
+  }
+
+  private int newSlot(String freeVariable) {
+    slots.add(freeVariable);
+    return slots.size() - 1;
+  }
+
+  /** Lowers what sees some more variables. */
+  Node within(Map<String, Integer> variables, OCLExpression<EClassifier> expression) {
+    Map<String, Integer> outer = visible;
+    visible = new LinkedHashMap<>(outer);
+    // Removed first, so that the order is that of the scopes.
+    visible.keySet().removeAll(variables.keySet());
+    visible.putAll(variables);
+    try {
+      return node(expression);
+    } finally {
+      // Variables of the scope keep their slots once they have one.
+      Map<String, Integer> inner = visible;
+      visible = outer;
+      inner.forEach(
+          (name, slot) -> {
+            if (slots.get(slot) != null) {
+              visible.putIfAbsent(name, slot);
+            }
+          });
+    }
+  }
+
+  int newSlot() {
+    return newSlot(null);
+  }
+
+  Lowered calls(Lowered other) {
+    called.add(other);
+    return other;
+  }
+
+  /** Notes that a part is left to Eclipse OCL. */
+  void notWhole() {
+    whole = false;
+  }
+
+  Node[] nodes(List<OCLExpression<EClassifier>> expressions) {
+    return expressions.stream().map(this::node).toArray(Node[]::new);
+  }
+
+  @SuppressWarnings("unchecked") // Eclipse OCL's own types tell the metamodel they are for
+  Node node(OCLExpression<EClassifier> expression) {
+    if (expression instanceof OperationCallExp<?, ?> call) {
+      return operations.node((OperationCallExp<EClassifier, EOperation>) call);
+    } else if (expression instanceof PropertyCallExp<?, ?> call) {
+      return property((PropertyCallExp<EClassifier, EStructuralFeature>) call);
+    } else if (expression instanceof VariableExp<?, ?> use) {
+      return variable(use.getReferredVariable().getName());
+    } else if (expression instanceof IteratorExp<?, ?> loop) {
+      return loops.iterator((IteratorExp<EClassifier, EParameter>) loop);
+    } else if (expression instanceof IterateExp<?, ?> loop) {
+      return loops.iterate((IterateExp<EClassifier, EParameter>) loop);
+    } else if (expression instanceof IfExp<?> choice) {
+      return choice((IfExp<EClassifier>) choice);
+    } else if (expression instanceof LetExp<?, ?> let) {
+      return let((LetExp<EClassifier, EParameter>) let);
+    } else if (expression instanceof CollectionLiteralExp<?> literal) {
+      return collection((CollectionLiteralExp<EClassifier>) literal);
+    } else if (expression instanceof TupleLiteralExp<?, ?> literal) {
+      return tuple((TupleLiteralExp<EClassifier, EStructuralFeature>) literal);
+    } else if (expression instanceof TypeExp<?> type) {
+      return new ValueNodes.Constant(type.getReferredType());
+    } else if (expression instanceof LiteralExp<?>) {
+      return new ValueNodes.Constant(lowering.constant(expression));
+    }
+    return left(expression);
+  }
+
+  /** A part that is left to Eclipse OCL. */
+  Node left(OCLExpression<EClassifier> expression) {
+    notWhole();
+    return new StockExpression(
+        lowering.language(),
+        expression,
+        visible.keySet().toArray(String[]::new),
+        visible.values().stream().mapToInt(slot -> slot).toArray());
+  }
+
+  private Node variable(String name) {
+    Integer slot = visible.get(name);
+    if (slot == null) {
+      if (definition) {
+        return new ValueNodes.Constant(null);
+      }
+      slot = newSlot(name);
+      visible.put(name, slot);
+    }
+    return new ValueNodes.Slot(slot);
+  }
+
+  private Node choice(IfExp<EClassifier> choice) {
+    return new ValueNodes.Choice(
+        node(choice.getCondition()),
+        node(choice.getThenExpression()),
+        node(choice.getElseExpression()));
+  }
+
+  private Node let(LetExp<EClassifier, EParameter> let) {
+    Variable<EClassifier, EParameter> variable = let.getVariable();
+    Node value = start(variable);
+    int slot = newSlot();
+    return new ValueNodes.Let(slot, value, within(Map.of(variable.getName(), slot), let.getIn()));
+  }
+
+  /** What a variable starts with. */
+  Node start(Variable<EClassifier, EParameter> variable) {
+    OCLExpression<EClassifier> value = variable.getInitExpression();
+    return value == null ? new ValueNodes.Constant(null) : node(value);
+  }
+
+  private Node property(PropertyCallExp<EClassifier, EStructuralFeature> call) {
+    if (!call.getQualifier().isEmpty()) {
+      return left(call);
+    }
+    EStructuralFeature feature = call.getReferredProperty();
+    Node source = node(call.getSource());
+    Lowered body = lowering.definition(feature);
+    if (body != null) {
+      return new DefinitionNodes.Call(source, new Node[0], calls(body));
+    }
+    CollectionKind kind =
+        call.getType() instanceof CollectionType<?, ?> type ? type.getKind() : null;
+    CollectionKind declared = lowering.environment().kindOf(feature);
+    boolean ofObject = feature.getEContainingClass() != null && kind == declared;
+    if (ofObject && !(feature.getEType() instanceof VoidType<?>) && !isTuple(call.getSource())) {
+      return NavigationNodes.Feature.of(source, feature, declared);
+    }
+    return new NavigationNodes.Part(source, feature, kind, lowering.environment());
+  }
+
+  private static boolean isTuple(OCLExpression<EClassifier> expression) {
+    return expression.getType() instanceof org.eclipse.ocl.types.TupleType<?, ?>;
+  }
+
+  private Node collection(CollectionLiteralExp<EClassifier> literal) {
+    List<CollectionLiteralPart<EClassifier>> parts = literal.getPart();
+    if (literal.getKind() == CollectionKind.SEQUENCE_LITERAL && literal.isSimpleRange()) {
+      CollectionRange<EClassifier> range = (CollectionRange<EClassifier>) parts.get(0);
+      return new ValueNodes.SequenceRange(node(range.getFirst()), node(range.getLast()));
+    } else if (parts.size() == 1
+        && parts.get(0) instanceof CollectionItem<EClassifier> item
+        && Evaluator.isImplicit(literal)) {
+      return new ValueNodes.ImplicitSet(node(item.getItem()));
+    }
+    return new ValueNodes.CollectionLiteral(
+        literal.getKind(),
+        parts.stream().map(this::part).toArray(ValueNodes.CollectionLiteral.Part[]::new));
+  }
+
+  private ValueNodes.CollectionLiteral.Part part(CollectionLiteralPart<EClassifier> part) {
+    if (part instanceof CollectionItem<EClassifier> item) {
+      return new ValueNodes.Item(node(item.getItem()));
+    }
+    CollectionRange<EClassifier> range = (CollectionRange<EClassifier>) part;
+    return new ValueNodes.Range(node(range.getFirst()), node(range.getLast()));
+  }
+
+  private Node tuple(TupleLiteralExp<EClassifier, EStructuralFeature> literal) {
+    List<TupleLiteralPart<EClassifier, EStructuralFeature>> parts = literal.getPart();
+    EStructuralFeature[] names =
+        parts.stream().map(TupleLiteralPart::getAttribute).toArray(EStructuralFeature[]::new);
+    Node[] values = new Node[names.length];
+    Arrays.setAll(values, i -> node(parts.get(i).getValue()));
+    return new ValueNodes.TupleLiteral(lowering.environment(), literal.getType(), names, values);
+  }
+}

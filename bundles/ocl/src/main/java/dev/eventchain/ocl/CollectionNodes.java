@@ -1,0 +1,339 @@
+package dev.eventchain.ocl;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashSet;
+import java.util.List;
+import org.eclipse.emf.common.util.EList;
+import org.eclipse.ocl.util.CollectionUtil;
+import org.eclipse.ocl.utilities.PredefinedType;
+
+/** Operations of collections. */
+final class CollectionNodes {
+
+  private CollectionNodes() {}
+
+  /** {@code size()}. */
+  static final class Size extends Node {
+    private final Node source;
+
+    Size(Node source) {
+      this.source = source;
+    }
+
+    @Override
+    Object evaluate(Frame frame) {
+      Collection<?> elements = source.elements(frame);
+      return elements == null ? INVALID : (Object) elements.size();
+    }
+  }
+
+  /** {@code isEmpty()} and {@code notEmpty()}. */
+  static final class IsEmpty extends Node {
+    private final Node source;
+    private final boolean wanted;
+
+    IsEmpty(Node source, boolean wanted) {
+      this.source = source;
+      this.wanted = wanted;
+    }
+
+    @Override
+    Object evaluate(Frame frame) {
+      Collection<?> elements = source.elements(frame);
+      return elements == null ? INVALID : (Object) (elements.isEmpty() == wanted);
+    }
+  }
+
+  /** {@code x->isEmpty()} and {@code x->notEmpty()} of a single value. */
+  static final class IsAbsent extends Node {
+    private final Node item;
+    private final boolean wanted;
+
+    IsAbsent(Node item, boolean wanted) {
+      this.item = item;
+      this.wanted = wanted;
+    }
+
+    @Override
+    Object evaluate(Frame frame) {
+      Object value = item.evaluate(frame);
+      return value == INVALID ? INVALID : (Object) ((value == null) == wanted);
+    }
+  }
+
+  /** {@code includes} and {@code excludes}. */
+  static final class Includes extends Node {
+    private final Node source;
+    private final Node element;
+    private final boolean wanted;
+
+    Includes(Node source, Node element, boolean wanted) {
+      this.source = source;
+      this.element = element;
+      this.wanted = wanted;
+    }
+
+    @Override
+    Object evaluate(Frame frame) {
+      Collection<?> elements = source.elements(frame);
+      if (elements == null) {
+        return INVALID;
+      }
+      Object value = element.evaluate(frame);
+      return value == INVALID ? INVALID : (Object) (elements.contains(value) == wanted);
+    }
+  }
+
+  /** {@code first()}, {@code last()}, {@code max()}, {@code min()} and {@code sum()}. */
+  static final class Aggregate extends GuardedNode {
+    private final int code;
+    private final Node source;
+    private final Object emptySum;
+
+    /**
+     * Makes the node.
+     *
+     * @param emptySum the sum of no elements
+     */
+    Aggregate(int code, Node source, Object emptySum) {
+      this.code = code;
+      this.source = source;
+      this.emptySum = emptySum;
+    }
+
+    static boolean has(int code) {
+      return switch (code) {
+        case PredefinedType.FIRST,
+            PredefinedType.LAST,
+            PredefinedType.MAX,
+            PredefinedType.MIN,
+            PredefinedType.SUM ->
+            true;
+        default -> false;
+      };
+    }
+
+    @Override
+    Object compute(Frame frame) {
+      Collection<?> elements = source.elements(frame);
+      if (elements == null) {
+        return INVALID;
+      }
+      return switch (code) {
+        case PredefinedType.FIRST -> elements.isEmpty() ? INVALID : elements.iterator().next();
+        case PredefinedType.LAST -> elements.isEmpty() ? INVALID : last(elements);
+        case PredefinedType.MAX -> CollectionUtil.max(elements);
+        case PredefinedType.MIN -> CollectionUtil.min(elements);
+        default -> elements.isEmpty() ? emptySum : CollectionUtil.sum(elements);
+      };
+    }
+
+    private static Object last(Collection<?> elements) {
+      return elements instanceof List<?> list
+          ? list.get(list.size() - 1)
+          : CollectionUtil.last(elements);
+    }
+  }
+
+  /** The conversions {@code asSet()} and so on, and {@code flatten()}. */
+  static final class Conversion extends GuardedNode {
+    private final int code;
+    private final Node source;
+
+    Conversion(int code, Node source) {
+      this.code = code;
+      this.source = source;
+    }
+
+    static boolean has(int code) {
+      return switch (code) {
+        case PredefinedType.AS_SET,
+            PredefinedType.AS_BAG,
+            PredefinedType.AS_SEQUENCE,
+            PredefinedType.AS_ORDERED_SET,
+            PredefinedType.FLATTEN ->
+            true;
+        default -> false;
+      };
+    }
+
+    @Override
+    Object compute(Frame frame) {
+      // Flattening heeds which kind of collection it is given.
+      Object value = code == PredefinedType.FLATTEN ? source.evaluate(frame) : source.read(frame);
+      if (!(value instanceof Collection<?> elements)) {
+        return INVALID;
+      }
+      return switch (code) {
+        case PredefinedType.AS_SEQUENCE ->
+            elements instanceof List<?> && !(elements instanceof EList<?>)
+                ? elements
+                : new ArrayList<>(elements);
+        case PredefinedType.AS_ORDERED_SET ->
+            elements instanceof LinkedHashSet<?> ? elements : new LinkedHashSet<>(elements);
+        default -> CollectionCalls.unary(code, elements);
+      };
+    }
+  }
+
+  /** An operation with one argument that is a collection, too. */
+  static final class Pair extends GuardedNode {
+    private final int code;
+    private final Node source;
+    private final Node argument;
+
+    Pair(int code, Node source, Node argument) {
+      this.code = code;
+      this.source = source;
+      this.argument = argument;
+    }
+
+    static boolean has(int code) {
+      return switch (code) {
+        case PredefinedType.INCLUDES_ALL,
+            PredefinedType.EXCLUDES_ALL,
+            PredefinedType.UNION,
+            PredefinedType.INTERSECTION,
+            PredefinedType.MINUS,
+            PredefinedType.SYMMETRIC_DIFFERENCE ->
+            true;
+        default -> false;
+      };
+    }
+
+    @Override
+    Object compute(Frame frame) {
+      if (!(source.evaluate(frame) instanceof Collection<?> elements)
+          || !(argument.evaluate(frame) instanceof Collection<?> others)) {
+        return INVALID;
+      }
+      return switch (code) {
+        case PredefinedType.INCLUDES_ALL -> CollectionUtil.includesAll(elements, others);
+        case PredefinedType.EXCLUDES_ALL -> CollectionUtil.excludesAll(elements, others);
+        default -> CollectionCalls.binary(code, elements, others);
+      };
+    }
+  }
+
+  /** An operation with one argument that is an element or an index. */
+  static final class WithElement extends GuardedNode {
+    private final int code;
+    private final Node source;
+    private final Node argument;
+
+    WithElement(int code, Node source, Node argument) {
+      this.code = code;
+      this.source = source;
+      this.argument = argument;
+    }
+
+    static boolean has(int code) {
+      return switch (code) {
+        case PredefinedType.COUNT,
+            PredefinedType.INCLUDING,
+            PredefinedType.EXCLUDING,
+            PredefinedType.AT,
+            PredefinedType.INDEX_OF,
+            PredefinedType.PREPEND,
+            PredefinedType.APPEND ->
+            true;
+        default -> false;
+      };
+    }
+
+    @Override
+    Object compute(Frame frame) {
+      if (!(source.evaluate(frame) instanceof Collection<?> elements)) {
+        return INVALID;
+      }
+      Object value = argument.evaluate(frame);
+      return value == INVALID ? INVALID : compute(elements, value);
+    }
+
+    @SuppressWarnings("unchecked") // Eclipse OCL copies the collection before it adds an element
+    private Object compute(Collection<?> elements, Object value) {
+      return switch (code) {
+        case PredefinedType.COUNT -> CollectionUtil.count(elements, value);
+        case PredefinedType.INCLUDING -> CollectionOperations.including(elements, value);
+        case PredefinedType.EXCLUDING -> CollectionOperations.excluding(elements, value);
+        case PredefinedType.AT ->
+            value instanceof Integer index ? CollectionUtil.at(elements, index) : INVALID;
+        case PredefinedType.INDEX_OF -> {
+          Object index = CollectionUtil.indexOf(elements, value);
+          yield index == null ? INVALID : index;
+        }
+        case PredefinedType.PREPEND -> CollectionUtil.prepend((Collection<Object>) elements, value);
+        default -> CollectionUtil.append((Collection<Object>) elements, value);
+      };
+    }
+  }
+
+  /** An operation with two arguments: {@code insertAt}, {@code subSequence} and its like. */
+  static final class Positional extends GuardedNode {
+    private final int code;
+    private final Node source;
+    private final Node first;
+    private final Node second;
+
+    Positional(int code, Node source, Node first, Node second) {
+      this.code = code;
+      this.source = source;
+      this.first = first;
+      this.second = second;
+    }
+
+    static boolean has(int code) {
+      return code == PredefinedType.INSERT_AT
+          || code == PredefinedType.SUB_SEQUENCE
+          || code == PredefinedType.SUB_ORDERED_SET;
+    }
+
+    @Override
+    @SuppressWarnings("unchecked") // Eclipse OCL copies the collection before it adds an element
+    Object compute(Frame frame) {
+      if (!(source.evaluate(frame) instanceof Collection<?> elements)) {
+        return INVALID;
+      }
+      Object one = first.evaluate(frame);
+      Object two = second.evaluate(frame);
+      if (!(one instanceof Integer index) || two == INVALID) {
+        return INVALID;
+      } else if (code == PredefinedType.INSERT_AT) {
+        return CollectionUtil.insertAt((Collection<Object>) elements, index, two);
+      } else if (!(two instanceof Integer end)) {
+        return INVALID;
+      } else {
+        return code == PredefinedType.SUB_SEQUENCE
+            ? CollectionUtil.subSequence(elements, index, end)
+            : CollectionUtil.subOrderedSet(elements, index, end);
+      }
+    }
+  }
+
+  /** {@code selectByKind} and {@code selectByType}. */
+  static final class SelectByType extends GuardedNode {
+    private final Node source;
+    private final TypeTest test;
+
+    SelectByType(Node source, TypeTest test) {
+      this.source = source;
+      this.test = test;
+    }
+
+    @Override
+    Object compute(Frame frame) {
+      if (!(source.evaluate(frame) instanceof Collection<?> elements)) {
+        return INVALID;
+      }
+      Collection<Object> result =
+          CollectionOperations.create(CollectionOperations.kindOf(elements));
+      for (Object element : elements) {
+        if (test.selects(element)) {
+          result.add(element);
+        }
+      }
+      return result;
+    }
+  }
+}

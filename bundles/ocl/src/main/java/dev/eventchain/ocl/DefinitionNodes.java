@@ -1,0 +1,98 @@
+package dev.eventchain.ocl;
+
+import java.util.Arrays;
+import java.util.List;
+
+/** Calls of definitions and of libraries. */
+final class DefinitionNodes {
+
+  private DefinitionNodes() {}
+
+  static Object[] evaluate(Node[] nodes, Frame frame) {
+    Object[] values = new Object[nodes.length];
+    for (int i = 0; i < nodes.length; i++) {
+      values[i] = nodes[i].evaluate(frame);
+    }
+    return values;
+  }
+
+  /** Calls a definition: an operation, or a property, which has no arguments. */
+  static final class Call extends Node {
+    private final Node source;
+    private final Node[] arguments;
+    private final Lowered definition;
+
+    Call(Node source, Node[] arguments, Lowered definition) {
+      this.source = source;
+      this.arguments = arguments;
+      this.definition = definition;
+    }
+
+    @Override
+    Object evaluate(Frame frame) {
+      Object object = source.evaluate(frame);
+      Frame called = new Frame(frame, definition.size());
+      for (int i = 0; i < arguments.length; i++) {
+        called.slots[i + 1] = arguments[i].evaluate(frame);
+      }
+      if (isUndefined(object)) {
+        return INVALID;
+      }
+      called.slots[0] = object;
+      Evaluation run = frame.run;
+      run.step();
+      run.enterDefinition();
+      try {
+        return definition.root().evaluate(called);
+      } finally {
+        run.leaveDefinition();
+      }
+    }
+  }
+
+  /** Calls an operation of a library. */
+  static final class LibraryCall extends GuardedNode {
+    private final Object call;
+    private final Object type;
+    private final OperationLibrary.Implementation implementation;
+    private final Node source;
+    private final Node[] arguments;
+
+    /**
+     * Makes the node.
+     *
+     * @param call the call in the expression
+     * @param type the static type of its result
+     */
+    LibraryCall(
+        Object call,
+        Object type,
+        OperationLibrary.Implementation implementation,
+        Node source,
+        Node[] arguments) {
+      this.call = call;
+      this.type = type;
+      this.implementation = implementation;
+      this.source = source;
+      this.arguments = arguments;
+    }
+
+    @Override
+    Object compute(Frame frame) {
+      Object object = source.evaluate(frame);
+      if (object == INVALID) {
+        return INVALID;
+      }
+      Object[] values = new Object[arguments.length];
+      for (int i = 0; i < values.length; i++) {
+        values[i] = arguments[i].evaluate(frame);
+        if (values[i] == INVALID) {
+          return INVALID;
+        }
+      }
+      List<Object> given = Arrays.asList(values);
+      Object result = frame.calls.call(call, implementation, object, given, frame.run);
+      return result instanceof Invalid ? INVALID : CollectionOperations.conform(result, type);
+    }
+  }
+}

@@ -1,0 +1,99 @@
+package dev.eventchain.ocl;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EParameter;
+import org.eclipse.ocl.expressions.CollectionKind;
+import org.eclipse.ocl.expressions.IterateExp;
+import org.eclipse.ocl.expressions.IteratorExp;
+import org.eclipse.ocl.expressions.LoopExp;
+import org.eclipse.ocl.expressions.Variable;
+import org.eclipse.ocl.types.CollectionType;
+import org.eclipse.ocl.types.OrderedSetType;
+import org.eclipse.ocl.types.SetType;
+import org.eclipse.ocl.util.OCLStandardLibraryUtil;
+import org.eclipse.ocl.utilities.PredefinedType;
+
+/** Lowers loops. */
+final class LoopLowering {
+
+  private final BodyLowering body;
+
+  LoopLowering(BodyLowering body) {
+    this.body = body;
+  }
+
+  Node iterator(IteratorExp<EClassifier, EParameter> loop) {
+    int code = OCLStandardLibraryUtil.getOperationCode(loop.getName());
+    boolean quantifier = code == PredefinedType.FOR_ALL || code == PredefinedType.EXISTS;
+    if (!(loop.getSource().getType() instanceof CollectionType<?, ?>)
+        || (loop.getIterator().size() != 1 && !quantifier)
+        || (code == PredefinedType.SORTED_BY && !isSortable(loop))) {
+      return body.left(loop);
+    }
+    Node source = body.node(loop.getSource());
+    Map<String, Integer> variables = variables(loop);
+    Node inner = body.within(variables, loop.getBody());
+    int[] slots = variables.values().stream().mapToInt(slot -> slot).toArray();
+    if (slots.length > 1) {
+      return new LoopNodes.MultiQuantifier(source, slots, inner, code == PredefinedType.EXISTS);
+    }
+    Node node = loop(loop, code, source, slots[0], inner);
+    return node == null ? body.left(loop) : node;
+  }
+
+  /** Eclipse OCL sorts unlimited naturals differently. */
+  private static boolean isSortable(IteratorExp<EClassifier, EParameter> loop) {
+    return !OperationLowering.isUnlimited(loop.getBody().getType());
+  }
+
+  private Map<String, Integer> variables(LoopExp<EClassifier, EParameter> loop) {
+    Map<String, Integer> variables = new LinkedHashMap<>();
+    for (Variable<EClassifier, EParameter> variable : loop.getIterator()) {
+      variables.put(variable.getName(), body.newSlot());
+    }
+    return variables;
+  }
+
+  private static Node loop(
+      IteratorExp<EClassifier, EParameter> loop, int code, Node source, int slot, Node inner) {
+    Object type = loop.getSource().getType();
+    boolean distinct = type instanceof SetType<?, ?> || type instanceof OrderedSetType<?, ?>;
+    CollectionKind selected = CollectionOperations.kindOfSelection(type);
+    CollectionKind collected = CollectionOperations.kindOfCollection(type);
+    return switch (code) {
+      case PredefinedType.FOR_ALL -> new LoopNodes.Quantifier(source, slot, inner, false);
+      case PredefinedType.EXISTS -> new LoopNodes.Quantifier(source, slot, inner, true);
+      case PredefinedType.ONE -> new LoopNodes.One(source, slot, inner);
+      case PredefinedType.ANY -> new LoopNodes.Any(source, slot, inner);
+      case PredefinedType.IS_UNIQUE -> new LoopNodes.IsUnique(source, slot, inner);
+      case PredefinedType.SELECT -> new LoopNodes.Select(source, slot, inner, selected, true);
+      case PredefinedType.REJECT -> new LoopNodes.Select(source, slot, inner, selected, false);
+      case PredefinedType.COLLECT -> new LoopNodes.Collect(source, slot, inner, collected, true);
+      case PredefinedType.COLLECT_NESTED ->
+          new LoopNodes.Collect(source, slot, inner, collected, false);
+      case PredefinedType.SORTED_BY -> new LoopNodes.SortedBy(source, slot, inner, distinct);
+      case PredefinedType.CLOSURE ->
+          new LoopNodes.Closure(
+              source, slot, inner, loop.getType() instanceof OrderedSetType<?, ?>);
+      default -> null;
+    };
+  }
+
+  Node iterate(IterateExp<EClassifier, EParameter> loop) {
+    List<Variable<EClassifier, EParameter>> iterators = loop.getIterator();
+    if (iterators.size() != 1) {
+      return body.left(loop);
+    }
+    Node start = body.start(loop.getResult());
+    Node source = body.node(loop.getSource());
+    Map<String, Integer> variables = variables(loop);
+    int slot = variables.get(iterators.get(0).getName());
+    int result = body.newSlot();
+    variables.put(loop.getResult().getName(), result);
+    Node inner = body.within(variables, loop.getBody());
+    return new LoopNodes.Iterate(source, slot, result, start, inner);
+  }
+}

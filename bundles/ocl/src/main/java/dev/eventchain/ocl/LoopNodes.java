@@ -1,0 +1,308 @@
+package dev.eventchain.ocl;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import org.eclipse.ocl.expressions.CollectionKind;
+
+/** The iterators. */
+final class LoopNodes {
+
+  private LoopNodes() {}
+
+  /** A loop with one variable; a source that is no collection makes it invalid. */
+  abstract static class Loop extends Node {
+    private final Node source;
+    private final int slot;
+    private final Node body;
+
+    /**
+     * Makes a loop.
+     *
+     * @param slot the variable's
+     */
+    Loop(Node source, int slot, Node body) {
+      this.source = source;
+      this.slot = slot;
+      this.body = body;
+    }
+
+    @Override
+    final Object evaluate(Frame frame) {
+      Collection<?> elements = source.elements(frame);
+      return elements == null ? INVALID : loop(elements, frame);
+    }
+
+    abstract Object loop(Collection<?> elements, Frame frame);
+
+    /** The value of the body for an element. */
+    final Object body(Object element, Frame frame) {
+      frame.run.step();
+      frame.slots[slot] = element;
+      return body.evaluate(frame);
+    }
+  }
+
+  /** {@code forAll}, {@code exists}: looks for an element for which the body is a given value. */
+  static final class Quantifier extends Loop {
+    private final boolean decisive;
+
+    Quantifier(Node source, int slot, Node body, boolean decisive) {
+      super(source, slot, body);
+      this.decisive = decisive;
+    }
+
+    @Override
+    Object loop(Collection<?> elements, Frame frame) {
+      for (Object element : elements) {
+        if (!(body(element, frame) instanceof Boolean value)) {
+          return INVALID;
+        } else if (value == decisive) {
+          return decisive;
+        }
+      }
+      return !decisive;
+    }
+  }
+
+  /** {@code forAll} and {@code exists} over all combinations; the first variable is the fastest. */
+  static final class MultiQuantifier extends Node {
+    private final Node source;
+    private final int[] slots;
+    private final Node body;
+    private final boolean decisive;
+
+    MultiQuantifier(Node source, int[] slots, Node body, boolean decisive) {
+      this.source = source;
+      this.slots = slots;
+      this.body = body;
+      this.decisive = decisive;
+    }
+
+    @Override
+    Object evaluate(Frame frame) {
+      Collection<?> elements = source.elements(frame);
+      if (elements == null) {
+        return INVALID;
+      }
+      Object found = search(elements, slots.length - 1, frame);
+      return found == null ? (Object) !decisive : found;
+    }
+
+    /** The decisive value, invalid, or null if neither came up. */
+    private Object search(Collection<?> elements, int variable, Frame frame) {
+      for (Object element : elements) {
+        frame.slots[slots[variable]] = element;
+        Object found = variable == 0 ? test(frame) : search(elements, variable - 1, frame);
+        if (found != null) {
+          return found;
+        }
+      }
+      return null;
+    }
+
+    private Object test(Frame frame) {
+      frame.run.step();
+      if (!(body.evaluate(frame) instanceof Boolean value)) {
+        return INVALID;
+      }
+      return value == decisive ? (Object) decisive : null;
+    }
+  }
+
+  /** {@code one}. */
+  static final class One extends Loop {
+    One(Node source, int slot, Node body) {
+      super(source, slot, body);
+    }
+
+    @Override
+    Object loop(Collection<?> elements, Frame frame) {
+      boolean found = false;
+      for (Object element : elements) {
+        if (!(body(element, frame) instanceof Boolean value)) {
+          return INVALID;
+        } else if (value && found) {
+          return false;
+        }
+        found |= value;
+      }
+      return found;
+    }
+  }
+
+  /** {@code any}: null if there is none, as Eclipse OCL has it by default. */
+  static final class Any extends Loop {
+    Any(Node source, int slot, Node body) {
+      super(source, slot, body);
+    }
+
+    @Override
+    Object loop(Collection<?> elements, Frame frame) {
+      for (Object element : elements) {
+        if (!(body(element, frame) instanceof Boolean value)) {
+          return INVALID;
+        } else if (value) {
+          return element;
+        }
+      }
+      return null;
+    }
+  }
+
+  /** {@code isUnique}; null and invalid count as values, as in Eclipse OCL. */
+  static final class IsUnique extends Loop {
+    IsUnique(Node source, int slot, Node body) {
+      super(source, slot, body);
+    }
+
+    @Override
+    Object loop(Collection<?> elements, Frame frame) {
+      Set<Object> seen = new HashSet<>();
+      for (Object element : elements) {
+        if (!seen.add(body(element, frame))) {
+          return false;
+        }
+      }
+      return true;
+    }
+  }
+
+  /** {@code select} and {@code reject}. */
+  static final class Select extends Loop {
+    private final CollectionKind kind;
+    private final boolean wanted;
+
+    Select(Node source, int slot, Node body, CollectionKind kind, boolean wanted) {
+      super(source, slot, body);
+      this.kind = kind;
+      this.wanted = wanted;
+    }
+
+    @Override
+    Object loop(Collection<?> elements, Frame frame) {
+      Collection<Object> result = CollectionOperations.create(kind);
+      for (Object element : elements) {
+        if (!(body(element, frame) instanceof Boolean value)) {
+          return INVALID;
+        } else if (value == wanted) {
+          result.add(element);
+        }
+      }
+      return result;
+    }
+  }
+
+  /** {@code collect} and {@code collectNested}. */
+  static final class Collect extends Loop {
+    private final CollectionKind kind;
+    private final boolean flatten;
+
+    Collect(Node source, int slot, Node body, CollectionKind kind, boolean flatten) {
+      super(source, slot, body);
+      this.kind = kind;
+      this.flatten = flatten;
+    }
+
+    @Override
+    Object loop(Collection<?> elements, Frame frame) {
+      Collection<Object> result = CollectionOperations.create(kind);
+      for (Object element : elements) {
+        Object value = body(element, frame);
+        if (value == INVALID) {
+          return INVALID;
+        } else if (flatten && value instanceof Collection<?> several) {
+          result.addAll(CollectionOperations.flatten(several));
+        } else {
+          result.add(value);
+        }
+      }
+      return result;
+    }
+  }
+
+  /** {@code sortedBy}: stable, by values that are comparable with each other. */
+  static final class SortedBy extends Loop {
+    private final boolean distinct;
+
+    private record Keyed(Object element, Comparable<Object> key) {}
+
+    SortedBy(Node source, int slot, Node body, boolean distinct) {
+      super(source, slot, body);
+      this.distinct = distinct;
+    }
+
+    @Override
+    @SuppressWarnings("unchecked") // checked by the comparison itself, whose exception is caught
+    Object loop(Collection<?> elements, Frame frame) {
+      List<Keyed> keyed = new ArrayList<>(elements.size());
+      for (Object element : elements) {
+        Object key = body(element, frame);
+        if (key == INVALID || !(key instanceof Comparable<?>)) {
+          return INVALID;
+        }
+        keyed.add(new Keyed(element, (Comparable<Object>) key));
+      }
+      try {
+        keyed.sort((one, other) -> one.key().compareTo(other.key()));
+      } catch (RuntimeException e) {
+        return INVALID;
+      }
+      Collection<Object> result = distinct ? new LinkedHashSet<>() : new ArrayList<>();
+      keyed.forEach(each -> result.add(each.element()));
+      return result;
+    }
+  }
+
+  /** {@code closure}. */
+  static final class Closure extends Loop {
+    private final boolean ordered;
+
+    Closure(Node source, int slot, Node body, boolean ordered) {
+      super(source, slot, body);
+      this.ordered = ordered;
+    }
+
+    @Override
+    Object loop(Collection<?> elements, Frame frame) {
+      Collection<Object> reached =
+          LoopEvaluator.closure(elements, ordered, element -> body(element, frame));
+      return reached == null ? INVALID : reached;
+    }
+  }
+
+  /** {@code iterate}. An invalid result goes on being computed with, as in Eclipse OCL. */
+  static final class Iterate extends Node {
+    private final Node source;
+    private final int slot;
+    private final int result;
+    private final Node start;
+    private final Node body;
+
+    Iterate(Node source, int slot, int result, Node start, Node body) {
+      this.source = source;
+      this.slot = slot;
+      this.result = result;
+      this.start = start;
+      this.body = body;
+    }
+
+    @Override
+    Object evaluate(Frame frame) {
+      frame.slots[result] = start.evaluate(frame);
+      Collection<?> elements = source.elements(frame);
+      if (elements == null) {
+        return INVALID;
+      }
+      for (Object element : elements) {
+        frame.run.step();
+        frame.slots[slot] = element;
+        frame.slots[result] = body.evaluate(frame);
+      }
+      return frame.slots[result];
+    }
+  }
+}

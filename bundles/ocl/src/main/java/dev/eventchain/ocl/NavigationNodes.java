@@ -1,0 +1,229 @@
+package dev.eventchain.ocl;
+
+import java.util.Collection;
+import java.util.Iterator;
+import java.util.List;
+import java.util.Set;
+import org.eclipse.emf.common.util.EList;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EOperation;
+import org.eclipse.emf.ecore.EStructuralFeature;
+import org.eclipse.emf.ecore.InternalEObject;
+import org.eclipse.ocl.EvaluationHaltedException;
+import org.eclipse.ocl.expressions.CollectionKind;
+
+/** Access to the model: features, operations, extents and types. */
+final class NavigationNodes {
+
+  private NavigationNodes() {}
+
+  /** Where the objects of a class have a feature; -1 if they do not have it. */
+  private record Place(EClass type, int index) {}
+
+  /** Reads a feature of an object. */
+  abstract static class Feature extends Node {
+    private final Node source;
+    private final EStructuralFeature feature;
+
+    /** The latest class; threads may overwrite each other's, for each place is right on its own. */
+    private Place latest;
+
+    private Feature(Node source, EStructuralFeature feature) {
+      this.source = source;
+      this.feature = feature;
+    }
+
+    static Feature of(Node source, EStructuralFeature feature, CollectionKind kind) {
+      return kind == null
+          ? new SingleFeature(source, feature)
+          : new ManyFeature(source, feature, kind);
+    }
+
+    /** What EMF gives; invalid also if the object has no such feature. */
+    final Object get(Frame frame) {
+      if (!(source.evaluate(frame) instanceof InternalEObject object)) {
+        return INVALID;
+      }
+      int index = indexIn(object.eClass());
+      try {
+        return index < 0 ? INVALID : object.eGet(index, true, true);
+      } catch (EvaluationHaltedException e) {
+        throw e;
+      } catch (RuntimeException e) {
+        return INVALID;
+      }
+    }
+
+    private int indexIn(EClass type) {
+      Place place = latest;
+      if (place == null || place.type() != type) {
+        place = new Place(type, type.getFeatureID(feature));
+        latest = place;
+      }
+      return place.index();
+    }
+  }
+
+  private static final class SingleFeature extends Feature {
+    SingleFeature(Node source, EStructuralFeature feature) {
+      super(source, feature);
+    }
+
+    @Override
+    Object evaluate(Frame frame) {
+      Object value = get(frame);
+      return value instanceof Collection<?> several && !(value instanceof Iterator<?>)
+          ? first(several)
+          : value;
+    }
+
+    private static Object first(Collection<?> several) {
+      return several.isEmpty() ? null : several.iterator().next();
+    }
+  }
+
+  private static final class ManyFeature extends Feature {
+    private final CollectionKind kind;
+
+    ManyFeature(Node source, EStructuralFeature feature, CollectionKind kind) {
+      super(source, feature);
+      this.kind = kind;
+    }
+
+    @Override
+    Object evaluate(Frame frame) {
+      return collect(get(frame));
+    }
+
+    private Object collect(Object value) {
+      if (value == INVALID || value instanceof Iterator<?>) {
+        return value;
+      } else if (value instanceof Collection<?> elements) {
+        return CollectionOperations.create(kind, elements);
+      }
+      Collection<Object> single = CollectionOperations.create(kind);
+      single.add(value);
+      return single;
+    }
+
+    /** EMF's lists of a unique feature hold no element twice. */
+    @Override
+    Object read(Frame frame) {
+      Object value = get(frame);
+      return value instanceof EList<?> ? value : collect(value);
+    }
+  }
+
+  /** Reads a part of a tuple, or whatever else is rare enough. */
+  static final class Part extends GuardedNode {
+    private final Node source;
+    private final EStructuralFeature property;
+    private final CollectionKind kind;
+    private final ValueEnvironment environment;
+
+    Part(
+        Node source,
+        EStructuralFeature property,
+        CollectionKind kind,
+        ValueEnvironment environment) {
+      this.source = source;
+      this.property = property;
+      this.kind = kind;
+      this.environment = environment;
+    }
+
+    @Override
+    Object compute(Frame frame) {
+      Object tuple = source.evaluate(frame);
+      if (isUndefined(tuple)) {
+        return INVALID;
+      }
+      Object value = environment.navigateProperty(property, List.of(), tuple);
+      if (kind == null || value instanceof Collection<?>) {
+        return value;
+      }
+      Collection<Object> single = CollectionOperations.create(kind);
+      single.add(value);
+      return single;
+    }
+  }
+
+  /** Calls an operation that Java code implements. */
+  static final class Operation extends GuardedNode {
+    private final EOperation operation;
+    private final int code;
+    private final Node source;
+    private final Node[] arguments;
+    private final ValueEnvironment environment;
+
+    Operation(
+        EOperation operation,
+        int code,
+        Node source,
+        Node[] arguments,
+        ValueEnvironment environment) {
+      this.operation = operation;
+      this.code = code;
+      this.source = source;
+      this.arguments = arguments;
+      this.environment = environment;
+    }
+
+    @Override
+    Object compute(Frame frame) {
+      Object object = source.evaluate(frame);
+      Object[] values = DefinitionNodes.evaluate(arguments, frame);
+      return environment.callOperation(operation, code, object, values);
+    }
+  }
+
+  /** {@code allInstances()} of a class. */
+  static final class AllInstances extends Node {
+    private final EClass type;
+
+    AllInstances(EClass type) {
+      this.type = type;
+    }
+
+    @Override
+    Object evaluate(Frame frame) {
+      Set<EObject> extent = frame.run.allInstances(type);
+      return extent;
+    }
+  }
+
+  /** {@code oclIsKindOf} and {@code oclIsTypeOf}. */
+  static final class IsOfType extends GuardedNode {
+    private final Node source;
+    private final TypeTest test;
+
+    IsOfType(Node source, TypeTest test) {
+      this.source = source;
+      this.test = test;
+    }
+
+    @Override
+    Object compute(Frame frame) {
+      return test.holds(source.evaluate(frame));
+    }
+  }
+
+  /** {@code oclAsType} of an object. */
+  static final class AsType extends GuardedNode {
+    private final Node source;
+    private final TypeTest test;
+
+    AsType(Node source, EClassifier type, ValueEnvironment environment) {
+      this.source = source;
+      this.test = new TypeTest(type, false, environment);
+    }
+
+    @Override
+    Object compute(Frame frame) {
+      Object value = source.evaluate(frame);
+      return test.holds(value) ? value : INVALID;
+    }
+  }
+}

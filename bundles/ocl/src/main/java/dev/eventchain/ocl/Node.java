@@ -1,0 +1,42 @@
+package dev.eventchain.ocl;
+
+import java.util.Collection;
+import org.eclipse.ocl.ecore.EcoreEnvironmentFactory;
+
+/**
+ * A part of a lowered expression. Immutable and safe for threads.
+ *
+ * <p>The values are those of {@link Evaluator}: null is OCL's null, {@link #INVALID} its invalid.
+ */
+abstract class Node {
+
+  /** The value that stands for OCL's invalid, also inside Eclipse OCL. */
+  static final Object INVALID =
+      EcoreEnvironmentFactory.INSTANCE.createEnvironment().getOCLStandardLibrary().getInvalid();
+
+  /**
+   * The value.
+   *
+   * @throws org.eclipse.ocl.EvaluationHaltedException if a limit is reached; no other exception
+   *     gets out
+   */
+  abstract Object evaluate(Frame frame);
+
+  /**
+   * The value for a caller that only walks through it and keeps no reference: a collection may be
+   * the model's own list, whatever its kind in OCL. Of the collection, only its elements and their
+   * order can be relied on.
+   */
+  Object read(Frame frame) {
+    return evaluate(frame);
+  }
+
+  /** What {@link #read} gives, if that is a collection; otherwise null. */
+  final Collection<?> elements(Frame frame) {
+    return read(frame) instanceof Collection<?> elements ? elements : null;
+  }
+
+  static boolean isUndefined(Object value) {
+    return value == null || value == INVALID;
+  }
+}

@@ -1,0 +1,231 @@
+package dev.eventchain.ocl;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.StringTokenizer;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.eclipse.ocl.util.UnicodeSupport;
+import org.eclipse.ocl.utilities.PredefinedType;
+
+/** Operations of strings. */
+final class TextNodes {
+
+  private static final String WHITE_SPACE = " \t\n\r\f";
+
+  private TextNodes() {}
+
+  /** An operation without arguments. */
+  static final class Unary extends GuardedNode {
+    private final int code;
+    private final Node source;
+
+    Unary(int code, Node source) {
+      this.code = code;
+      this.source = source;
+    }
+
+    static boolean has(int code) {
+      return switch (code) {
+        case PredefinedType.SIZE,
+            PredefinedType.TO_INTEGER,
+            PredefinedType.TO_REAL,
+            PredefinedType.TO_BOOLEAN,
+            PredefinedType.TO_LOWER,
+            PredefinedType.TO_LOWER_CASE,
+            PredefinedType.TO_UPPER,
+            PredefinedType.TO_UPPER_CASE,
+            PredefinedType.CHARACTERS,
+            PredefinedType.TOKENIZE,
+            PredefinedType.TRIM ->
+            true;
+        default -> false;
+      };
+    }
+
+    @Override
+    Object compute(Frame frame) {
+      if (!(source.evaluate(frame) instanceof String text)) {
+        return INVALID;
+      }
+      return switch (code) {
+        case PredefinedType.SIZE -> text.length();
+        case PredefinedType.TO_INTEGER -> Integer.valueOf(text);
+        case PredefinedType.TO_REAL -> Double.valueOf(text);
+        case PredefinedType.TO_BOOLEAN -> "true".equals(text);
+        case PredefinedType.TO_LOWER, PredefinedType.TO_LOWER_CASE ->
+            UnicodeSupport.toLowerCase(text);
+        case PredefinedType.TO_UPPER, PredefinedType.TO_UPPER_CASE ->
+            UnicodeSupport.toUpperCase(text);
+        case PredefinedType.CHARACTERS -> characters(text);
+        case PredefinedType.TOKENIZE -> tokens(text, WHITE_SPACE, false);
+        default -> text.trim();
+      };
+    }
+
+    private static List<String> characters(String text) {
+      List<String> result = new ArrayList<>(text.length());
+      for (int i = 0; i < text.length(); i++) {
+        result.add(text.substring(i, i + 1));
+      }
+      return result;
+    }
+  }
+
+  /** An operation with one argument. */
+  static final class Binary extends GuardedNode {
+    private final int code;
+    private final Node source;
+    private final Node argument;
+
+    Binary(int code, Node source, Node argument) {
+      this.code = code;
+      this.source = source;
+      this.argument = argument;
+    }
+
+    static boolean has(int code) {
+      return switch (code) {
+        case PredefinedType.PLUS,
+            PredefinedType.CONCAT,
+            PredefinedType.AT,
+            PredefinedType.INDEX_OF,
+            PredefinedType.LAST_INDEX_OF,
+            PredefinedType.ENDS_WITH,
+            PredefinedType.STARTS_WITH,
+            PredefinedType.EQUALS_IGNORE_CASE,
+            PredefinedType.MATCHES,
+            PredefinedType.TOKENIZE ->
+            true;
+        default -> false;
+      };
+    }
+
+    @Override
+    Object compute(Frame frame) {
+      if (!(source.evaluate(frame) instanceof String text)) {
+        return INVALID;
+      }
+      Object value = argument.evaluate(frame);
+      if (code == PredefinedType.AT) {
+        return value instanceof Integer index ? text.substring(index - 1, index) : INVALID;
+      } else if (!(value instanceof String other)) {
+        return INVALID;
+      } else {
+        return compute(text, other, frame);
+      }
+    }
+
+    private Object compute(String text, String other, Frame frame) {
+      return switch (code) {
+        case PredefinedType.INDEX_OF -> 1 + text.indexOf(other);
+        case PredefinedType.LAST_INDEX_OF -> 1 + text.lastIndexOf(other);
+        case PredefinedType.ENDS_WITH -> text.endsWith(other);
+        case PredefinedType.STARTS_WITH -> text.startsWith(other);
+        case PredefinedType.EQUALS_IGNORE_CASE -> text.equalsIgnoreCase(other);
+        case PredefinedType.MATCHES -> matcher(frame, other, text).matches();
+        case PredefinedType.TOKENIZE -> tokens(text, other, false);
+        default -> text.concat(other);
+      };
+    }
+  }
+
+  /** An operation with two arguments. */
+  static final class Ternary extends GuardedNode {
+    private final int code;
+    private final Node source;
+    private final Node first;
+    private final Node second;
+
+    Ternary(int code, Node source, Node first, Node second) {
+      this.code = code;
+      this.source = source;
+      this.first = first;
+      this.second = second;
+    }
+
+    static boolean has(int code) {
+      return switch (code) {
+        case PredefinedType.SUBSTRING,
+            PredefinedType.REPLACE_ALL,
+            PredefinedType.REPLACE_FIRST,
+            PredefinedType.SUBSTITUTE_ALL,
+            PredefinedType.SUBSTITUTE_FIRST,
+            PredefinedType.TOKENIZE ->
+            true;
+        default -> false;
+      };
+    }
+
+    @Override
+    Object compute(Frame frame) {
+      if (!(source.evaluate(frame) instanceof String text)) {
+        return INVALID;
+      }
+      Object one = first.evaluate(frame);
+      Object two = second.evaluate(frame);
+      if (isUndefined(one) || isUndefined(two)) {
+        return INVALID;
+      }
+      return switch (code) {
+        case PredefinedType.SUBSTRING -> substring(text, (Integer) one, (Integer) two);
+        case PredefinedType.REPLACE_ALL ->
+            matcher(frame, (String) one, text).replaceAll((String) two);
+        case PredefinedType.REPLACE_FIRST ->
+            matcher(frame, (String) one, text).replaceFirst((String) two);
+        case PredefinedType.SUBSTITUTE_ALL -> text.replace((String) one, (String) two);
+        case PredefinedType.SUBSTITUTE_FIRST -> substituteFirst(text, (String) one, (String) two);
+        default -> tokens(text, (String) one, (Boolean) two);
+      };
+    }
+
+    private static Object substring(String text, int first, int last) {
+      boolean inside = 1 <= first && first <= last && last <= text.length();
+      return inside ? text.substring(first - 1, last) : INVALID;
+    }
+
+    private static Object substituteFirst(String text, String wanted, String replacement) {
+      int index = text.indexOf(wanted);
+      return index < 0
+          ? INVALID
+          : text.substring(0, index) + replacement + text.substring(index + wanted.length());
+    }
+  }
+
+  private static List<String> tokens(String text, String delimiters, boolean withDelimiters) {
+    List<String> result = new ArrayList<>();
+    StringTokenizer tokens = new StringTokenizer(text, delimiters, withDelimiters);
+    while (tokens.hasMoreTokens()) {
+      result.add(tokens.nextToken());
+    }
+    return result;
+  }
+
+  private static Matcher matcher(Frame frame, String expression, String text) {
+    Matcher known = frame.run.matchers().get(expression);
+    if (known == null) {
+      known = Pattern.compile(expression).matcher(text);
+      frame.run.matchers().put(expression, known);
+      return known;
+    }
+    return known.reset(text);
+  }
+
+  /** {@code toString()} of any value, which has one even for null and invalid. */
+  static final class ToString extends GuardedNode {
+    private final Node source;
+
+    ToString(Node source) {
+      this.source = source;
+    }
+
+    @Override
+    Object compute(Frame frame) {
+      Object value = source.evaluate(frame);
+      if (value == null) {
+        return "null";
+      }
+      return value == INVALID ? "invalid" : value.toString();
+    }
+  }
+}

@@ -1,0 +1,270 @@
+package dev.eventchain.ocl;
+
+import java.util.AbstractList;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.RandomAccess;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EStructuralFeature;
+import org.eclipse.ocl.expressions.CollectionKind;
+
+/** Literals, variables and choices. */
+final class ValueNodes {
+
+  private ValueNodes() {}
+
+  /** A literal, or a type. */
+  static final class Constant extends Node {
+    private final Object value;
+
+    Constant(Object value) {
+      this.value = value;
+    }
+
+    @Override
+    Object evaluate(Frame frame) {
+      return value;
+    }
+  }
+
+  /** A variable. */
+  static final class Slot extends Node {
+    private final int index;
+
+    Slot(int index) {
+      this.index = index;
+    }
+
+    @Override
+    Object evaluate(Frame frame) {
+      return frame.slots[index];
+    }
+  }
+
+  /** {@code let}. */
+  static final class Let extends Node {
+    private final int slot;
+    private final Node value;
+    private final Node body;
+
+    Let(int slot, Node value, Node body) {
+      this.slot = slot;
+      this.value = value;
+      this.body = body;
+    }
+
+    @Override
+    Object evaluate(Frame frame) {
+      frame.slots[slot] = value.evaluate(frame);
+      return body.evaluate(frame);
+    }
+
+    @Override
+    Object read(Frame frame) {
+      frame.slots[slot] = value.evaluate(frame);
+      return body.read(frame);
+    }
+  }
+
+  /** {@code if}. */
+  static final class Choice extends Node {
+    private final Node condition;
+    private final Node then;
+    private final Node otherwise;
+
+    Choice(Node condition, Node then, Node otherwise) {
+      this.condition = condition;
+      this.then = then;
+      this.otherwise = otherwise;
+    }
+
+    @Override
+    Object evaluate(Frame frame) {
+      return condition.evaluate(frame) instanceof Boolean holds
+          ? (holds ? then : otherwise).evaluate(frame)
+          : INVALID;
+    }
+
+    @Override
+    Object read(Frame frame) {
+      return condition.evaluate(frame) instanceof Boolean holds
+          ? (holds ? then : otherwise).read(frame)
+          : INVALID;
+    }
+  }
+
+  /** The set that an arrow after a single value makes of it; that of null is empty. */
+  static final class ImplicitSet extends Node {
+    private final Node item;
+
+    ImplicitSet(Node item) {
+      this.item = item;
+    }
+
+    Node item() {
+      return item;
+    }
+
+    @Override
+    Object evaluate(Frame frame) {
+      Object value = item.evaluate(frame);
+      return value == INVALID
+          ? INVALID
+          : new InsertionOrderedSet<>(value == null ? List.of() : Collections.singletonList(value));
+    }
+
+    @Override
+    Object read(Frame frame) {
+      Object value = item.evaluate(frame);
+      if (value == null) {
+        return List.of();
+      }
+      return value == INVALID ? INVALID : Collections.singletonList(value);
+    }
+  }
+
+  /** A literal of a collection. */
+  static final class CollectionLiteral extends Node {
+
+    /** Elements of the literal. */
+    interface Part {
+      /** Adds the elements, or says that the literal is invalid. */
+      boolean addTo(Collection<Object> result, Frame frame);
+    }
+
+    private final CollectionKind kind;
+    private final Part[] parts;
+
+    CollectionLiteral(CollectionKind kind, Part[] parts) {
+      this.kind = kind;
+      this.parts = parts;
+    }
+
+    @Override
+    Object evaluate(Frame frame) {
+      Collection<Object> result = CollectionOperations.create(kind);
+      for (Part part : parts) {
+        if (!part.addTo(result, frame)) {
+          return INVALID;
+        }
+      }
+      return result;
+    }
+  }
+
+  /** A single element of a literal. */
+  record Item(Node item) implements CollectionLiteral.Part {
+    @Override
+    public boolean addTo(Collection<Object> result, Frame frame) {
+      Object value = item.evaluate(frame);
+      result.add(value);
+      return value != Node.INVALID;
+    }
+  }
+
+  /** {@code first..last} beside other parts, or in a set or bag; nothing if either is null. */
+  record Range(Node first, Node last) implements CollectionLiteral.Part {
+    @Override
+    public boolean addTo(Collection<Object> result, Frame frame) {
+      Object from = first.evaluate(frame);
+      Object to = last.evaluate(frame);
+      if (!isBound(from) || !isBound(to)) {
+        return false;
+      }
+      if (from != null && to != null) {
+        int end = (Integer) to;
+        for (long i = (Integer) from; i <= end; i++) {
+          frame.run.step();
+          result.add((int) i);
+        }
+      }
+      return true;
+    }
+
+    private static boolean isBound(Object value) {
+      return value == null || value instanceof Integer;
+    }
+  }
+
+  /** {@code Sequence{first..last}}; if either is null, it is the one element, as in Eclipse OCL. */
+  static final class SequenceRange extends Node {
+    private final Node first;
+    private final Node last;
+
+    SequenceRange(Node first, Node last) {
+      this.first = first;
+      this.last = last;
+    }
+
+    @Override
+    Object evaluate(Frame frame) {
+      Object from = first.evaluate(frame);
+      if (from == null) {
+        return listOfNull();
+      } else if (!(from instanceof Integer start)) {
+        return INVALID;
+      } else {
+        Object to = last.evaluate(frame);
+        if (to == null) {
+          return listOfNull();
+        }
+        return to instanceof Integer end ? new Integers(start, end) : INVALID;
+      }
+    }
+
+    private static Object listOfNull() {
+      List<Object> result = new java.util.ArrayList<>();
+      result.add(null);
+      return result;
+    }
+  }
+
+  /** The integers from one to another, which take no room. */
+  private static final class Integers extends AbstractList<Object> implements RandomAccess {
+    private final int first;
+    private final int size;
+
+    Integers(int first, int last) {
+      this.first = first;
+      this.size = (int) Math.max(0, Math.min(Integer.MAX_VALUE, (long) last - first + 1));
+    }
+
+    @Override
+    public Object get(int index) {
+      return first + java.util.Objects.checkIndex(index, size);
+    }
+
+    @Override
+    public int size() {
+      return size;
+    }
+  }
+
+  /** A literal of a tuple. */
+  static final class TupleLiteral extends GuardedNode {
+    private final ValueEnvironment environment;
+    private final EClassifier type;
+    private final EStructuralFeature[] names;
+    private final Node[] values;
+
+    TupleLiteral(
+        ValueEnvironment environment, EClassifier type, EStructuralFeature[] names, Node[] values) {
+      this.environment = environment;
+      this.type = type;
+      this.names = names;
+      this.values = values;
+    }
+
+    @Override
+    Object compute(Frame frame) {
+      Map<EStructuralFeature, Object> parts = new HashMap<>();
+      for (int i = 0; i < names.length; i++) {
+        parts.put(names[i], values[i].evaluate(frame));
+      }
+      return environment.createTuple(type, parts);
+    }
+  }
+}
