@@ -62,7 +62,22 @@ final class ProjectResources extends ResourceSetImpl {
     return loadFile(uri);
   }
 
-  XmiResource loadFile(URI uri) {
+  /** The resource of a file that is to be read, wherever it lies. */
+  XmiResource fileOf(URI uri) {
+    for (XmiResource file : loaded()) {
+      if (file.getURI().equals(uri)) {
+        return file;
+      }
+    }
+    return loadFile(uri);
+  }
+
+  /** Forgets the files that were loaded from a position on. */
+  void forgetFrom(int position) {
+    getResources().subList(position, getResources().size()).clear();
+  }
+
+  private XmiResource loadFile(URI uri) {
     XmiResource resource = new XmiResource(uri, files, getPackageRegistry(), origins);
     getResources().add(resource);
     resource.load(Map.of());

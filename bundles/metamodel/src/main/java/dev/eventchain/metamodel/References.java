@@ -42,7 +42,40 @@ final class References {
           resolve(file, element, reference);
         }
       }
+      InternalEObject container = ((InternalEObject) element).eInternalContainer();
+      if (container != null && container.eIsProxy()) {
+        resolveContainer(file, element, container);
+      }
     }
+  }
+
+  /** The child names its parent in another file. */
+  private void resolveContainer(XmiResource file, EObject element, InternalEObject proxy) {
+    EReference reference = element.eContainmentFeature().getEOpposite();
+    EObject target = targetOf(file, reference, proxy);
+    if (target != null && new Containers(element).closeCircleBelow(target)) {
+      file.problems().addCircle(file.offsetOfProxy(proxy));
+    }
+  }
+
+  private static String shown(XmiResource file, InternalEObject proxy) {
+    return proxy.eProxyURI().deresolve(file.getURI()).toString();
+  }
+
+  private void refuseSecondContainer(XmiResource file, InternalEObject proxy, EObject target) {
+    file.problems()
+        .add(
+            "xmi.containment.twice",
+            "`%s` is a part of %s already."
+                .formatted(shown(file, proxy), ModelPath.of(target.eContainer())),
+            file.offsetOfProxy(proxy),
+            "Leave it in one of its places, and refer to it from the other.");
+  }
+
+  private static List<?> basic(List<?> values) {
+    return values instanceof InternalEList<?> internal
+        ? new ArrayList<>(internal.basicList())
+        : new ArrayList<>(values);
   }
 
   private void resolve(XmiResource file, EObject element, EReference reference) {
@@ -57,39 +90,51 @@ final class References {
     }
   }
 
-  private static List<?> basic(List<?> values) {
-    return values instanceof InternalEList<?> internal
-        ? new ArrayList<>(internal.basicList())
-        : new ArrayList<>(values);
-  }
-
   private void resolveProxy(
       XmiResource file, EObject element, EReference reference, InternalEObject proxy) {
-    int offset = file.offsetOfProxy(proxy);
-    EObject target = null;
-    String problem = "names no element";
-    if (isMissing(proxy.eProxyURI())) {
-      problem = "names a file that does not exist";
+    EObject target = targetOf(file, reference, proxy);
+    if (target == null) {
+      return;
     }
+    if (reference.isContainment()) {
+      Containers containers = new Containers(element);
+      if (containers.closeCircleBelow(target)) {
+        file.problems().addCircle(file.offsetOfProxy(proxy));
+        return;
+      }
+      if (target.eContainer() != null && target.eContainer() != element) {
+        refuseSecondContainer(file, proxy, target);
+        return;
+      }
+    }
+    EcoreUtil.replace(element, reference, proxy, target);
+  }
+
+  /** What a reference leads to; null, and a finding, if that is nothing that it may lead to. */
+  private EObject targetOf(XmiResource file, EReference reference, InternalEObject proxy) {
+    String problem = isMissing(proxy.eProxyURI()) ? "names a file that does not exist" : "";
+    EObject target = null;
     try {
       target = resources.getEObject(proxy.eProxyURI(), true);
-      if (target != null && !reference.getEType().isInstance(target)) {
-        problem =
-            "names a " + target.eClass().getName() + ", not a " + reference.getEType().getName();
-        target = null;
-      } else if (target != null) {
-        EcoreUtil.replace(element, reference, proxy, target);
-      }
     } catch (RuntimeException e) {
-      // A fragment that is no path, or a containment that would close a circle.
-      target = null;
+      // A fragment that is no path.
       problem = "cannot be followed (" + e.getMessage() + ")";
     }
-    if (target == null) {
-      String shown = proxy.eProxyURI().deresolve(file.getURI()).toString();
-      file.problems()
-          .add("xmi.reference.unresolved", "`" + shown + "` " + problem + ".", offset, "");
+    if (target != null && reference.getEType().isInstance(target)) {
+      return target;
     }
+    if (target != null) {
+      problem =
+          "names a " + target.eClass().getName() + ", not a " + reference.getEType().getName();
+    }
+    file.problems()
+        .add(
+            "xmi.reference.unresolved",
+            "`%s` %s."
+                .formatted(shown(file, proxy), problem.isEmpty() ? "names no element" : problem),
+            file.offsetOfProxy(proxy),
+            "");
+    return null;
   }
 
   private static boolean isMissing(URI target) {

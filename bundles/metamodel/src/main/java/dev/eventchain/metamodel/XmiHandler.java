@@ -1,6 +1,7 @@
 package dev.eventchain.metamodel;
 
 import java.io.StringReader;
+import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
 import org.eclipse.emf.ecore.EClass;
@@ -10,6 +11,7 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.InternalEObject;
+import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.eclipse.emf.ecore.xmi.IllegalValueException;
 import org.eclipse.emf.ecore.xmi.PackageNotFoundException;
 import org.eclipse.emf.ecore.xmi.UnresolvedReferenceException;
@@ -28,8 +30,12 @@ import org.xml.sax.SAXParseException;
 final class XmiHandler extends SAXXMIHandler {
 
   private static final int DEEPEST_NESTING = 500;
+  private static final int LONGEST_SHARED_TEXT = 64;
+  private static final int MOST_SHARED_TEXTS = 10_000;
 
   private final XmiResource file;
+  private final Map<EDataType, Boolean> harmless = new HashMap<>();
+  private final Map<String, String> texts = new HashMap<>();
   private int depth;
   private boolean ended;
 
@@ -77,7 +83,7 @@ final class XmiHandler extends SAXXMIHandler {
       return;
     }
     super.handleProxy(proxy, reference);
-    file.noteProxy(proxy, place);
+    file.noteProxy(proxy, place, objects.peekEObject());
   }
 
   private int tagOffset() {
@@ -106,10 +112,39 @@ final class XmiHandler extends SAXXMIHandler {
   @Override
   protected void setFeatureValue(
       EObject object, EStructuralFeature feature, Object value, int position) {
-    if (feature.getEType() instanceof EDataType type && !HarmlessTypes.contains(type)) {
+    if (feature.getEType() instanceof EDataType type
+        && !harmless.computeIfAbsent(type, HarmlessTypes::contains)) {
       file.problems().refuseType(feature, tagOffset());
+    } else if (value instanceof String text && NonFiniteNumbers.contains(feature, text)) {
+      file.problems().refuseNumber(feature, text, tagOffset());
     } else {
-      super.setFeatureValue(object, feature, value, position);
+      super.setFeatureValue(object, feature, shared(value), position);
+    }
+  }
+
+  /** Models say the same again and again: types, units, topics. One text serves all. */
+  private Object shared(Object value) {
+    if (!(value instanceof String text) || text.length() > LONGEST_SHARED_TEXT) {
+      return value;
+    }
+    String known = texts.get(text);
+    if (known == null && texts.size() < MOST_SHARED_TEXTS) {
+      texts.put(text, text);
+    }
+    return known == null ? text : known;
+  }
+
+  /** The ids of a file must differ: a reference by id could mean either element. */
+  @Override
+  protected void handleObjectAttribs(EObject object) {
+    super.handleObjectAttribs(object);
+    noteId(file.getID(object), object);
+    noteId(EcoreUtil.getID(object), object);
+  }
+
+  private void noteId(String id, EObject object) {
+    if (id != null) {
+      file.noteId(id, object, tagOffset());
     }
   }
 

@@ -104,6 +104,35 @@ final class XmiProblems {
         "Leave the feature out.");
   }
 
+  /** Adds that a text is no finite number. */
+  void refuseNumber(EStructuralFeature feature, String value, int tag) {
+    add(
+        "xmi.number.nonfinite",
+        "`%s` is no finite number for feature `%s`.".formatted(value, feature.getName()),
+        attributeIn(tag, feature.getName()),
+        "Write a number, or leave the feature out.");
+  }
+
+  /** Adds that two elements have one id. */
+  void addDuplicate(String id, int tag, int first) {
+    found.add(
+        Diagnostic.error(
+                "xmi.id.duplicate",
+                "The id `" + id + "` belongs to two elements.",
+                text.at(valueIn(tag, "\"" + id + "\"")))
+            .withRelated(text.at(first))
+            .withHint("Give one of them another id: references could mean either."));
+  }
+
+  /** Adds that a reference would make an element a part of itself. */
+  void addCircle(int offset) {
+    add(
+        "xmi.containment.circle",
+        "With this reference an element would be a part of itself.",
+        offset,
+        "Take the reference out.");
+  }
+
   private void addUnknownFeature(FeatureNotFoundException problem, int tag) {
     if (problem.getObject() == null) {
       add("xmi.feature.unknown", "There is an element where only text may stand.", tag, "");
@@ -151,7 +180,7 @@ final class XmiProblems {
         "xmi.package.unknown",
         "No metamodel with the namespace `" + problem.uri() + "` is loaded.",
         tag,
-        NearestName.hint(problem.uri(), registry.keySet()));
+        Namespaces.hint(problem.uri(), registry.keySet()));
   }
 
   private void addIllegalValue(IllegalValueException problem, int tag) {
@@ -183,9 +212,15 @@ final class XmiProblems {
 
   /** The offset of a value in the tag at an offset or after it; else that offset. */
   int valueIn(int tag, String value) {
-    int found = text.text().indexOf(value, tag);
     int end = text.text().indexOf('>', tag);
-    return found < 0 || (end >= 0 && found > end) ? tag : found;
+    // Without an end the search would go through the rest of the file, for each reference again.
+    int last = (end < 0 ? text.text().length() : end) - value.length();
+    for (int found = tag; found <= last; found++) {
+      if (text.text().startsWith(value, found)) {
+        return found;
+      }
+    }
+    return tag;
   }
 
   /** What the cause says, without the position that EMF appends to it. */

@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
 import java.io.StringReader;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.IdentityHashMap;
 import java.util.Map;
 import javax.xml.parsers.ParserConfigurationException;
@@ -30,6 +31,8 @@ final class XmiResource extends XMIResourceImpl {
   private final EPackage.Registry registry;
   private final Origins origins;
   private final IdentityHashMap<EObject, Integer> proxies = new IdentityHashMap<>();
+  private final IdentityHashMap<EObject, Integer> owners = new IdentityHashMap<>();
+  private final Map<String, EObject> ids = new HashMap<>();
   private XmiProblems problems;
 
   XmiResource(URI uri, ProjectFiles files, EPackage.Registry registry, Origins origins) {
@@ -38,6 +41,20 @@ final class XmiResource extends XMIResourceImpl {
     this.registry = registry;
     this.origins = origins;
     this.problems = new XmiProblems(SourceText.of("", ""), registry);
+  }
+
+  /** Notes the id of an element, which must be the only one of that id. */
+  void noteId(String id, EObject element, int tag) {
+    EObject first = ids.putIfAbsent(id, element);
+    if (first != null && first != element) {
+      problems.addDuplicate(id, tag, offsetOf(first, tag));
+    }
+  }
+
+  /** EMF would look through the whole file for each id that it does not know. */
+  @Override
+  protected EObject getEObjectByID(String id) {
+    return ids.get(id);
   }
 
   ProjectFiles files() {
@@ -57,8 +74,21 @@ final class XmiResource extends XMIResourceImpl {
     return element == null ? otherwise : origins.offset(element).orElse(otherwise);
   }
 
-  void noteProxy(EObject proxy, int offset) {
+  void noteProxy(EObject proxy, int offset, EObject owner) {
     proxies.put(proxy, offset);
+    if (owner != null) {
+      owners.put(owner, offset);
+    }
+  }
+
+  /** EMF follows a reference to the file itself while it reads, to whichever end. */
+  private void refuseCircles() {
+    owners.forEach(
+        (owner, offset) -> {
+          if (new Containers(owner).isCircle()) {
+            problems.addCircle(offset);
+          }
+        });
   }
 
   /** The offset of a reference to another file; 0 if it is none of this file. */
@@ -76,6 +106,7 @@ final class XmiResource extends XMIResourceImpl {
     try {
       problems = new XmiProblems(XmlText.read(path, files.nameOf(path)), registry);
       load(new InputSource(new StringReader(problems.text().text())), Map.of());
+      refuseCircles();
       if (getContents().isEmpty() && problems.found().isEmpty()) {
         problems.add("xmi.empty", "The file holds no model element.", 0, "");
       }
@@ -107,7 +138,7 @@ final class XmiResource extends XMIResourceImpl {
 
     @Override
     protected SAXParser makeParser() throws ParserConfigurationException, SAXException {
-      SAXParserFactory factory = SAXParserFactory.newInstance();
+      SAXParserFactory factory = SAXParserFactory.newDefaultInstance();
       factory.setFeature(NO_DOCTYPE, true);
       return factory.newSAXParser();
     }

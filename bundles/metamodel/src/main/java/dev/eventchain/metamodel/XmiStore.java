@@ -27,6 +27,9 @@ public final class XmiStore {
   private final EPackage.Registry registry = new EPackageRegistryImpl();
   private final ProjectFiles files;
 
+  /** All metamodels live together: a class is one object, whichever file leads to it. */
+  private final ProjectResources metamodels;
+
   /**
    * A store for the files below a folder. The event-chain metamodel and Ecore are registered.
    *
@@ -35,35 +38,49 @@ public final class XmiStore {
   public XmiStore(Path projectRoot) {
     ProjectResources.registerStandard(registry);
     files = new ProjectFiles(projectRoot, registry);
+    metamodels = new ProjectResources(files, registry);
   }
 
   /**
    * Reads a metamodel and registers it, its subpackages and those of the {@code .ecore} files it
-   * refers to, in place of a registered one of the same nsURI.
+   * refers to. It may take the place of the event-chain metamodel, but two files must not have one
+   * nsURI.
    *
    * @return the packages at the top of the file, at least one
    * @throws DiagnosticException (INPUT) with everything that is wrong with it
    */
   public List<EPackage> loadMetamodel(Path ecore) {
-    ProjectResources resources = new ProjectResources(files, registry);
-    XmiResource file = read(ecore, resources);
+    int before = metamodels.getResources().size();
+    try {
+      return register(read(ecore, metamodels), before);
+    } catch (DiagnosticException e) {
+      metamodels.forgetFrom(before);
+      throw e;
+    }
+  }
+
+  /** Checks and registers what was loaded from a position on. */
+  private List<EPackage> register(XmiResource file, int before) {
     List<EPackage> packages = new ArrayList<>();
     List<Diagnostic> problems = new ArrayList<>();
-    for (XmiResource each : resources.loaded()) {
+    for (XmiResource each : metamodels.loaded()) {
       for (EObject root : each.getContents()) {
         if (root instanceof EPackage ePackage) {
-          problems.addAll(new MetamodelChecks(resources.origins()).check(ePackage));
+          if (metamodels.getResources().indexOf(each) >= before) {
+            problems.addAll(new MetamodelChecks(metamodels.origins()).check(ePackage));
+          }
           packages.add(ePackage);
         }
       }
     }
+    problems.addAll(new NamespaceOwners(metamodels.origins()).check(packages));
     List<EPackage> top = packages.stream().filter(p -> p.eResource() == file).toList();
     if (top.isEmpty()) {
       problems.add(
           Diagnostic.error(
               "xmi.metamodel.unsound",
               "The file holds no EPackage.",
-              resources.origins().locate(file.getContents().get(0))));
+              metamodels.origins().locate(file.getContents().get(0))));
     }
     refuse(problems.stream().sorted().toList());
     packages.forEach(this::register);
@@ -81,17 +98,38 @@ public final class XmiStore {
    * @throws DiagnosticException (INPUT) with everything that is wrong with these files
    */
   public LoadedModel load(Path model) {
+    return loadAll(List.of(model)).get(0);
+  }
+
+  /**
+   * Reads models that may refer to each other, and the files of the project that they refer to. An
+   * element is one object, whichever file leads to it.
+   *
+   * @param models the files, in an order; a file that is named again is left out
+   * @return a model for each file, which share their origins and one resource set
+   * @throws DiagnosticException (INPUT) with everything that is wrong with these files
+   */
+  public List<LoadedModel> loadAll(List<Path> models) {
     ProjectResources resources = new ProjectResources(files, registry);
-    XmiResource file = read(model, resources);
-    return new LoadedModel(file, resources.origins());
+    List<XmiResource> read =
+        models.stream().map(model -> resources.fileOf(uriOf(model))).distinct().toList();
+    resolve(resources);
+    return read.stream().map(file -> new LoadedModel(file, resources.origins())).toList();
   }
 
   private static XmiResource read(Path path, ProjectResources resources) {
-    URI uri = URI.createFileURI(path.toAbsolutePath().normalize().toString());
-    XmiResource file = resources.loadFile(uri);
+    XmiResource file = resources.fileOf(uriOf(path));
+    resolve(resources);
+    return file;
+  }
+
+  private static void resolve(ProjectResources resources) {
     new References(resources).resolve();
     refuse(resources.problems());
-    return file;
+  }
+
+  private static URI uriOf(Path path) {
+    return URI.createFileURI(path.toAbsolutePath().normalize().toString());
   }
 
   private static void refuse(List<Diagnostic> problems) {

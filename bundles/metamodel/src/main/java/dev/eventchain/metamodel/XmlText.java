@@ -39,7 +39,11 @@ final class XmlText {
     } catch (IOException e) {
       // Reading the whole file says why it cannot be read.
     } catch (IllegalCharsetNameException | UnsupportedCharsetException e) {
-      throw wrongEncoding("The file declares the unknown encoding `" + e.getMessage() + "`.", name);
+      throw wrongEncoding(
+          "The file declares the encoding `"
+              + e.getMessage()
+              + "`, which is unknown or not its own.",
+          name);
     }
     try {
       return charset.equals(StandardCharsets.UTF_8)
@@ -80,6 +84,10 @@ final class XmlText {
       return StandardCharsets.UTF_8;
     }
     Charset charset = Charset.forName(declared.group(1));
+    if (charset.name().startsWith("UTF-16") || charset.name().startsWith("UTF-32")) {
+      // Its declaration could not be read like this, were it what it says.
+      throw new UnsupportedCharsetException(declared.group(1));
+    }
     return charset.equals(StandardCharsets.US_ASCII) ? StandardCharsets.UTF_8 : charset;
   }
 

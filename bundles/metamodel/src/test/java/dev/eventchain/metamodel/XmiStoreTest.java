@@ -4,10 +4,12 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 import static org.junit.jupiter.api.Assertions.fail;
 
+import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -15,11 +17,14 @@ import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainFactory;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import java.io.IOException;
+import java.io.RandomAccessFile;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Stream;
+import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 import org.junit.jupiter.api.Test;
@@ -123,7 +128,7 @@ class XmiStoreTest {
     assertEquals("eventchain", loaded.getName());
     byte[] written = XmiStore.toBytes(loaded);
     Path again = Files.write(folder.resolve("again.ecore"), written);
-    assertArrayEquals(written, XmiStore.toBytes(store.loadMetamodel(again).get(0)));
+    assertArrayEquals(written, XmiStore.toBytes(new XmiStore(folder).loadMetamodel(again).get(0)));
   }
 
   @Test
@@ -176,6 +181,96 @@ class XmiStoreTest {
           assertThrows(DiagnosticException.class, () -> store.load(model));
       assertFalse(refused.diagnostics().get(0).message().contains("Exception"));
     }
+  }
+
+  @Test
+  void readsUtf16AndSaysWhenItIsCutInTheMiddle() throws IOException {
+    String text = Files.readString(CASES.resolve("good-chain/model.xmi"));
+    String declared = text.replace("UTF-8", "UTF-16");
+    byte[] bytes = declared.getBytes(StandardCharsets.UTF_16);
+    Path model = Files.write(folder.resolve("model.xmi"), bytes);
+    assertEquals(1, new XmiStore(folder).load(model).roots().size());
+    Files.write(model, Arrays.copyOf(bytes, bytes.length - 1));
+    assertEquals("file.encoding", refusal(model).id());
+    Files.write(model, Arrays.copyOf(bytes, bytes.length - 40));
+    assertEquals("xmi.syntax", refusal(model).id());
+    Files.write(model, declared.getBytes(StandardCharsets.UTF_16LE));
+    assertEquals("xmi.syntax", refusal(model).id());
+  }
+
+  @Test
+  void refusesWhatIsNoFile() throws IOException {
+    assertEquals("file.unreadable", refusal(folder).id());
+    assertEquals("file.unreadable", refusal(Path.of("/dev/zero")).id());
+    Path large = folder.resolve("large.xmi");
+    try (RandomAccessFile file = new RandomAccessFile(large.toFile(), "rw")) {
+      file.setLength((256L << 20) + 1);
+    }
+    assertEquals("file.unreadable", refusal(large).id());
+    assertTrue(refusal(large).message().contains("268435456"), refusal(large).message());
+  }
+
+  @Test
+  void refusesAHundredThousandLevels() throws IOException {
+    String text = "<a>".repeat(100_000) + "</a>".repeat(100_000);
+    Diagnostic refusal = refusal(Files.writeString(folder.resolve("model.xmi"), text));
+    assertEquals("xmi.package.unknown", refusal.id());
+    Path chain = CASES.resolve("good-chain/model.xmi");
+    String deep = Files.readString(chain).replace("</eventchain:EventChain>", text);
+    Files.writeString(folder.resolve("model.xmi"), deep);
+    assertTrue(
+        refusals(folder.resolve("model.xmi")).stream()
+            .anyMatch(d -> d.message().contains("500 levels")));
+  }
+
+  @Test
+  void readsModelsThatReferToEachOtherTogether() {
+    Path project = CASES.resolve("reference-to-another-file");
+    Path first = project.resolve("model.xmi");
+    Path second = project.resolve("parts/lib.xmi");
+    List<LoadedModel> models = new XmiStore(project).loadAll(List.of(first, second, first));
+    assertEquals(2, models.size());
+    EventChain chain = (EventChain) models.get(0).roots().get(0);
+    EventChain library = (EventChain) models.get(1).roots().get(0);
+    assertSame(library.getData().get(0), chain.getSoftware().get(0).getInput().get(0));
+    assertEquals(3, models.get(0).origins().locate(library.getData().get(0)).line());
+  }
+
+  @Test
+  void aMetamodelIsOneObjectWhicheverFileLeadsToIt() {
+    Path project = CASES.resolve("good-foreign-metamodel");
+    XmiStore store = new XmiStore(project);
+    EPackage library = store.loadMetamodel(project.resolve("metamodel.ecore")).get(0);
+    EPackage people = store.loadMetamodel(project.resolve("people/people.ecore")).get(0);
+    EClass person = (EClass) people.getEClassifier("Person");
+    EClass item = (EClass) library.getEClassifier("Item");
+    assertSame(person, item.getEStructuralFeature("author").getEType());
+    assertSame(library, store.loadMetamodel(project.resolve("metamodel.ecore")).get(0));
+  }
+
+  @Test
+  void refusesTwoMetamodelsWithOneNamespace() throws IOException {
+    Path source = CASES.resolve("good-foreign-metamodel/people/people.ecore");
+    Path first = Files.copy(source, folder.resolve("first.ecore"));
+    Path second = Files.copy(source, folder.resolve("second.ecore"));
+    XmiStore store = new XmiStore(folder);
+    EPackage people = store.loadMetamodel(first).get(0);
+    DiagnosticException refused =
+        assertThrows(DiagnosticException.class, () -> store.loadMetamodel(second));
+    Diagnostic duplicate = refused.diagnostics().get(0);
+    assertEquals("xmi.namespace.duplicate", duplicate.id());
+    assertTrue(duplicate.location().file().endsWith("second.ecore"));
+    assertTrue(duplicate.related().get(0).file().endsWith("first.ecore"));
+    assertSame(people, store.loadMetamodel(first).get(0));
+  }
+
+  private Diagnostic refusal(Path model) {
+    return refusals(model).get(0);
+  }
+
+  private List<Diagnostic> refusals(Path model) {
+    return assertThrows(DiagnosticException.class, () -> new XmiStore(folder).load(model))
+        .diagnostics();
   }
 
   @Test
