@@ -96,6 +96,11 @@ public final class ExpressionLanguage {
       return Optional.empty();
     }
     StringLiterals.check(text, start, end, problems);
+    List<Diagnostic> mistakes = FrequentMistakes.in(text, start, end);
+    problems.addAll(mistakes);
+    if (!mistakes.isEmpty()) {
+      return Optional.empty();
+    }
     return parseConstraint(text, start, end, EXPRESSION_PREFIX, "", environment, problems);
   }
 

@@ -32,10 +32,12 @@ final class Lexer {
   private static int endOfString(String text, int start, int limit, char quote) {
     for (int i = start + 1; i < limit; i++) {
       char c = text.charAt(i);
-      if (c == '\\') {
+      if (c == '\\' && !text.startsWith("\n", i + 1) && !text.startsWith("\r", i + 1)) {
         i++;
       } else if (c == quote) {
         return i + 1;
+      } else if (c == '\n' || c == '\r') {
+        return i; // Strings do not span lines: what follows an unclosed one is code again.
       }
     }
     return limit;

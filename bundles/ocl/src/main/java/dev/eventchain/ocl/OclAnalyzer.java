@@ -96,6 +96,12 @@ final class OclAnalyzer extends OCLAnalyzer {
         source == null
             ? texts().unknownName(simpleName, environment)
             : texts().unknownFeature(simpleName, source.getType());
+    if (source != null && texts().isError(source.getType()) && collector().failed()) {
+      return createDummyInvalidLiteralExp(environment, name);
+    }
+    if (collector().isAt('"', name.getStartOffset())) {
+      problem = new ProblemTexts.Problem(problem.message(), "A string stands in single quotes.");
+    }
     reportMissing(simpleName, problem, name.getStartOffset());
     return createDummyInvalidLiteralExp(environment, name);
   }

@@ -32,6 +32,12 @@ final class ProblemCollector extends AbstractProblemHandler {
     this.problems = problems;
   }
 
+  /** Whether what is parsed has a character at the parser's offset. */
+  boolean isAt(char character, int startOffset) {
+    int offset = offset(startOffset);
+    return offset < end && text.text().charAt(offset) == character;
+  }
+
   /** Whether an error was reported. */
   boolean failed() {
     return failed;
@@ -64,16 +70,11 @@ final class ProblemCollector extends AbstractProblemHandler {
 
   /** Only the first: what follows a syntax error is its echo. */
   private void addSyntaxProblem(boolean error, String message, int startOffset) {
-    if (!syntaxErrorFound) {
+    // A quoted name is unusual but right; one that means nothing is an error of its own.
+    if (!syntaxErrorFound && !message.startsWith("Usage of non-standard quoted")) {
       syntaxErrorFound = error;
-      String hint = SyntaxTexts.hint(text.text(), offset(startOffset), start, end);
-      boolean quotes = message.startsWith("Usage of non-standard quoted");
-      add(
-          "ocl.syntax",
-          error,
-          quotes ? "Double quotes make a name here, not a string." : SyntaxTexts.message(message),
-          quotes ? "Strings stand in single quotes." : hint,
-          startOffset);
+      String words = SyntaxTexts.message(message);
+      add("ocl.syntax", error, words, SyntaxTexts.hint(words), startOffset);
     }
   }
 

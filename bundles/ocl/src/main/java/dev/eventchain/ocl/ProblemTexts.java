@@ -4,6 +4,8 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.regex.Matcher;
@@ -17,6 +19,7 @@ import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EParameter;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.ocl.Environment;
+import org.eclipse.ocl.ecore.TypeType;
 import org.eclipse.ocl.types.CollectionType;
 import org.eclipse.ocl.types.InvalidType;
 import org.eclipse.ocl.types.PrimitiveType;
@@ -30,20 +33,31 @@ final class ProblemTexts {
   /** What is wrong, and what was probably meant. */
   record Problem(String message, String hint) {}
 
+  /** What other languages call a literal. */
+  private static final Map<String, String> LITERALS =
+      Map.of(
+          "true", "true",
+          "false", "false",
+          "null", "null, or ask ->isEmpty()",
+          "nil", "null, or ask ->isEmpty()",
+          "none", "null, or ask ->isEmpty()",
+          "undefined", "x.oclIsUndefined()");
+
   private static final Pattern UNKNOWN_LITERAL =
       Pattern.compile("Unknown enumeration literal \\((.*)\\)");
   private static final Pattern UNKNOWN_TYPE = Pattern.compile("Unknown type \\((.*)\\)");
   private static final Pattern ALREADY_THERE =
       Pattern.compile("(?:Property|Operation) \\((.*)\\) already defined in type \\((.*)\\)");
   private static final Pattern SIGNATURE = Pattern.compile(".*?\\((.*)\\)$");
-  private static final Set<String> COMPARISONS = Set.of("=", "<>", "<", ">", "<=", ">=");
 
   private final OclEnvironment root;
   private final PackageIndex packages;
+  private final CallHints hints;
 
   ProblemTexts(OclEnvironment root, PackageIndex packages) {
     this.root = root;
     this.packages = packages;
+    this.hints = new CallHints(root);
   }
 
   /** A name with nothing before it. */
@@ -56,13 +70,42 @@ final class ProblemTexts {
     }
     known.addAll(types());
     return new Problem(
-        "There is no variable, feature or type '" + name + "' here.",
-        NearestName.question(name, known));
+        "There is no variable, feature or type '" + name + "' here.", nameHint(name, known));
+  }
+
+  private String nameHint(String name, Set<String> known) {
+    String literal = LITERALS.get(name.toLowerCase(Locale.ROOT));
+    List<String> enumerations = enumerationsWith(name);
+    if (literal != null) {
+      return "Write " + literal + ".";
+    } else if (!enumerations.isEmpty()) {
+      return "Write " + enumerations.get(0) + "::" + name + ".";
+    }
+    return NearestName.question(name, known);
+  }
+
+  private List<String> enumerationsWith(String literal) {
+    List<String> found = new ArrayList<>();
+    for (EPackage each : packages.all()) {
+      for (EClassifier classifier : each.getEClassifiers()) {
+        if (classifier instanceof EEnum enumeration
+            && enumeration.getEEnumLiteral(literal) != null) {
+          found.add(classifier.getName());
+        }
+      }
+    }
+    return found;
   }
 
   /** A name after a dot. */
   Problem unknownFeature(String name, EClassifier sourceType) {
     EClassifier owner = elementType(sourceType).orElse(sourceType);
+    if (sourceType instanceof TypeType literal
+        && literal.getReferredType() instanceof EEnum enumeration) {
+      return new Problem(
+          "A literal of " + enumeration.getName() + " is not written with a dot.",
+          "Write " + enumeration.getName() + "::" + name + ".");
+    }
     Collection<String> features = featuresOf(owner);
     String hint = NearestName.question(name, features);
     if (hint.isEmpty() && operationsOf(owner).contains(name)) {
@@ -91,45 +134,43 @@ final class ProblemTexts {
                 .collect(Collectors.joining(", "));
     return new Problem(
         Names.of(owner) + " has no operation '" + name + "(" + types + ")'.",
-        operationHint(owner, name, arguments == null ? List.of() : arguments));
+        hints.of(
+            owner,
+            name,
+            arguments == null
+                ? List.of()
+                : arguments.stream().map(argument -> argument.getType()).toList(),
+            featuresOf(owner)));
   }
 
-  private String operationHint(
-      EClassifier owner, String name, List<? extends TypedElement<EClassifier>> arguments) {
-    if (elementType(owner).isPresent()
-        && operationsOf(elementType(owner).get()).contains(name)
-        && (COMPARISONS.contains(name) || !operationsOf(owner).contains(name))) {
-      return "This is a collection. Ask its elements, with ->forAll(each | each "
-          + name
-          + " ...) or ->exists(...), or compare its ->size().";
-    } else if (arguments.stream().anyMatch(a -> elementType(a.getType()).isPresent())
-        && elementType(owner).isEmpty()) {
-      return "The argument is a collection, what stands before '" + name + "' is not.";
-    } else if (operationsOf(owner).contains(name)) {
-      return "'" + name + "' takes arguments of other types.";
-    }
-    return NearestName.question(name, operationsOf(owner));
-  }
-
-  /** A comparison that can never be true, which Eclipse OCL accepts. */
+  /** A comparison whose outcome is known beforehand, which Eclipse OCL accepts. */
   Optional<Problem> senselessComparison(String name, EClassifier left, EClassifier right) {
-    boolean equality = name.equals("=") || name.equals("<>");
-    if (equality
-        && left instanceof PrimitiveType<?>
-        && right instanceof PrimitiveType<?>
+    if (!name.equals("=") && !name.equals("<>")) {
+      return Optional.empty();
+    } else if (elementType(left).isPresent() && right instanceof VoidType<?>) {
+      return Optional.of(
+          new Problem("A collection is never null.", "Ask ->isEmpty() or ->notEmpty()."));
+    } else if (isPlain(left)
+        && isPlain(right)
         && !TypeUtil.compatibleTypeMatch(root, left, right)
         && !TypeUtil.compatibleTypeMatch(root, right, left)) {
+      boolean literal = left instanceof EEnum || right instanceof EEnum;
       return Optional.of(
           new Problem(
               "Values of type " + Names.of(left) + " and " + Names.of(right) + " are never equal.",
-              ""));
+              literal ? "A literal is written Type::LITERAL." : ""));
     }
     return Optional.empty();
   }
 
+  private static boolean isPlain(EClassifier type) {
+    return type instanceof PrimitiveType<?> || type instanceof EEnum;
+  }
+
   /** Whether a type stands for an error that has been reported. */
   boolean isError(EClassifier type) {
-    return type == null || type instanceof InvalidType<?> || type instanceof VoidType<?>;
+    EClassifier each = elementType(type).orElse(type);
+    return each == null || each instanceof InvalidType<?> || each instanceof VoidType<?>;
   }
 
   /** Whether a message says that a definition has the name of something that is there. */
@@ -157,10 +198,14 @@ final class ProblemTexts {
           "There is no type '" + type.group(1) + "'.",
           NearestName.question(type.group(1), types()));
     }
+    if (message.startsWith("Qualifiers do not conform")) {
+      return new Problem(
+          "Brackets do not give an element here.", "Write ->at(1) for the first one.");
+    }
     return new Problem(message, "");
   }
 
-  private Optional<EClassifier> elementType(EClassifier type) {
+  private static Optional<EClassifier> elementType(EClassifier type) {
     return type instanceof CollectionType<?, ?> collection
         ? Optional.of((EClassifier) collection.getElementType())
         : Optional.empty();

@@ -52,7 +52,7 @@ final class RuleDocument {
 
   /** A keyword after one of these is a name inside an expression. */
   private static final Set<String> BEFORE_NAMES =
-      Set.of(".", "->", "::", "^", ",", "(", "{", "|", "let", ";");
+      Set.of(".", "->", "::", "^", ",", "(", "{", "|", "let");
 
   private static final Set<String> AFTER_CONTEXT =
       Set.of("inv", "def", "static", "pre", "post", "body", "init", "derive");
@@ -257,9 +257,8 @@ final class RuleDocument {
       case "context", "package" -> named;
       case "import" -> named || tokens.isString(index + 1);
       case "static" -> tokens.is(index + 1, "def");
-      case "inv" ->
-          tokens.is(index + 1, ":")
-              || (named && (tokens.is(index + 2, ":") || tokens.is(index + 2, "(")));
+      case "inv" -> true;
+      case "invariant", "Inv", "INV" -> named && tokens.is(index + 2, ":");
       case "def", "pre", "post", "body", "init", "derive" ->
           tokens.is(index + 1, ":") || (named && tokens.is(index + 2, ":"));
       default -> false;

@@ -9,13 +9,13 @@ final class SyntaxTexts {
   private static final Pattern RULE_NAME =
       Pattern.compile("\"(\\w*(?:CS|WithLet|NotLet|Not)\\w*)\"");
   private static final Pattern MISSING = Pattern.compile("missing \"(.*)\" to complete scope");
-  private static final Pattern INVALID_TOKEN = Pattern.compile("token (\\S+) is invalid");
+  private static final Pattern INVALID_TOKEN =
+      Pattern.compile("(?:[\\d:]+ )?token (\\S+) is invalid");
   private static final Pattern UNEXPECTED = Pattern.compile("(.*) unexpected token\\(s\\)");
+  private static final Pattern OPERATOR_EXPECTED =
+      Pattern.compile("\"(?:[*+/=|<>:-]|::|\\.|->)\" expected instead of (\".*\")");
   private static final Pattern UNKNOWN_CHARACTER =
       Pattern.compile("[\\d:]+ (.*) unexpected character ignored");
-  private static final Pattern UNTYPED_LET = Pattern.compile("let\\s+\\w+\\s*=");
-  private static final Pattern INFIX =
-      Pattern.compile("[\\w)\\]]\\s+(mod|div|max|min|concat|size|first)\\s+[\\w(]");
 
   private SyntaxTexts() {}
 
@@ -24,12 +24,16 @@ final class SyntaxTexts {
     Matcher unexpected = UNEXPECTED.matcher(message);
     Matcher invalid = INVALID_TOKEN.matcher(message);
     Matcher character = UNKNOWN_CHARACTER.matcher(message);
+    Matcher operator = OPERATOR_EXPECTED.matcher(message);
     String text;
     if (missing.matches()) {
       String what = missing.group(1).replaceAll("\\w*CS\\b", "...").replace("OclExpression", "...");
       text = "'" + what + "' is missing to end what starts here.";
     } else if (unexpected.matches()) {
       text = unexpected.group(1) + " is not expected here.";
+    } else if (operator.matches()) {
+      // Any operator would do; the parser names one of them.
+      text = operator.group(1) + " is not expected here.";
     } else if (invalid.matches()) {
       text = invalid.group(1) + " is a keyword; as a name it is written with _ before it.";
     } else if (character.matches()) {
@@ -46,25 +50,8 @@ final class SyntaxTexts {
     return ruleName.contains("Name") ? "a name" : "an expression";
   }
 
-  /** What is probably meant, by the text around an error. */
-  static String hint(String text, int offset, int start, int end) {
-    String before =
-        text.substring(Math.max(start, Math.min(offset, end) - 12), Math.min(offset, end));
-    String after = text.substring(Math.min(offset, end), Math.min(end, offset + 40));
-    if (after.startsWith("?.") || after.startsWith("?->")) {
-      return "Safe navigation is not part of this OCL: write x <> null implies x.y ...";
-    } else if (UNTYPED_LET.matcher(after).lookingAt()
-        || UNTYPED_LET.matcher(before + after).find()) {
-      return "A variable needs a type: let name : Type = ... in ...";
-    }
-    Matcher infix = INFIX.matcher(before + after);
-    if (infix.find()) {
-      return "'" + infix.group(1) + "' is called with a dot: a." + infix.group(1) + "(...).";
-    } else if (after.startsWith("==") || after.startsWith("!=")) {
-      return "Equality is written = and inequality <>.";
-    } else if (after.startsWith("&") || after.startsWith("!")) {
-      return "The operators are written and, or, not, implies.";
-    }
-    return "";
+  /** What is probably meant where the parser says this. */
+  static String hint(String message) {
+    return message.contains("endif") ? "Write if ... then ... else ... endif." : "";
   }
 }

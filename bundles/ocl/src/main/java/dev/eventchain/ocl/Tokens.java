@@ -57,6 +57,11 @@ final class Tokens {
         && text.startsWith(token, starts[index]);
   }
 
+  /** Whether nothing stands between a token and the one after it. */
+  boolean touches(int index) {
+    return index + 1 < size && ends[index] == starts[index + 1];
+  }
+
   boolean isName(int index) {
     return index < size && Character.isJavaIdentifierStart(text.charAt(starts[index]));
   }
