@@ -28,6 +28,7 @@ public final class Evaluation {
   private Object attachment;
   private Duration timeLimit = Duration.ofDays(1);
   private long deadline;
+  private boolean deadlineIsFixed;
   private int steps;
   private int running;
   private int depth;
@@ -64,7 +65,23 @@ public final class Evaluation {
    */
   public Evaluation withTimeLimit(Duration limit) {
     timeLimit = limit;
+    deadlineIsFixed = false;
     return this;
+  }
+
+  /**
+   * Sets when all evaluations from now on must have ended, instead of how long each may take.
+   *
+   * @param nanoTime in the time of {@link System#nanoTime}
+   */
+  void setDeadline(long nanoTime) {
+    deadline = nanoTime;
+    deadlineIsFixed = true;
+  }
+
+  /** When the evaluation that is running, or the latest one, must have ended. */
+  long deadline() {
+    return deadline;
   }
 
   /** Gives a variable a value until {@link #unbind}; hides any earlier value. */
@@ -114,7 +131,9 @@ public final class Evaluation {
   boolean begin() {
     boolean outermost = running++ == 0;
     if (outermost) {
-      deadline = System.nanoTime() + timeLimit.toNanos();
+      if (!deadlineIsFixed) {
+        deadline = System.nanoTime() + timeLimit.toNanos();
+      }
       depth = 0;
       outOfTime = false;
     }

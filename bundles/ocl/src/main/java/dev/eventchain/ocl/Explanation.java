@@ -1,6 +1,5 @@
 package dev.eventchain.ocl;
 
-import java.time.Duration;
 import java.util.List;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EOperation;
@@ -37,12 +36,12 @@ final class Explanation {
   /**
    * Why a condition is false for the element that the run has bound to {@code self}.
    *
-   * @param limit how long it may take to find out
+   * @param run whose deadline holds for finding out, too
    * @return such as {@code self.pages is 3}; empty if there is nothing to tell
    */
   static String whyFalse(
-      OCLExpression<EClassifier> condition, SubExpressions parts, Evaluation run, Duration limit) {
-    Probe probe = new Probe(parts, run, limit);
+      OCLExpression<EClassifier> condition, SubExpressions parts, Evaluation run) {
+    Probe probe = new Probe(parts, run);
     new Explanation(probe).explain(condition, false);
     return probe.facts().text();
   }

@@ -3,7 +3,6 @@ package dev.eventchain.ocl;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
-import java.time.Duration;
 import java.util.List;
 import java.util.function.Function;
 import org.eclipse.emf.ecore.EObject;
@@ -24,18 +23,20 @@ final class Findings {
     this.locator = locator;
   }
 
-  /**
-   * An element for which an invariant is false.
-   *
-   * @param limit how long it may take to find the values that made it so
-   */
-  Diagnostic violated(
-      OclConstraint constraint, EObject element, Evaluation evaluation, Duration limit) {
+  /** Those who locate need not be safe for threads. */
+  private SourceLocation locate(EObject element) {
+    synchronized (locator) {
+      return locator.apply(element);
+    }
+  }
+
+  /** An element for which an invariant is false. */
+  Diagnostic violated(OclConstraint constraint, EObject element, Evaluation evaluation) {
     return new Diagnostic(
         "ocl.violated",
         constraint.severity(),
-        constraint.messageFor(element, evaluation, limit),
-        locator.apply(element),
+        constraint.messageFor(element, evaluation),
+        locate(element),
         constraint.hint(),
         constraint.qualifiedName(),
         List.of(constraint.location()));
@@ -55,7 +56,7 @@ final class Findings {
             + ": "
             + invalid.reason()
             + ".",
-        locator.apply(element),
+        locate(element),
         guard(invalid.reason()),
         constraint.qualifiedName(),
         List.of(placed ? invalid.location() : constraint.location()));
@@ -79,6 +80,35 @@ final class Findings {
         constraint.location(),
         "Later elements were not checked. Mend the recursion or make the rule cheaper.",
         constraint.qualifiedName(),
-        List.of(locator.apply(element)));
+        List.of(locate(element)));
+  }
+
+  /** What is said if no invariant was evaluated on any element. */
+  static Diagnostic nothingEvaluated(OclRules rules, int elements) {
+    List<String> documents = rules.documents();
+    int constraints = rules.constraints().size();
+    boolean wrong = Diagnostic.anyError(rules.diagnostics());
+    return Diagnostic.error(
+            "ocl.nothing-evaluated",
+            constraints == 0
+                ? "Nothing was checked: there is no constraint"
+                    + (wrong ? " without errors" : "")
+                    + (documents.isEmpty() ? "." : " in " + String.join(", ", documents) + ".")
+                : "Nothing was checked: none of "
+                    + counted(constraints, "constraint")
+                    + " is about the class of one of "
+                    + counted(elements, "element")
+                    + ".",
+            documents.size() == 1 && constraints == 0
+                ? SourceLocation.of(documents.get(0))
+                : SourceLocation.NONE)
+        .withHint(
+            constraints == 0
+                ? "Write invariants: context Class inv Name: ..."
+                : "Give rules for the classes of this model.");
+  }
+
+  private static String counted(int number, String what) {
+    return number + " " + what + (number == 1 ? "" : "s");
   }
 }

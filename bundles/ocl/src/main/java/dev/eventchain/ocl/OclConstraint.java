@@ -118,18 +118,14 @@ public final class OclConstraint {
     }
   }
 
-  /**
-   * What to say of an element that violates it.
-   *
-   * @param limit how long it may take to find the values that made it so
-   */
-  String messageFor(EObject element, Evaluation run, Duration limit) {
+  /** What to say of an element that violates it. */
+  String messageFor(EObject element, Evaluation run) {
     run.bind("self", element);
     try {
       if (message != null) {
-        return message.render(run.withTimeLimit(limit));
+        return message.render(run);
       }
-      String why = Explanation.whyFalse(condition.ast(), parts, run, limit);
+      String why = Explanation.whyFalse(condition.ast(), parts, run);
       String what = Names.label(element) + " violates '" + name + "'";
       return why.isEmpty() ? what + "." : what + ": " + why + ".";
     } finally {

@@ -22,7 +22,10 @@ public final class OclRules {
   private final List<OclConstraint> constraints;
   private final List<Diagnostic> diagnostics;
 
-  OclRules(List<OclConstraint> constraints, List<Diagnostic> diagnostics) {
+  private final List<String> documents;
+
+  OclRules(List<OclConstraint> constraints, List<Diagnostic> diagnostics, List<String> documents) {
+    this.documents = List.copyOf(documents);
     this.constraints = List.copyOf(constraints);
     this.diagnostics = List.copyOf(diagnostics);
   }
@@ -50,6 +53,11 @@ public final class OclRules {
   /** All errors and warnings of the documents, in the order of their places. */
   public List<Diagnostic> diagnostics() {
     return diagnostics;
+  }
+
+  /** The names of the documents. */
+  List<String> documents() {
+    return documents;
   }
 
   /** The invariants without errors, in the order of the documents. */

@@ -5,46 +5,68 @@ import dev.eventchain.diagnostics.SourceLocation;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.LinkedHashSet;
+import java.util.Collections;
 import java.util.List;
-import java.util.Set;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.FutureTask;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Function;
-import org.eclipse.emf.common.util.TreeIterator;
 import org.eclipse.emf.ecore.EObject;
-import org.eclipse.emf.ecore.util.EcoreUtil;
 
 /**
  * Evaluates rules on models. The findings are: {@code ocl.violated} for an element for which an
  * invariant is false, {@code ocl.undefined} where it is neither true nor false, {@code ocl.limit}
  * for an invariant that recurses without end or takes too long, and {@code ocl.nothing-evaluated}
  * if there was nothing to evaluate, which is no pass.
+ *
+ * <p>A large model is evaluated by several threads; the findings are those of one. The references
+ * of such a model must be resolved already: its files are not loaded while it is evaluated.
  */
 public final class OclValidator {
 
   /** How long one invariant may take on a whole model. */
   private static final Duration TIME_LIMIT = Duration.ofSeconds(60);
 
-  /** Room for the deepest recursion that {@link Evaluation} allows; only used as far as needed. */
-  private static final long STACK_BYTES = 512L << 20;
+  /** Below this, threads cost more than they save. */
+  private static final long FEW_EVALUATIONS = 10_000;
+
+  private static final int LARGEST_PART = 4096;
+  private static final int SMALLEST_PART = 256;
+
+  /** Some elements of a constraint. */
+  private record Part(ConstraintRun run, int from, int to) {}
 
   private final OclRules rules;
   private final Duration timeLimit;
+  private final int threads;
 
-  private OclValidator(OclRules rules, Duration timeLimit) {
+  private OclValidator(OclRules rules, Duration timeLimit, int threads) {
     this.rules = rules;
     this.timeLimit = timeLimit;
+    this.threads = threads;
   }
 
-  /** A validator that gives each invariant a minute for a whole model. */
+  /**
+   * A validator that gives each invariant a minute for a whole model, and uses all processors for a
+   * large one.
+   */
   public static OclValidator of(OclRules rules) {
-    return new OclValidator(rules, TIME_LIMIT);
+    return new OclValidator(rules, TIME_LIMIT, Runtime.getRuntime().availableProcessors());
   }
 
   /** The same validator with another limit for each invariant on a whole model. */
   public OclValidator withTimeLimit(Duration limit) {
-    return new OclValidator(rules, limit);
+    return new OclValidator(rules, limit, threads);
+  }
+
+  /**
+   * The same validator with another number of threads for large models.
+   *
+   * @throws IllegalArgumentException if it is less than one
+   */
+  public OclValidator withThreads(int number) {
+    if (number < 1) {
+      throw new IllegalArgumentException(number + " threads");
+    }
+    return new OclValidator(rules, timeLimit, number);
   }
 
   /**
@@ -52,26 +74,62 @@ public final class OclValidator {
    *
    * @param roots the roots of the models, whose elements are checked; {@code allInstances()} covers
    *     their whole resource sets
-   * @param locator tells where an element stands
+   * @param locator tells where an element stands; asked for one finding at a time
    * @return the findings, those of the rules themselves included
+   * @throws IllegalStateException if the thread is interrupted meanwhile
    */
   public OclResult validate(
       Collection<? extends EObject> roots, Function<EObject, SourceLocation> locator) {
-    FutureTask<OclResult> task = new FutureTask<>(() -> new Run(roots, locator).validate());
-    Thread thread = new Thread(null, task, "eventchain-ocl", STACK_BYTES);
-    thread.setDaemon(true);
-    thread.start();
-    try {
-      return task.get();
-    } catch (InterruptedException e) {
-      thread.interrupt();
-      Thread.currentThread().interrupt();
-      throw new IllegalStateException("interrupted while validating", e);
-    } catch (ExecutionException e) {
-      throw e.getCause() instanceof RuntimeException cause
-          ? cause
-          : new IllegalStateException(e.getCause());
+    ModelElements elements = new ModelElements(roots);
+    Findings findings = new Findings(locator);
+    List<ConstraintRun> runs = new ArrayList<>();
+    for (OclConstraint constraint : rules.constraints()) {
+      List<EObject> instances = elements.instancesOf(constraint.context());
+      runs.add(new ConstraintRun(constraint, instances, timeLimit, findings));
     }
+    evaluate(runs, Evaluation.over(roots));
+
+    List<Diagnostic> all = new ArrayList<>();
+    runs.forEach(run -> all.addAll(run.findings()));
+    all.sort(null);
+    all.addAll(0, rules.diagnostics());
+    List<OclResult.Check> checks = runs.stream().map(ConstraintRun::check).toList();
+    if (checks.stream().allMatch(check -> check.evaluations() == 0)) {
+      all.add(Findings.nothingEvaluated(rules, elements.size()));
+    }
+    return new OclResult(elements.size(), checks, all);
+  }
+
+  private void evaluate(List<ConstraintRun> runs, Evaluation evaluation) {
+    long evaluations = runs.stream().mapToLong(ConstraintRun::size).sum();
+    int workers = evaluations < FEW_EVALUATIONS ? 1 : threads;
+    List<Part> parts = new ArrayList<>();
+    for (ConstraintRun run : runs) {
+      int size = workers == 1 ? Math.max(1, run.size()) : partSize(run.size(), workers);
+      for (int from = 0; from < run.size(); from += size) {
+        parts.add(new Part(run, from, Math.min(run.size(), from + size)));
+      }
+    }
+    AtomicInteger next = new AtomicInteger();
+    Runnable work =
+        () -> {
+          Evaluation own = evaluation.fork();
+          for (int i = next.getAndIncrement(); i < parts.size(); i = next.getAndIncrement()) {
+            if (Thread.currentThread().isInterrupted()) {
+              return;
+            }
+            Part part = parts.get(i);
+            part.run().evaluate(part.from(), part.to(), own);
+          }
+        };
+    if (!parts.isEmpty()) {
+      DeepStack.runAll(Collections.nCopies(workers, work));
+    }
+  }
+
+  /** Small enough that all workers end at about the same time. */
+  private static int partSize(int elements, int workers) {
+    return Math.max(SMALLEST_PART, Math.min(LARGEST_PART, elements / (workers * 4) + 1));
   }
 
   /** As {@link #validate(Collection, Function)} with the default limit. */
@@ -80,89 +138,5 @@ public final class OclValidator {
       Collection<? extends EObject> roots,
       Function<EObject, SourceLocation> locator) {
     return of(rules).validate(roots, locator);
-  }
-
-  private final class Run {
-    private final List<EObject> elements;
-    private final Evaluation evaluation;
-    private final Findings findings;
-    private final List<Diagnostic> found = new ArrayList<>();
-    private final List<OclResult.Check> checks = new ArrayList<>();
-
-    Run(Collection<? extends EObject> roots, Function<EObject, SourceLocation> locator) {
-      this.findings = new Findings(locator);
-      this.elements = elementsOf(roots);
-      this.evaluation = Evaluation.over(roots);
-    }
-
-    private static List<EObject> elementsOf(Collection<? extends EObject> roots) {
-      Set<EObject> found = new LinkedHashSet<>();
-      TreeIterator<EObject> objects = EcoreUtil.getAllContents(roots, true);
-      while (objects.hasNext()) {
-        found.add(objects.next());
-      }
-      return new ArrayList<>(found);
-    }
-
-    OclResult validate() {
-      for (OclConstraint constraint : rules.constraints()) {
-        checks.add(new OclResult.Check(constraint, evaluate(constraint)));
-      }
-      found.sort(null);
-      List<Diagnostic> all = new ArrayList<>(rules.diagnostics());
-      all.addAll(found);
-      if (checks.stream().allMatch(check -> check.evaluations() == 0)) {
-        all.add(nothingEvaluated());
-      }
-      return new OclResult(elements.size(), checks, all);
-    }
-
-    /** Evaluates an invariant on its elements and says on how many. */
-    private long evaluate(OclConstraint constraint) {
-      long evaluations = 0;
-      long deadline = System.nanoTime() + timeLimit.toNanos();
-      for (EObject element : elements) {
-        if (constraint.context().isInstance(element)) {
-          long left = Math.max(0, deadline - System.nanoTime());
-          evaluation.withTimeLimit(Duration.ofNanos(left));
-          evaluations++;
-          Object value = constraint.evaluate(element, evaluation);
-          if (value instanceof Invalid invalid && invalid.limit()) {
-            String reason =
-                evaluation.ranOutOfTime()
-                    ? "it takes longer than " + text(timeLimit)
-                    : invalid.reason();
-            found.add(findings.limit(constraint, element, reason));
-            return evaluations;
-          } else if (!Boolean.TRUE.equals(value)) {
-            left = Math.max(0, deadline - System.nanoTime());
-            boolean violated = value instanceof Boolean;
-            found.add(
-                violated
-                    ? findings.violated(constraint, element, evaluation, Duration.ofNanos(left))
-                    : findings.undefined(constraint, element, value));
-          }
-        }
-      }
-      return evaluations;
-    }
-
-    private Diagnostic nothingEvaluated() {
-      return Diagnostic.error(
-              "ocl.nothing-evaluated",
-              "Nothing was checked: "
-                  + rules.constraints().size()
-                  + " constraints, "
-                  + elements.size()
-                  + " elements, and none that a constraint is about.",
-              SourceLocation.NONE)
-          .withHint("Give rules for the classes of this model.");
-    }
-  }
-
-  private static String text(Duration duration) {
-    return duration.toMillis() % 1000 == 0
-        ? duration.toSeconds() + " s"
-        : duration.toMillis() + " ms";
   }
 }

@@ -1,6 +1,5 @@
 package dev.eventchain.ocl;
 
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashSet;
@@ -18,14 +17,12 @@ final class Probe {
 
   private final SubExpressions parts;
   private final Evaluation run;
-  private final long deadline;
   private final Facts facts = new Facts();
   private final Set<String> shown = new HashSet<>(Set.of("self"));
 
-  Probe(SubExpressions parts, Evaluation run, Duration limit) {
+  Probe(SubExpressions parts, Evaluation run) {
     this.parts = parts;
     this.run = run;
-    this.deadline = System.nanoTime() + limit.toNanos();
   }
 
   Facts facts() {
@@ -38,7 +35,6 @@ final class Probe {
 
   /** The value of a part; an {@link Invalid} also if the time is over. */
   Object evaluate(OCLExpression<EClassifier> part) {
-    run.withTimeLimit(Duration.ofNanos(Math.max(0, deadline - System.nanoTime())));
     return parts.evaluate(part, run);
   }
 
@@ -48,7 +44,7 @@ final class Probe {
   }
 
   boolean outOfTime() {
-    return System.nanoTime() - deadline >= 0;
+    return System.nanoTime() - run.deadline() >= 0;
   }
 
   /** Does something while a variable has a value. */

@@ -44,7 +44,8 @@ final class RuleParser {
     definitions.addAll(clauses.stream().filter(each -> each.clause().definition()).toList());
     clauses.stream().filter(each -> !each.clause().definition()).forEach(this::addInvariant);
     definitions.forgetUnusable();
-    return new OclRules(constraints, List.copyOf(new TreeSet<>(problems)));
+    List<String> names = documents.stream().map(SourceText::name).toList();
+    return new OclRules(constraints, List.copyOf(new TreeSet<>(problems)), names);
   }
 
   private void addInvariant(ResolvedClause resolved) {

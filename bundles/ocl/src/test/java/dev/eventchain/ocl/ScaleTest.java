@@ -13,10 +13,8 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
-import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
-import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.junit.jupiter.api.Test;
 
 /** Many expressions, many threads, many elements, and rules that do not end. */
@@ -25,24 +23,11 @@ class ScaleTest {
   private final EPackage metamodel = new TestModels("machine").metamodel();
 
   private EObject machine(int states) {
-    EObject machine = EcoreUtil.create((EClass) metamodel.getEClassifier("Machine"));
-    List<EObject> all = listOf(machine, "states");
-    EClass type = (EClass) metamodel.getEClassifier("State");
-    for (int i = 0; i < states; i++) {
-      EObject state = EcoreUtil.create(type);
-      state.eSet(type.getEStructuralFeature("name"), "s" + i);
-      if (i > 0) {
-        all.get(i - 1).eSet(type.getEStructuralFeature("fallback"), state);
-        listOf(all.get(i - 1), "next").add(state);
-      }
-      all.add(state);
-    }
-    return machine;
+    return TestModels.machine(metamodel, states);
   }
 
-  @SuppressWarnings("unchecked") // EMF's lists know their element type at run time only
   private static List<EObject> listOf(EObject object, String feature) {
-    return (List<EObject>) object.eGet(object.eClass().getEStructuralFeature(feature));
+    return TestModels.listOf(object, feature);
   }
 
   private OclResult validate(String rules, EObject root, Duration limit) {

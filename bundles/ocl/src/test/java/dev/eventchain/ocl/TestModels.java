@@ -3,14 +3,17 @@ package dev.eventchain.ocl;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import org.eclipse.emf.common.util.URI;
+import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EcorePackage;
 import org.eclipse.emf.ecore.resource.Resource;
 import org.eclipse.emf.ecore.resource.ResourceSet;
 import org.eclipse.emf.ecore.resource.impl.ResourceSetImpl;
+import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.eclipse.emf.ecore.xmi.impl.EcoreResourceFactoryImpl;
 import org.eclipse.emf.ecore.xmi.impl.XMIResourceFactoryImpl;
 
@@ -75,5 +78,29 @@ final class TestModels {
       throw new UncheckedIOException(e);
     }
     return resource.getContents().get(0);
+  }
+
+  /** A machine with some states s0, s1 ... of which each but the last has the next and fallback. */
+  static EObject machine(EPackage metamodel, int states) {
+    EObject machine = EcoreUtil.create((EClass) metamodel.getEClassifier("Machine"));
+    List<EObject> all = listOf(machine, "states");
+    EClass type = (EClass) metamodel.getEClassifier("State");
+    EObject last = null;
+    for (int i = 0; i < states; i++) {
+      EObject state = EcoreUtil.create(type);
+      state.eSet(type.getEStructuralFeature("name"), "s" + i);
+      if (last != null) {
+        last.eSet(type.getEStructuralFeature("fallback"), state);
+        listOf(last, "next").add(state);
+      }
+      all.add(state);
+      last = state;
+    }
+    return machine;
+  }
+
+  @SuppressWarnings("unchecked") // EMF's lists know their element type at run time only
+  static List<EObject> listOf(EObject object, String feature) {
+    return (List<EObject>) object.eGet(object.eClass().getEStructuralFeature(feature));
   }
 }
