@@ -9,6 +9,7 @@ import java.io.FileOutputStream;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
+import java.util.Optional;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ParameterException;
@@ -120,6 +121,11 @@ public final class Main {
 
   /** Says that this program itself is wrong, with the place in its code. */
   private static int defect(Throwable e, PrintWriter err) {
+    Optional<Diagnostic> memory = MemoryFinding.in(e);
+    if (memory.isPresent()) {
+      err.print(DiagnosticFormat.TEXT.render(List.of(memory.get())));
+      return ExitCode.UNAVAILABLE;
+    }
     StackTraceElement[] stack = e.getStackTrace();
     String place = stack.length == 0 ? "" : " at " + stack[0];
     Diagnostic defect =

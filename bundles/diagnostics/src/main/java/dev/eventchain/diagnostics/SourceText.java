@@ -15,6 +15,9 @@ public final class SourceText {
   private static final long LARGEST = 256L << 20;
   private static final char BYTE_ORDER_MARK = '\uFEFF';
 
+  /** What Java puts in place of bytes that are not UTF-8; a text may also hold it. */
+  private static final char REPLACEMENT = '\uFFFD';
+
   private final String name;
   private final String text;
   private final int[] lineStarts;
@@ -41,8 +44,7 @@ public final class SourceText {
     String name = SourceLocation.nameOf(file);
     byte[] bytes = bytesOf(file);
     try {
-      String text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
-      return of(name, text);
+      return of(name, decode(bytes));
     } catch (CharacterCodingException e) {
       throw new DiagnosticException(
           DiagnosticException.Reason.INPUT,
@@ -50,6 +52,14 @@ public final class SourceText {
                   "file.encoding", "The file is not UTF-8 text.", encodingError(name, bytes))
               .withHint("Save it as UTF-8."));
     }
+  }
+
+  /** Large files are decoded without a copy of two bytes for each character on the way. */
+  private static String decode(byte[] bytes) throws CharacterCodingException {
+    String text = new String(bytes, StandardCharsets.UTF_8);
+    return text.indexOf(REPLACEMENT) < 0
+        ? text
+        : StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
   }
 
   private static byte[] bytesOf(Path file) {

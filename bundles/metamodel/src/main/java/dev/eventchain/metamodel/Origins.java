@@ -2,8 +2,9 @@ package dev.eventchain.metamodel;
 
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import java.util.ArrayList;
 import java.util.IdentityHashMap;
-import java.util.OptionalInt;
+import java.util.List;
 import org.eclipse.emf.ecore.EObject;
 
 /**
@@ -12,32 +13,22 @@ import org.eclipse.emf.ecore.EObject;
  */
 public final class Origins {
 
-  /** Locations, or {@link Mark}s that become locations when somebody asks. */
-  private final IdentityHashMap<EObject, Object> places = new IdentityHashMap<>();
+  /** Where elements are that did not come from a file read here. */
+  private final IdentityHashMap<EObject, SourceLocation> places = new IdentityHashMap<>();
 
-  /** A place in a text that is not worked out yet: most elements are never asked for. */
-  private record Mark(SourceText text, int offset) {}
+  /** The elements of each file that was read. */
+  private final List<Offsets> files = new ArrayList<>();
 
   /** Notes where an element was written, in place of what was known before. */
   public void put(EObject element, SourceLocation location) {
     places.put(element, location);
   }
 
-  /** Notes that an element starts at an offset of a text. */
-  void put(EObject element, SourceText text, int offset) {
-    places.put(element, new Mark(text, offset));
-  }
-
-  /** The offset at which an element starts; nothing unless it was noted as an offset. */
-  OptionalInt offset(EObject element) {
-    return places.get(element) instanceof Mark mark
-        ? OptionalInt.of(mark.offset())
-        : OptionalInt.empty();
-  }
-
-  /** Takes over what another one knows. */
-  public void putAll(Origins other) {
-    places.putAll(other.places);
+  /** A place to note the elements of a text in. */
+  Offsets of(SourceText text) {
+    Offsets offsets = new Offsets(text);
+    files.add(offsets);
+    return offsets;
   }
 
   /**
@@ -48,14 +39,21 @@ public final class Origins {
    */
   public SourceLocation locate(EObject element) {
     for (EObject place = element; place != null; place = place.eContainer()) {
-      Object known = places.get(place);
+      SourceLocation known = known(place);
       if (known != null) {
-        SourceLocation location =
-            known instanceof Mark mark ? mark.text().at(mark.offset()) : (SourceLocation) known;
-        return location.element().isEmpty() ? location.withElement(pathOf(element)) : location;
+        return known.element().isEmpty() ? known.withElement(pathOf(element)) : known;
       }
     }
     return SourceLocation.NONE.withElement(pathOf(element));
+  }
+
+  private SourceLocation known(EObject element) {
+    SourceLocation known = places.get(element);
+    for (int i = 0; known == null && i < files.size(); i++) {
+      int offset = files.get(i).get(element);
+      known = offset < 0 ? null : files.get(i).text().at(offset);
+    }
+    return known;
   }
 
   private static String pathOf(EObject element) {

@@ -5,7 +5,9 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.util.HashSet;
 import java.util.Optional;
+import java.util.Set;
 import org.eclipse.emf.common.util.URI;
 import org.eclipse.emf.ecore.EPackage;
 
@@ -19,6 +21,9 @@ final class ProjectFiles {
   private final Path root;
   private final Path realRoot;
   private final EPackage.Registry registry;
+
+  /** Files that references were found to name rightly; asking the file system takes long. */
+  private final Set<URI> followed = new HashSet<>();
 
   ProjectFiles(Path root, EPackage.Registry registry) {
     this.root = root;
@@ -57,9 +62,12 @@ final class ProjectFiles {
     if (target.hasAuthority() && !target.authority().isEmpty()) {
       return Optional.of("The reference `" + reference + "` names another machine.");
     }
-    return isInside(target.resolve(base))
-        ? Optional.empty()
-        : Optional.of("The reference `" + reference + "` leaves the project's folder.");
+    URI file = target.resolve(base);
+    if (followed.contains(file) || isInside(file)) {
+      followed.add(file);
+      return Optional.empty();
+    }
+    return Optional.of("The reference `" + reference + "` leaves the project's folder.");
   }
 
   boolean isKnownMetamodel(URI target) {

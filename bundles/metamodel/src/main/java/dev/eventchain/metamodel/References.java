@@ -112,7 +112,7 @@ final class References {
 
   /** What a reference leads to; null, and a finding, if that is nothing that it may lead to. */
   private EObject targetOf(XmiResource file, EReference reference, InternalEObject proxy) {
-    String problem = isMissing(proxy.eProxyURI()) ? "names a file that does not exist" : "";
+    String problem = "names no element";
     EObject target = null;
     try {
       target = resources.getEObject(proxy.eProxyURI(), true);
@@ -126,12 +126,13 @@ final class References {
     if (target != null) {
       problem =
           "names a " + target.eClass().getName() + ", not a " + reference.getEType().getName();
+    } else if (isMissing(proxy.eProxyURI())) {
+      problem = "names a file that does not exist";
     }
     file.problems()
         .add(
             "xmi.reference.unresolved",
-            "`%s` %s."
-                .formatted(shown(file, proxy), problem.isEmpty() ? "names no element" : problem),
+            "`%s` %s.".formatted(shown(file, proxy), problem),
             file.offsetOfProxy(proxy),
             "");
     return null;

@@ -30,12 +30,11 @@ import org.xml.sax.SAXParseException;
 final class XmiHandler extends SAXXMIHandler {
 
   private static final int DEEPEST_NESTING = 500;
-  private static final int LONGEST_SHARED_TEXT = 64;
-  private static final int MOST_SHARED_TEXTS = 10_000;
+  private static final int REMEMBERED_TEXTS = 1 << 12;
 
   private final XmiResource file;
   private final Map<EDataType, Boolean> harmless = new HashMap<>();
-  private final Map<String, String> texts = new HashMap<>();
+  private final String[] texts = new String[REMEMBERED_TEXTS];
   private int depth;
   private boolean ended;
 
@@ -124,14 +123,14 @@ final class XmiHandler extends SAXXMIHandler {
 
   /** Models say the same again and again: types, units, topics. One text serves all. */
   private Object shared(Object value) {
-    if (!(value instanceof String text) || text.length() > LONGEST_SHARED_TEXT) {
+    if (!(value instanceof String text)) {
       return value;
     }
-    String known = texts.get(text);
-    if (known == null && texts.size() < MOST_SHARED_TEXTS) {
-      texts.put(text, text);
+    int slot = text.hashCode() & (REMEMBERED_TEXTS - 1);
+    if (!text.equals(texts[slot])) {
+      texts[slot] = text;
     }
-    return known == null ? text : known;
+    return texts[slot];
   }
 
   /** The ids of a file must differ: a reference by id could mean either element. */

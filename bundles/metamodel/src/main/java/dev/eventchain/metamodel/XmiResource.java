@@ -14,6 +14,7 @@ import javax.xml.parsers.SAXParserFactory;
 import org.eclipse.emf.common.util.URI;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.InternalEObject;
 import org.eclipse.emf.ecore.xmi.XMLHelper;
 import org.eclipse.emf.ecore.xmi.XMLLoad;
 import org.eclipse.emf.ecore.xmi.impl.XMILoadImpl;
@@ -34,6 +35,7 @@ final class XmiResource extends XMIResourceImpl {
   private final IdentityHashMap<EObject, Integer> owners = new IdentityHashMap<>();
   private final Map<String, EObject> ids = new HashMap<>();
   private XmiProblems problems;
+  private Offsets offsets;
 
   XmiResource(URI uri, ProjectFiles files, EPackage.Registry registry, Origins origins) {
     super(uri);
@@ -41,6 +43,7 @@ final class XmiResource extends XMIResourceImpl {
     this.registry = registry;
     this.origins = origins;
     this.problems = new XmiProblems(SourceText.of("", ""), registry);
+    this.offsets = new Offsets(problems.text());
   }
 
   /** Notes the id of an element, which must be the only one of that id. */
@@ -49,6 +52,30 @@ final class XmiResource extends XMIResourceImpl {
     if (first != null && first != element) {
       problems.addDuplicate(id, tag, offsetOf(first, tag));
     }
+  }
+
+  /**
+   * As EMF does it, but EMF keeps every path that it ever followed in a pool of weak references.
+   */
+  @Override
+  public EObject getEObject(String fragment) {
+    if (!fragment.startsWith("/")) {
+      return super.getEObject(fragment);
+    }
+    int end = endOfSegment(fragment, 1);
+    EObject found = getEObjectForURIFragmentRootSegment(fragment.substring(1, end));
+    while (found != null && end < fragment.length()) {
+      int start = end + 1;
+      end = endOfSegment(fragment, start);
+      found =
+          ((InternalEObject) found).eObjectForURIFragmentSegment(fragment.substring(start, end));
+    }
+    return found;
+  }
+
+  private static int endOfSegment(String fragment, int start) {
+    int slash = fragment.indexOf('/', start);
+    return slash < 0 ? fragment.length() : slash;
   }
 
   /** EMF would look through the whole file for each id that it does not know. */
@@ -66,12 +93,13 @@ final class XmiResource extends XMIResourceImpl {
   }
 
   void noteOrigin(EObject object, int offset) {
-    origins.put(object, problems.text(), offset);
+    offsets.put(object, offset);
   }
 
   /** The offset of an element's start tag, or of another place if it is not known yet. */
   int offsetOf(EObject element, int otherwise) {
-    return element == null ? otherwise : origins.offset(element).orElse(otherwise);
+    int offset = element == null ? -1 : offsets.get(element);
+    return offset < 0 ? otherwise : offset;
   }
 
   void noteProxy(EObject proxy, int offset, EObject owner) {
@@ -105,6 +133,7 @@ final class XmiResource extends XMIResourceImpl {
     Path path = Path.of(getURI().toFileString());
     try {
       problems = new XmiProblems(XmlText.read(path, files.nameOf(path)), registry);
+      offsets = origins.of(problems.text());
       load(new InputSource(new StringReader(problems.text().text())), Map.of());
       refuseCircles();
       if (getContents().isEmpty() && problems.found().isEmpty()) {

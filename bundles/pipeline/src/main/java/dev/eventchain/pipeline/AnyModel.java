@@ -26,17 +26,15 @@ public final class AnyModel {
   private final XmiStore store;
   private final List<EPackage> packages = new ArrayList<>();
   private final List<EObject> roots = new ArrayList<>();
-  private final Origins origins = new Origins();
+  private final Origins origins;
 
   private AnyModel(List<Path> metamodels, List<Path> models) {
     store = new XmiStore(commonFolder(metamodels, models));
     packages.add(EventchainPackage.eINSTANCE);
     metamodels.forEach(metamodel -> packages.addAll(store.loadMetamodel(metamodel)));
-    for (Path model : models) {
-      LoadedModel loaded = store.load(model);
-      roots.addAll(loaded.resource().getContents());
-      origins.putAll(loaded.origins());
-    }
+    List<LoadedModel> loaded = store.loadAll(models);
+    loaded.forEach(model -> roots.addAll(model.roots()));
+    origins = loaded.get(0).origins();
   }
 
   /**

@@ -1,0 +1,32 @@
+package dev.eventchain.cli;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import java.util.Optional;
+
+/** The input needs more memory than the launcher grants, which is no defect. */
+final class MemoryFinding {
+
+  private static final long MEBIBYTE = 1L << 20;
+
+  private MemoryFinding() {}
+
+  /** The finding, if it is this that went wrong, in whatever thread. */
+  static Optional<Diagnostic> in(Throwable problem) {
+    for (Throwable cause = problem; cause != null; cause = cause.getCause()) {
+      if (cause instanceof OutOfMemoryError) {
+        return Optional.of(finding());
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static Diagnostic finding() {
+    return Diagnostic.error(
+            "eventchain.memory",
+            "The input needs more memory than the %d MiB that are allowed."
+                .formatted(Runtime.getRuntime().maxMemory() / MEBIBYTE),
+            SourceLocation.NONE)
+        .withHint("Allow more: EVENTCHAIN_MEMORY=4g eventchain ...");
+  }
+}
