@@ -1,5 +1,6 @@
 package dev.eventchain.benchmarks;
 
+import dev.eventchain.metamodel.XmiStore;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -8,16 +9,26 @@ import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * Prints how long whole processes of the program take, the launcher included: a first run of the
- * AEB example, a run that finds everything unchanged, and a validation.
+ * Prints how long whole processes of the program take, the launcher included, and their largest
+ * resident memory: a first run of the AEB example, a run that finds everything unchanged, a
+ * validation, and validations of large files with the paper's constraints.
  */
 public final class ProcessBenchmark {
 
   private static final int ROUNDS = 7;
+  private static final int ROUNDS_OF_LARGE_FILES = 3;
   private static final double SECOND = 1e9;
+  private static final double MEBIBYTE = 1 << 20;
+  private static final Pattern PEAK = Pattern.compile("VmHWM:\\s+(\\d+) kB");
+  private static final int[] SIZES = {1_000, 10_000, 50_000, 100_000};
+
+  private record Ended(double seconds, long peakKilobytes) {}
 
   private final Path root;
 
@@ -37,33 +48,54 @@ public final class ProcessBenchmark {
   private void run() throws IOException, InterruptedException {
     Path out = Files.createTempDirectory("eventchain-benchmark");
     try {
-      start(out, "run", "-o", out.toString());
-      System.out.printf("%-44s %9s %9s%n", "whole process, in s", "median", "fastest");
-      measure("run examples/aeb, empty output folder", true, out, "run", "-o", out.toString());
-      measure("run examples/aeb, everything unchanged", false, out, "run", "-o", out.toString());
-      measure("validate examples/aeb", false, out, "validate", "-o", out.toString());
+      String[] run = {"run", "examples/aeb", "-o", out.toString()};
+      start(run);
+      System.out.printf("%-60s %9s %9s %9s%n", "whole process", "median s", "fastest", "peak MiB");
+      measure("run examples/aeb, empty output folder", ROUNDS, out, run);
+      measure("run examples/aeb, everything unchanged", ROUNDS, null, run);
+      run[0] = "validate";
+      measure("validate examples/aeb", ROUNDS, null, run);
+      for (int nodes : SIZES) {
+        measureFile(out, nodes);
+      }
     } finally {
       empty(out);
       Files.delete(out);
     }
   }
 
-  private void measure(String what, boolean fresh, Path out, String... command)
-      throws IOException, InterruptedException {
-    double[] seconds = new double[ROUNDS];
-    for (int i = 0; i < ROUNDS; i++) {
-      if (fresh) {
-        empty(out);
-      }
-      seconds[i] = start(out, command);
-    }
-    Arrays.sort(seconds);
-    System.out.printf(Locale.ROOT, "%-44s %9.2f %9.2f%n", what, seconds[ROUNDS / 2], seconds[0]);
+  private void measureFile(Path out, int nodes) throws IOException, InterruptedException {
+    Path rules = Files.writeString(out.resolve("paper.ocl"), RuleFiles.text("paper.ocl"));
+    Path model = out.resolve("chain" + nodes + ".xmi");
+    Files.write(model, XmiStore.toBytes(ChainModels.sound(nodes)));
+    String what =
+        "validate a file of %d nodes, %d data, %.0f MiB"
+            .formatted(nodes, 4 * nodes, Files.size(model) / MEBIBYTE);
+    measure(
+        what, ROUNDS_OF_LARGE_FILES, null, "validate", "--ocl", rules.toString(), model.toString());
   }
 
-  private double start(Path out, String... command) throws IOException, InterruptedException {
-    List<String> line = new ArrayList<>(List.of("./eventchain", command[0], "examples/aeb"));
-    line.addAll(Arrays.asList(command).subList(1, command.length));
+  /** Measures a command, with a folder emptied before each round if there is one. */
+  private void measure(String what, int rounds, Path fresh, String... command)
+      throws IOException, InterruptedException {
+    double[] seconds = new double[rounds];
+    long peak = 0;
+    for (int i = 0; i < rounds; i++) {
+      if (fresh != null) {
+        empty(fresh);
+      }
+      Ended ended = start(command);
+      seconds[i] = ended.seconds();
+      peak = Math.max(peak, ended.peakKilobytes());
+    }
+    Arrays.sort(seconds);
+    System.out.printf(
+        Locale.ROOT, "%-60s %9.2f %9.2f %9d%n", what, seconds[rounds / 2], seconds[0], peak >> 10);
+  }
+
+  private Ended start(String... command) throws IOException, InterruptedException {
+    List<String> line = new ArrayList<>(List.of("./eventchain"));
+    line.addAll(Arrays.asList(command));
     long begin = System.nanoTime();
     Process process =
         new ProcessBuilder(line)
@@ -71,12 +103,25 @@ public final class ProcessBenchmark {
             .redirectOutput(ProcessBuilder.Redirect.DISCARD)
             .redirectError(ProcessBuilder.Redirect.DISCARD)
             .start();
-    int code = process.waitFor();
-    double seconds = (System.nanoTime() - begin) / SECOND;
-    if (code != 0) {
-      throw new IllegalStateException(line + " ended with " + code + "; output in " + out);
+    long peak = 0;
+    while (!process.waitFor(5, TimeUnit.MILLISECONDS)) {
+      peak = Math.max(peak, peakOf(process.pid()));
     }
-    return seconds;
+    double seconds = (System.nanoTime() - begin) / SECOND;
+    if (process.exitValue() != 0) {
+      throw new IllegalStateException(line + " ended with " + process.exitValue());
+    }
+    return new Ended(seconds, peak);
+  }
+
+  /** The largest resident memory so far in kB; the launcher becomes the JVM. */
+  private static long peakOf(long pid) {
+    try {
+      Matcher peak = PEAK.matcher(Files.readString(Path.of("/proc/" + pid + "/status")));
+      return peak.find() ? Long.parseLong(peak.group(1)) : 0;
+    } catch (IOException e) {
+      return 0; // It has ended meanwhile.
+    }
   }
 
   private static void empty(Path folder) throws IOException {

@@ -101,6 +101,18 @@ class AnyMetamodelTest {
   }
 
   @Test
+  void aModelThatIsTooLargeForTheMemoryIsAFinding() throws IOException {
+    String books = "  <books title=\"A book among many others\" pages=\"1\"/>\n".repeat(500_000);
+    Files.writeString(model, MODEL.replace("</library", books + "</library"));
+    new Program()
+        .with("JAVA_TOOL_OPTIONS", "-Xmx48m")
+        .run("validate", "--metamodel", ecore, "--ocl", ocl("context Book inv A: true\n"), model)
+        .expect(3)
+        .says("[eventchain.memory]")
+        .says("EVENTCHAIN_MEMORY");
+  }
+
+  @Test
   void aTemplateWritesItsFilesAndTouchesThemNoSecondTime() throws IOException {
     Path template = Files.writeString(folder.resolve("main.mtl"), TEMPLATE);
     Path out = folder.resolve("out");

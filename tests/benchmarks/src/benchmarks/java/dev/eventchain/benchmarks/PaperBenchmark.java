@@ -1,0 +1,82 @@
+package dev.eventchain.benchmarks;
+
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.EventchainPackage;
+import dev.eventchain.ocl.OclRules;
+import dev.eventchain.ocl.OclValidator;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.eclipse.emf.ecore.EPackage;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+
+/** The paper's two constraints, which hold, on a model in memory. */
+@State(Scope.Benchmark)
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.MICROSECONDS)
+public class PaperBenchmark {
+
+  /** How many software nodes the model has; each has two inputs and two outputs. */
+  @Param({"1000", "10000", "100000"})
+  public int nodes;
+
+  private EventChain chain;
+  private OclRules rules;
+  private StockRules stock;
+  private EpsilonRules epsilon;
+  private EpsilonRules epsilonParallel;
+
+  /** Makes the model and parses the rules. */
+  @Setup
+  public void prepare() throws Exception {
+    EPackage.Registry.INSTANCE.put(EventchainPackage.eNS_URI, EventchainPackage.eINSTANCE);
+    chain = ChainModels.sound(nodes);
+    rules = RuleFiles.ocl("paper.ocl");
+    stock = new StockRules("paper.ocl");
+    epsilon = new EpsilonRules(chain, false);
+    epsilonParallel = new EpsilonRules(chain, true);
+  }
+
+  /** By hand, through all elements. */
+  @Benchmark
+  public Object javaByHand() {
+    return PaperRules.check(chain);
+  }
+
+  /** By hand, through the list of nodes alone. */
+  @Benchmark
+  public Object javaOverTheList() {
+    return PaperRules.checkNodes(chain);
+  }
+
+  /** This project. */
+  @Benchmark
+  public Object eventchain() {
+    return OclValidator.validate(rules, List.of(chain), element -> SourceLocation.NONE);
+  }
+
+  /** Eclipse OCL as it comes. */
+  @Benchmark
+  public Object stockOcl() {
+    return stock.check(chain);
+  }
+
+  /** Epsilon's ordinary module. */
+  @Benchmark
+  public int epsilonEvl() throws Exception {
+    return epsilon.check();
+  }
+
+  /** Epsilon's module for several threads. */
+  @Benchmark
+  public int epsilonEvlParallel() throws Exception {
+    return epsilonParallel.check();
+  }
+}

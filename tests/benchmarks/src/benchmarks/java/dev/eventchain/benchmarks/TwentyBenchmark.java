@@ -1,0 +1,60 @@
+package dev.eventchain.benchmarks;
+
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.EventchainPackage;
+import dev.eventchain.ocl.OclRules;
+import dev.eventchain.ocl.OclValidator;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.eclipse.emf.ecore.EPackage;
+import org.openjdk.jmh.annotations.Benchmark;
+import org.openjdk.jmh.annotations.BenchmarkMode;
+import org.openjdk.jmh.annotations.Mode;
+import org.openjdk.jmh.annotations.OutputTimeUnit;
+import org.openjdk.jmh.annotations.Param;
+import org.openjdk.jmh.annotations.Scope;
+import org.openjdk.jmh.annotations.Setup;
+import org.openjdk.jmh.annotations.State;
+
+/** The twenty constraints of {@code twenty.ocl}, which hold, on a model in memory. */
+@State(Scope.Benchmark)
+@BenchmarkMode(Mode.AverageTime)
+@OutputTimeUnit(TimeUnit.MICROSECONDS)
+public class TwentyBenchmark {
+
+  /** How many software nodes the model has; each has two inputs and two outputs. */
+  @Param({"1000", "10000"})
+  public int nodes;
+
+  private EventChain chain;
+  private OclRules rules;
+  private StockRules stock;
+
+  /** Makes the model and parses the rules. */
+  @Setup
+  public void prepare() throws Exception {
+    EPackage.Registry.INSTANCE.put(EventchainPackage.eNS_URI, EventchainPackage.eINSTANCE);
+    chain = ChainModels.sound(nodes);
+    rules = RuleFiles.ocl("twenty.ocl");
+    stock = new StockRules("twenty.ocl");
+  }
+
+  /** By hand. */
+  @Benchmark
+  public Object javaByHand() {
+    return TwentyRules.check(chain);
+  }
+
+  /** This project. */
+  @Benchmark
+  public Object eventchain() {
+    return OclValidator.validate(rules, List.of(chain), element -> SourceLocation.NONE);
+  }
+
+  /** Eclipse OCL as it comes. */
+  @Benchmark
+  public Object stockOcl() {
+    return stock.check(chain);
+  }
+}
