@@ -63,7 +63,7 @@ final class BodyLowering {
 
   void lower(OCLExpression<EClassifier> expression, Lowered result) {
     Node root = node(expression);
-    result.complete(root, slots.size(), slots.toArray(String[]::new), whole, called);
+    result.complete(root, slots, whole, called);
   }
 
   private int newSlot(String freeVariable) {

@@ -311,6 +311,29 @@ final class CollectionNodes {
     }
   }
 
+  /** {@code product}. */
+  static final class ProductNode extends GuardedNode {
+    private final Node source;
+    private final Node argument;
+    private final Product product;
+    private final ValueEnvironment environment;
+
+    ProductNode(Node source, Node argument, Product product, ValueEnvironment environment) {
+      this.source = source;
+      this.argument = argument;
+      this.product = product;
+      this.environment = environment;
+    }
+
+    @Override
+    Object compute(Frame frame) {
+      return source.evaluate(frame) instanceof Collection<?> elements
+              && argument.evaluate(frame) instanceof Collection<?> others
+          ? product.make(elements, others, environment, frame.run)
+          : INVALID;
+    }
+  }
+
   /** {@code selectByKind} and {@code selectByType}. */
   static final class SelectByType extends GuardedNode {
     private final Node source;

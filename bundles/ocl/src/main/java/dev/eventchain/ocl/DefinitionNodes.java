@@ -91,7 +91,7 @@ final class DefinitionNodes {
         }
       }
       List<Object> given = Arrays.asList(values);
-      Object result = frame.calls.call(call, implementation, object, given, frame.run);
+      Object result = frame.calls().call(call, implementation, object, given, frame.run);
       return result instanceof Invalid ? INVALID : CollectionOperations.conform(result, type);
     }
   }

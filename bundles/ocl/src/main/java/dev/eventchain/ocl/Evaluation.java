@@ -27,6 +27,7 @@ public final class Evaluation {
   private final Map<String, Matcher> matchers = new MatcherCache();
   private Object attachment;
   private Duration timeLimit = Duration.ofDays(1);
+  private boolean started;
   private long deadline;
   private boolean deadlineIsFixed;
   private int steps;
@@ -131,9 +132,7 @@ public final class Evaluation {
   boolean begin() {
     boolean outermost = running++ == 0;
     if (outermost) {
-      if (!deadlineIsFixed) {
-        deadline = System.nanoTime() + timeLimit.toNanos();
-      }
+      started = deadlineIsFixed;
       depth = 0;
       outOfTime = false;
     }
@@ -149,7 +148,13 @@ public final class Evaluation {
   void step() {
     if (++steps >= STEPS_BETWEEN_LOOKS_AT_THE_CLOCK) {
       steps = 0;
-      if (System.nanoTime() - deadline > 0 || Thread.currentThread().isInterrupted()) {
+      long now = System.nanoTime();
+      if (!started) {
+        // Most evaluations are over before their first look at the clock.
+        started = true;
+        deadline = now + timeLimit.toNanos();
+      }
+      if (now - deadline >= 0 || Thread.currentThread().isInterrupted()) {
         outOfTime = true;
         throw new EvaluationHaltedException("it takes longer than " + text(timeLimit));
       }

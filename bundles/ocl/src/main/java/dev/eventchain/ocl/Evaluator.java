@@ -222,23 +222,8 @@ final class Evaluator extends EvaluationVisitorImpl {
 
   private Object product(
       OperationCallExp<EClassifier, EOperation> call, Collection<?> first, Collection<?> second) {
-    EClassifier tupleType =
-        ((org.eclipse.ocl.ecore.CollectionType) call.getType()).getElementType();
-    EStructuralFeature firstPart =
-        getEnvironment().lookupProperty(tupleType, OCLStandardLibraryUtil.PRODUCT_FIRST);
-    EStructuralFeature secondPart =
-        getEnvironment().lookupProperty(tupleType, OCLStandardLibraryUtil.PRODUCT_SECOND);
-    Collection<Object> result = new InsertionOrderedSet<>();
-    for (Object left : first) {
-      for (Object right : second) {
-        run.step();
-        Map<EStructuralFeature, Object> values = new java.util.HashMap<>();
-        values.put(firstPart, left);
-        values.put(secondPart, right);
-        result.add(getEvaluationEnvironment().createTuple(tupleType, values));
-      }
-    }
-    return result;
+    return Product.of(call, (OclEnvironment) getEnvironment())
+        .make(first, second, (ValueEnvironment) getEvaluationEnvironment(), run);
   }
 
   private Object selectByType(Collection<?> elements, Object type, boolean exactly) {

@@ -84,9 +84,9 @@ public final class Expression {
 
   /** Evaluates again, and keeps an eye on where the value becomes invalid. */
   private Invalid explain(Frame frame) {
-    frame.calls.replay();
+    frame.calls().replay();
     frame.run.setOrigin(null);
-    language.evaluator(frame.run, frame.calls).visitExpression(ast);
+    language.evaluator(frame.run, frame.calls()).visitExpression(ast);
     InvalidOrigin origin = frame.run.origin();
     return origin == null ? new Invalid("it has no value", location(), false) : origin.toInvalid();
   }

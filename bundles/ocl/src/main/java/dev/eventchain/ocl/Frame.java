@@ -6,20 +6,30 @@ final class Frame {
   final Evaluation run;
   final Object[] slots;
 
-  /** What libraries answered, kept for the case that the reason of an invalid value is wanted. */
-  final LibraryCalls calls;
+  /** The frame of the expression; itself for an expression. */
+  private final Frame outermost;
+
+  private LibraryCalls calls;
 
   /** For an expression. */
   Frame(Evaluation run, int size) {
     this.run = run;
     this.slots = new Object[size];
-    this.calls = new LibraryCalls();
+    this.outermost = this;
   }
 
   /** For a definition that is called. */
   Frame(Frame caller, int size) {
     this.run = caller.run;
     this.slots = new Object[size];
-    this.calls = caller.calls;
+    this.outermost = caller.outermost;
+  }
+
+  /** What libraries answered, kept for the case that the reason of an invalid value is wanted. */
+  LibraryCalls calls() {
+    if (outermost.calls == null) {
+      outermost.calls = new LibraryCalls();
+    }
+    return outermost.calls;
   }
 }

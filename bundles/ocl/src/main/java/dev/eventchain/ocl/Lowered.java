@@ -3,6 +3,7 @@ package dev.eventchain.ocl;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.IntStream;
 
 /**
  * A lowered expression, or the lowered body of a definition. It is complete once it is published to
@@ -13,6 +14,7 @@ final class Lowered {
   private Node root;
   private int size;
   private String[] variables = {};
+  private int[] variableSlots = {};
   private boolean whole;
   private List<Lowered> definitions = List.of();
 
@@ -20,16 +22,15 @@ final class Lowered {
    * Completes it.
    *
    * @param body the outermost node
-   * @param slots how many slots a frame needs
-   * @param free the variables whose values come from outside; each one's slot is its index. Null
-   *     where a slot is no such variable
+   * @param slots for each slot of a frame the variable whose value comes from outside, or null
    * @param lowered whether nothing is left to Eclipse OCL, definitions aside
    * @param called the definitions that it calls
    */
-  void complete(Node body, int slots, String[] free, boolean lowered, List<Lowered> called) {
+  void complete(Node body, List<String> slots, boolean lowered, List<Lowered> called) {
     root = body;
-    size = slots;
-    variables = free;
+    size = slots.size();
+    variableSlots = IntStream.range(0, size).filter(i -> slots.get(i) != null).toArray();
+    variables = IntStream.of(variableSlots).mapToObj(slots::get).toArray(String[]::new);
     whole = lowered;
     definitions = List.copyOf(called);
   }
@@ -46,9 +47,7 @@ final class Lowered {
   Frame frame(Evaluation run) {
     Frame frame = new Frame(run, size);
     for (int i = 0; i < variables.length; i++) {
-      if (variables[i] != null) {
-        frame.slots[i] = run.values().get(variables[i]);
-      }
+      frame.slots[variableSlots[i]] = run.values().get(variables[i]);
     }
     return frame;
   }

@@ -7,6 +7,7 @@ import org.eclipse.emf.ecore.EOperation;
 import org.eclipse.ocl.expressions.OCLExpression;
 import org.eclipse.ocl.expressions.OperationCallExp;
 import org.eclipse.ocl.expressions.TypeExp;
+import org.eclipse.ocl.types.AnyType;
 import org.eclipse.ocl.types.CollectionType;
 import org.eclipse.ocl.types.OCLStandardLibrary;
 import org.eclipse.ocl.types.PrimitiveType;
@@ -140,8 +141,8 @@ final class OperationLowering {
   private Node asType(OperationCallExp<EClassifier, EOperation> call, Node source) {
     EClassifier from = call.getSource().getType();
     return call.getArgument().get(0) instanceof TypeExp<EClassifier> type
-            && from instanceof EClass
-            && !(from instanceof PredefinedType<?>)
+            && (from instanceof AnyType<?>
+                || (from instanceof EClass && !(from instanceof PredefinedType<?>)))
         ? new NavigationNodes.AsType(source, type.getReferredType(), lowering.environment())
         : null;
   }
@@ -194,6 +195,12 @@ final class OperationLowering {
       return new CollectionNodes.Pair(code, source, argument);
     } else if (CollectionNodes.WithElement.has(code)) {
       return new CollectionNodes.WithElement(code, source, argument);
+    } else if (code == PredefinedType.PRODUCT) {
+      return new CollectionNodes.ProductNode(
+          source,
+          argument,
+          Product.of(call, lowering.language().environment()),
+          lowering.environment());
     } else if (code == PredefinedType.SELECT_BY_KIND || code == PredefinedType.SELECT_BY_TYPE) {
       return call.getArgument().get(0) instanceof TypeExp<EClassifier> type
           ? new CollectionNodes.SelectByType(

@@ -36,7 +36,7 @@ final class StockExpression extends Node {
       stack.push(names[i], frame.slots[slots[i]]);
     }
     try {
-      return language.evaluator(frame.run, frame.calls).visitExpression(expression);
+      return language.evaluator(frame.run, frame.calls()).visitExpression(expression);
     } finally {
       stack.truncate(height);
     }

@@ -72,7 +72,7 @@ final class StockOperation {
       stack.push(OPERANDS.get(i), values[i]);
     }
     try {
-      return language.evaluator(frame.run, frame.calls).visitExpression(template());
+      return language.evaluator(frame.run, frame.calls()).visitExpression(template());
     } finally {
       stack.truncate(height);
     }
