@@ -80,7 +80,7 @@ public final class Evaluation {
     deadlineIsFixed = true;
   }
 
-  /** When the evaluation that is running, or the latest one, must have ended. */
+  /** What {@link #setDeadline} was given. */
   long deadline() {
     return deadline;
   }
