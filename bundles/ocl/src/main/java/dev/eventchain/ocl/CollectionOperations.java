@@ -77,6 +77,7 @@ final class CollectionOperations {
   }
 
   static Collection<Object> union(Collection<?> first, Collection<?> second) {
+    Limits.requireElements((long) first.size() + second.size());
     CollectionKind kind;
     if (first instanceof Bag<?> || second instanceof Bag<?>) {
       kind = CollectionKind.BAG_LITERAL;
@@ -149,6 +150,7 @@ final class CollectionOperations {
           create(kind == CollectionKind.ORDERED_SET_LITERAL ? CollectionKind.SET_LITERAL : kind);
       for (Object element : result) {
         flatter.addAll((Collection<?>) element);
+        Limits.requireElements(flatter.size());
       }
       result = flatter;
     }

@@ -57,13 +57,22 @@ final class ConstraintRun {
   void evaluate(int from, int to, Evaluation evaluation) {
     evaluation.setDeadline(startedUntil());
     for (int i = from; i < to && i < givenUpAt.get(); i++) {
-      Object value = constraint.evaluate(elements.get(i), evaluation);
+      Object value = valueFor(elements.get(i), evaluation);
       if (!Boolean.TRUE.equals(value)) {
         if (Thread.currentThread().isInterrupted()) {
           return;
         }
         add(i, value, evaluation);
       }
+    }
+  }
+
+  /** What wants more memory than there is must not end the other constraints, too. */
+  private Object valueFor(EObject element, Evaluation evaluation) {
+    try {
+      return constraint.evaluate(element, evaluation);
+    } catch (OutOfMemoryError e) {
+      return new Invalid("it needs more memory than there is", constraint.location(), true);
     }
   }
 
@@ -80,7 +89,7 @@ final class ConstraintRun {
     Object known = value;
     if (isLimit(value) && !evaluation.ranOutOfTime()) {
       // The stack of this thread may be what was too small.
-      known = DeepStack.call(() -> constraint.evaluate(element, evaluation));
+      known = DeepStack.call(() -> valueFor(element, evaluation));
     }
     if (Boolean.TRUE.equals(known)) {
       return;

@@ -113,7 +113,7 @@ final class Evaluator extends EvaluationVisitorImpl {
 
   @Override
   public Object visitOperationCallExp(OperationCallExp<EClassifier, EOperation> call) {
-    return tracked(call, () -> operation(call), call.getSource());
+    return tracked(call, () -> Limits.require(operation(call)), call.getSource());
   }
 
   @Override
@@ -260,7 +260,7 @@ final class Evaluator extends EvaluationVisitorImpl {
   public Object visitCollectionLiteralExp(CollectionLiteralExp<EClassifier> literal) {
     CollectionKind kind = literal.getKind();
     if (kind != CollectionKind.SET_LITERAL && kind != CollectionKind.BAG_LITERAL) {
-      return super.visitCollectionLiteralExp(literal);
+      return Limits.require(super.visitCollectionLiteralExp(literal));
     }
     Collection<Object> result = CollectionOperations.create(kind);
     for (CollectionLiteralPart<EClassifier> part : literal.getPart()) {
@@ -283,9 +283,10 @@ final class Evaluator extends EvaluationVisitorImpl {
     Integer first = (Integer) range.getFirst().accept(getVisitor());
     Integer last = (Integer) range.getLast().accept(getVisitor());
     if (first != null && last != null) {
-      for (int i = first; i <= last; i++) {
+      Limits.requireElements((long) last - first + 1);
+      for (long i = first; i <= last; i++) {
         run.step();
-        result.add(i);
+        result.add((int) i);
       }
     }
   }

@@ -220,6 +220,11 @@ public final class ExpressionLanguage {
       body.accept(ValidationVisitor.getInstance(environment));
       body.eAdapters().add(new InvalidOrigin.Source(text));
       return collector.failed() ? Optional.empty() : Optional.of(body);
+    } catch (NumberFormatException e) {
+      String number = String.valueOf(e.getMessage()).replaceAll("\\D", "");
+      int offset = Math.max(0, text.text().indexOf(number, start) - start + prefix.length());
+      collector.add("ocl.syntax", true, "The number " + number + " is too large.", "", offset);
+      return Optional.empty();
     } catch (RuntimeException e) {
       collector.add("ocl.syntax", true, "The expression cannot be read: " + e.getMessage(), "", 0);
       return Optional.empty();

@@ -79,6 +79,7 @@ final class LoopEvaluator {
         }
         if (flatten && value instanceof Collection<?> several) {
           result.addAll(CollectionOperations.flatten(several));
+          Limits.requireElements(result.size());
         } else {
           result.add(value);
         }
@@ -132,6 +133,7 @@ final class LoopEvaluator {
       }
       Object element = open.peek().next();
       if (result.add(element)) {
+        Limits.requireElements(result.size());
         Object next = step.apply(element);
         if (next == Node.INVALID) {
           return false;

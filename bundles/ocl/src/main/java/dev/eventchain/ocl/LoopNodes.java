@@ -216,6 +216,7 @@ final class LoopNodes {
           return INVALID;
         } else if (flatten && value instanceof Collection<?> several) {
           result.addAll(CollectionOperations.flatten(several));
+          Limits.requireElements(result.size());
         } else {
           result.add(value);
         }

@@ -125,8 +125,13 @@ final class TextNodes {
         case PredefinedType.EQUALS_IGNORE_CASE -> text.equalsIgnoreCase(other);
         case PredefinedType.MATCHES -> matcher(frame, other, text).matches();
         case PredefinedType.TOKENIZE -> tokens(text, other, false);
-        default -> text.concat(other);
+        default -> joined(text, other);
       };
+    }
+
+    private static String joined(String text, String other) {
+      Limits.requireCharacters((long) text.length() + other.length());
+      return text.concat(other);
     }
   }
 
@@ -202,13 +207,19 @@ final class TextNodes {
   }
 
   private static Matcher matcher(Frame frame, String expression, String text) {
-    Matcher known = frame.run.matchers().get(expression);
+    return matcher(frame.run, expression, text);
+  }
+
+  /** A regular expression about to be applied to a text, within the time limit of the run. */
+  static Matcher matcher(Evaluation run, String expression, String text) {
+    CharSequence watched = Limits.watched(text, run);
+    Matcher known = run.matchers().get(expression);
     if (known == null) {
-      known = Pattern.compile(expression).matcher(text);
-      frame.run.matchers().put(expression, known);
+      known = Pattern.compile(expression).matcher(watched);
+      run.matchers().put(expression, known);
       return known;
     }
-    return known.reset(text);
+    return known.reset(watched);
   }
 
   /** {@code toString()} of any value, which has one even for null and invalid. */

@@ -176,6 +176,7 @@ final class ValueNodes {
       }
       if (from != null && to != null) {
         int end = (Integer) to;
+        Limits.requireElements((long) end - (Integer) from + 1);
         for (long i = (Integer) from; i <= end; i++) {
           frame.run.step();
           result.add((int) i);
@@ -211,7 +212,11 @@ final class ValueNodes {
         if (to == null) {
           return listOfNull();
         }
-        return to instanceof Integer end ? new Integers(start, end) : INVALID;
+        if (!(to instanceof Integer end)) {
+          return INVALID;
+        }
+        Limits.requireElements((long) end - start + 1);
+        return new Integers(start, end);
       }
     }
 

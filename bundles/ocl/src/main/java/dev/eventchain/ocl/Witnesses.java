@@ -92,6 +92,9 @@ final class Witnesses {
   boolean tellEqual() {
     Map<Object, Object> first = new HashMap<>();
     for (Object element : probe.elements(loop.getSource())) {
+      if (probe.outOfTime()) {
+        return false;
+      }
       Object value = valueFor(element);
       if (first.containsKey(value) && !(value instanceof Invalid)) {
         probe
@@ -121,6 +124,9 @@ final class Witnesses {
   boolean tellAll() {
     List<Object> all = new ArrayList<>();
     for (Object element : probe.elements(loop.getSource())) {
+      if (probe.outOfTime()) {
+        return false;
+      }
       if (Boolean.TRUE.equals(valueFor(element))) {
         all.add(element);
       }

@@ -1,0 +1,73 @@
+package dev.eventchain.ocl;
+
+import java.util.Collection;
+import org.eclipse.ocl.EvaluationHaltedException;
+
+/**
+ * How large a value may become. An evaluation that goes beyond is halted: it would end in a want of
+ * memory, and not only its own.
+ */
+final class Limits {
+
+  private static final int MOST_ELEMENTS = 4_000_000;
+  private static final int MOST_CHARACTERS = 16_000_000;
+
+  /** Regular expressions that never seem to end need a text of some length for that. */
+  private static final int SHORT_TEXT = 20;
+
+  private Limits() {}
+
+  /** Halts what makes a collection that is too large. */
+  static void requireElements(long elements) {
+    if (elements > MOST_ELEMENTS) {
+      throw new EvaluationHaltedException(
+          "it makes a collection of more than " + MOST_ELEMENTS + " elements");
+    }
+  }
+
+  /** Halts what makes a text that is too long. */
+  static void requireCharacters(long characters) {
+    if (characters > MOST_CHARACTERS) {
+      throw new EvaluationHaltedException(
+          "it makes a text of more than " + MOST_CHARACTERS + " characters");
+    }
+  }
+
+  /** Halts what made a value that is too large, and gives the value otherwise. */
+  static Object require(Object value) {
+    if (value instanceof String text) {
+      requireCharacters(text.length());
+    } else if (value instanceof Collection<?> elements) {
+      requireElements(elements.size());
+    }
+    return value;
+  }
+
+  /** A text for a regular expression, which the time limit of an evaluation holds for, too. */
+  static CharSequence watched(CharSequence text, Evaluation run) {
+    return text.length() <= SHORT_TEXT ? text : new Watched(text, run);
+  }
+
+  private record Watched(CharSequence text, Evaluation run) implements CharSequence {
+    @Override
+    public int length() {
+      return text.length();
+    }
+
+    @Override
+    public char charAt(int index) {
+      run.step();
+      return text.charAt(index);
+    }
+
+    @Override
+    public CharSequence subSequence(int start, int end) {
+      return text.subSequence(start, end);
+    }
+
+    @Override
+    public String toString() {
+      return text.toString();
+    }
+  }
+}
