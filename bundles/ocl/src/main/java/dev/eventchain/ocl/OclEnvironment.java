@@ -104,7 +104,7 @@ final class OclEnvironment extends EcoreEnvironment {
   /** A type that several packages have must be named with its package. */
   @Override
   public EClassifier tryLookupClassifier(List<String> names) throws LookupException {
-    if (super.lookupClassifier(names) == null) {
+    if (nearest(names) == null) {
       List<EClassifier> candidates = factory.packages().classifiers(names);
       if (candidates.size() > 1) {
         String all = candidates.stream().map(Names::qualified).collect(Collectors.joining(", "));
@@ -123,12 +123,28 @@ final class OclEnvironment extends EcoreEnvironment {
 
   @Override
   public EClassifier lookupClassifier(List<String> names) {
-    EClassifier found = super.lookupClassifier(names);
+    EClassifier found = nearest(names);
     if (found != null) {
       return found;
     }
     List<EClassifier> candidates = factory.packages().classifiers(names);
-    return candidates.isEmpty() ? null : candidates.get(0);
+    return candidates.isEmpty() ? super.lookupClassifier(names) : candidates.get(0);
+  }
+
+  /**
+   * What a name means from inside the context's package and those around it. Eclipse OCL would take
+   * the first package of a name that is anywhere, and say nothing of the others.
+   */
+  private EClassifier nearest(List<String> names) {
+    if (names.size() == 1) {
+      return super.lookupClassifier(names);
+    }
+    EClassifier found = null;
+    for (EPackage each = getContextPackage(); each != null && found == null; ) {
+      found = PackageIndex.classifierIn(each, names);
+      each = each.getESuperPackage();
+    }
+    return found;
   }
 
   @Override

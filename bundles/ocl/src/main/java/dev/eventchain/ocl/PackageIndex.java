@@ -96,6 +96,25 @@ final class PackageIndex {
     return exact.size() == 1 ? exact : found;
   }
 
+  /** The classifier that a path leads to from a package; {@code null} if there is none. */
+  static EClassifier classifierIn(EPackage start, List<String> path) {
+    EPackage inner = start;
+    for (String name : path.subList(0, path.size() - 1)) {
+      inner =
+          inner == null
+              ? null
+              : inner.getESubpackages().stream()
+                  .filter(each -> isNamed(name, each))
+                  .findFirst()
+                  .orElse(null);
+    }
+    List<EClassifier> found = new ArrayList<>();
+    if (inner != null) {
+      addClassifier(inner, path.subList(path.size() - 1, path.size()), found);
+    }
+    return found.isEmpty() ? null : found.get(0);
+  }
+
   private static void addClassifier(
       EPackage candidate, List<String> path, List<EClassifier> found) {
     int last = path.size() - 1;

@@ -1,0 +1,70 @@
+package dev.eventchain.ocl;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.fail;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
+import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.TestFactory;
+
+/**
+ * For each id in the folder {@code rules}, {@code rules/ID/good.ocl} does not give it and {@code
+ * bad.ocl} does, on the model {@code rules/model.xmi}; all that is found stands beside each. A
+ * missing expectation is written, and the test fails.
+ */
+class RuleFixturesTest {
+
+  private static final Path FIXTURES = Path.of("src", "test", "resources", "rules");
+
+  @TestFactory
+  Stream<DynamicTest> everyIdHasAGoodAndABadCase() throws IOException {
+    List<DynamicTest> tests = new ArrayList<>();
+    try (Stream<Path> pages = Files.list(Path.of("rules"))) {
+      for (Path page : pages.sorted().toList()) {
+        String id = page.getFileName().toString().replaceFirst("\\.md$", "");
+        for (String kind : List.of("good", "bad")) {
+          tests.add(DynamicTest.dynamicTest(id + " " + kind, () -> check(id, kind)));
+        }
+      }
+    }
+    return tests.stream();
+  }
+
+  private static void check(String id, String kind) throws IOException {
+    List<Diagnostic> diagnostics = validate(FIXTURES.resolve(id).resolve(kind + ".ocl"));
+    String found = DiagnosticFormat.TEXT.render(diagnostics);
+    Path expected = FIXTURES.resolve(id).resolve(kind + ".expected");
+    if (!Files.exists(expected)) {
+      Files.writeString(expected, found);
+      fail("wrote " + expected + "; check it");
+    }
+    assertEquals(Files.readString(expected), found);
+    assertEquals(
+        kind.equals("bad"), diagnostics.stream().anyMatch(each -> each.id().equals(id)), found);
+  }
+
+  private static List<Diagnostic> validate(Path rules) throws IOException {
+    TestModels models =
+        new TestModels(FIXTURES, Path.of("src", "test", "resources", "metamodels", "library"));
+    EPackage metamodel = models.metamodel();
+    EObject model = models.load("model.xmi");
+    String name = rules.getFileName().toString();
+    return OclValidator.validate(
+            OclRules.parse(
+                List.of(SourceText.of(name, Files.readString(rules))), List.of(metamodel)),
+            List.of(model),
+            element -> SourceLocation.of("model.xmi").withElement(Names.pathOf(element)))
+        .diagnostics();
+  }
+}
