@@ -4,8 +4,13 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystemException;
+import java.nio.file.FileSystemLoopException;
 import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
+import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
 import java.util.Arrays;
 
@@ -71,8 +76,8 @@ public final class SourceText {
     } catch (NoSuchFileException e) {
       throw unreadable("file.missing", "There is no such file.", file);
     } catch (IOException e) {
-      String problem = Files.isDirectory(file) ? "This is a folder." : reason(e);
-      throw unreadable("file.unreadable", "The file cannot be read: " + problem, file);
+      String problem = Files.isDirectory(file) ? "this is a folder" : reason(e);
+      throw unreadable("file.unreadable", "The file cannot be read: " + problem + ".", file);
     }
   }
 
@@ -89,8 +94,22 @@ public final class SourceText {
     }
   }
 
-  private static String reason(IOException e) {
-    return e.getClass().getSimpleName() + (e.getMessage() == null ? "" : ", " + e.getMessage());
+  /** Why a file could not be read or written, in words for people, without a full stop. */
+  public static String reason(IOException e) {
+    if (e instanceof AccessDeniedException) {
+      return "permission is denied";
+    } else if (e instanceof NoSuchFileException) {
+      return "there is no such file or folder";
+    } else if (e instanceof FileAlreadyExistsException) {
+      return "a file is in the way";
+    } else if (e instanceof NotDirectoryException) {
+      return "a part of the path is no folder";
+    } else if (e instanceof FileSystemLoopException) {
+      return "links go in a circle";
+    }
+    boolean told = e instanceof FileSystemException file && file.getReason() != null;
+    String reason = told ? ((FileSystemException) e).getReason() : e.getMessage();
+    return reason == null || reason.isBlank() ? "the system does not say why" : reason;
   }
 
   private static DiagnosticException unreadable(String id, String message, Path file) {

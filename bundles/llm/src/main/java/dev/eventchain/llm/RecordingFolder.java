@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -61,7 +62,7 @@ final class RecordingFolder {
           List.of(
               Diagnostic.error(
                       "file.unreadable",
-                      "The recordings cannot be read: " + e.getClass().getSimpleName() + ".",
+                      "The recordings cannot be read: " + SourceText.reason(e) + ".",
                       SourceLocation.of(tasks))
                   .withHint("Check that you may read the folder.")));
     }

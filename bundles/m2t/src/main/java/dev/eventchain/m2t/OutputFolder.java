@@ -3,6 +3,7 @@ package dev.eventchain.m2t;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -115,7 +116,7 @@ public final class OutputFolder implements AutoCloseable {
     try {
       return put(path.value(), content, onEdit);
     } catch (FolderStorage.LinkLeavesFolderException e) {
-      return new Written(Outcome.REFUSED, Optional.of(linkRefused(name, e)));
+      return new Written(Outcome.REFUSED, Optional.of(linkRefused(path.value(), e)));
     } catch (IOException e) {
       throw unwritable(storage.shown(path.value()), e);
     }
@@ -282,11 +283,11 @@ public final class OutputFolder implements AutoCloseable {
         .withHint("Files are named relative to the output folder and stay below it.");
   }
 
-  private static Diagnostic linkRefused(String name, IOException e) {
+  private Diagnostic linkRefused(String name, IOException e) {
     return Diagnostic.error(
             "output.path.refused",
             "The file '" + OutputPath.shown(name) + "' was not written: " + e.getMessage() + ".",
-            SourceLocation.NONE)
+            SourceLocation.of(storage.shown(name)))
         .withHint("Replace the link by a folder.");
   }
 
@@ -294,7 +295,7 @@ public final class OutputFolder implements AutoCloseable {
     return failure(
         Diagnostic.error(
                 "output.unwritable",
-                "The output cannot be written: " + e,
+                "The output cannot be written: " + SourceText.reason(e) + ".",
                 SourceLocation.of(place.replace('\\', '/')))
             .withHint("Check permissions and free space, or choose another folder with -o."));
   }

@@ -120,7 +120,7 @@ public final class Scenario {
             DiagnosticException.Reason.INPUT,
             Diagnostic.error(
                 "file.unreadable",
-                "The folder cannot be read: " + e.getMessage(),
+                "The folder cannot be read: " + SourceText.reason(e) + ".",
                 SourceLocation.of(folder)));
       }
     }
