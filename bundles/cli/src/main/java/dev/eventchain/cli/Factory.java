@@ -1,6 +1,5 @@
 package dev.eventchain.cli;
 
-import java.io.PrintWriter;
 import java.lang.reflect.Constructor;
 import picocli.CommandLine;
 
@@ -9,8 +8,8 @@ final class Factory implements CommandLine.IFactory {
 
   private final Console console;
 
-  Factory(PrintWriter out, PrintWriter err, Terminal terminal) {
-    this.console = new Console(out, err, terminal);
+  Factory(Console console) {
+    this.console = console;
   }
 
   @Override

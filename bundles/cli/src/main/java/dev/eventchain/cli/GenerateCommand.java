@@ -1,16 +1,14 @@
 package dev.eventchain.cli;
 
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.pipeline.AnyModel;
 import dev.eventchain.pipeline.Stage;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code generate}: a project's ROS 2 package, or text from any model by any template. */
 @Command(
@@ -22,7 +20,7 @@ import picocli.CommandLine.Spec;
       "eventchain generate DIR [OPTIONS]",
       "eventchain generate --metamodel FILE.ecore --template FILE.mtl MODEL -o FOLDER"
     })
-final class GenerateCommand extends ProjectCommand implements Callable<Integer> {
+final class GenerateCommand extends ProjectCommand {
 
   @Parameters(paramLabel = "DIR|MODEL", description = "The project's folder, or a model file.")
   private Path input;
@@ -36,26 +34,23 @@ final class GenerateCommand extends ProjectCommand implements Callable<Integer> 
   @Option(names = "--template", paramLabel = "FILE", description = "The template's main module.")
   private Path template;
 
-  @Spec private CommandSpec spec;
-
   GenerateCommand(Console console) {
     super(console);
   }
 
   @Override
-  public Integer call() {
+  Outcome work() {
     if (template == null) {
       if (!metamodels.isEmpty()) {
-        throw new ParameterException(
-            spec.commandLine(), "a model of a metamodel needs a template: --template FILE");
+        throw wrongUsage("a model of a metamodel needs a template: --template FILE");
       }
       return execute(input, Stage.GENERATE, Stage.GENERATE, true, new LlmOptions(), List.of());
     }
     Path folder = output();
     if (folder == null) {
-      throw new ParameterException(spec.commandLine(), "say where to write: -o FOLDER");
+      throw wrongUsage("say where to write: -o FOLDER");
     }
-    return console()
-        .report(AnyModel.generate(metamodels, template, input, folder, overwrite()), format());
+    List<Diagnostic> found = AnyModel.generate(metamodels, template, input, folder, overwrite());
+    return Outcome.of(Coverage.NONE, found, suppressions());
   }
 }

@@ -1,15 +1,11 @@
 package dev.eventchain.cli;
 
-import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticFormat;
-import dev.eventchain.diagnostics.SourceLocation;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
-import java.util.List;
-import java.util.Optional;
+import java.time.Clock;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ParameterException;
@@ -28,6 +24,7 @@ import picocli.CommandLine.ParameterException;
       ValidateCommand.class,
       GenerateCommand.class,
       StageCommands.Simulate.class,
+      ExplainCommand.class,
     },
     description = "From written requirements to running, validated ROS 2 software.",
     footer = {
@@ -38,13 +35,18 @@ import picocli.CommandLine.ParameterException;
     })
 public final class Main {
 
-  /** The version that the build wrote into the jar's manifest. */
+  /** Says which version this is. */
   static final class Version implements CommandLine.IVersionProvider {
     @Override
     public String[] getVersion() {
-      String version = Main.class.getPackage().getImplementationVersion();
-      return new String[] {"eventchain " + (version == null ? "(development)" : version)};
+      return new String[] {"eventchain " + version()};
     }
+  }
+
+  /** The version that the build wrote into the jar's manifest. */
+  static String version() {
+    String version = Main.class.getPackage().getImplementationVersion();
+    return version == null ? "(development)" : version;
   }
 
   private Main() {}
@@ -80,7 +82,9 @@ public final class Main {
    * @return the exit code, as {@link ExitCode} explains
    */
   static int run(String[] arguments, PrintWriter out, PrintWriter err, Terminal terminal) {
-    CommandLine commandLine = new CommandLine(new Main(), new Factory(out, err, terminal));
+    Today today = Today.of(System.getenv(), Clock.systemUTC());
+    Console console = new Console(out, err, terminal, today);
+    CommandLine commandLine = new CommandLine(new Main(), new Factory(console));
     commandLine.setOut(out).setErr(err);
     commandLine.setCaseInsensitiveEnumValuesAllowed(true);
     commandLine.setColorScheme(CommandLine.Help.defaultColorScheme(terminal.ansi()));
@@ -94,7 +98,7 @@ public final class Main {
       return commandLine.execute(arguments);
     } catch (Error e) {
       // Left to Java, it would end the process with the code of a finding.
-      return defect(e, err);
+      return failure(e, err);
     }
   }
 
@@ -110,32 +114,11 @@ public final class Main {
     return name.equals("eventchain") ? "" : name + " ";
   }
 
-  /** Every failure is a finding; one that is not is a defect of this program, and says so. */
-  private static int failure(Exception e, PrintWriter err) {
-    if (e instanceof DiagnosticException diagnostics) {
-      err.print(DiagnosticFormat.TEXT.render(diagnostics.diagnostics()));
-      return ExitCode.of(diagnostics.reason());
-    }
-    return defect(e, err);
-  }
-
-  /** Says that this program itself is wrong, with the place in its code. */
-  private static int defect(Throwable e, PrintWriter err) {
-    Optional<Diagnostic> memory = MemoryFinding.in(e);
-    if (memory.isPresent()) {
-      err.print(DiagnosticFormat.TEXT.render(List.of(memory.get())));
-      return ExitCode.UNAVAILABLE;
-    }
-    StackTraceElement[] stack = e.getStackTrace();
-    String place = stack.length == 0 ? "" : " at " + stack[0];
-    Diagnostic defect =
-        Diagnostic.error(
-                "eventchain.defect",
-                "This is a defect of eventchain: " + e + place,
-                SourceLocation.NONE)
-            .withHint("Report it with the command and the input that led to it.");
-    err.print(DiagnosticFormat.TEXT.render(List.of(defect)));
-    return ExitCode.UNAVAILABLE;
+  /** For what is no command of a project, which report their failures themselves. */
+  private static int failure(Throwable e, PrintWriter err) {
+    Outcome outcome = Outcome.of(e);
+    err.print(DiagnosticFormat.TEXT.render(outcome.diagnostics()));
+    return outcome.exitCode();
   }
 
   private static PrintWriter writer(FileDescriptor descriptor) {

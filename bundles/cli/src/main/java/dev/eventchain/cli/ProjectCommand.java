@@ -1,6 +1,10 @@
 package dev.eventchain.cli;
 
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.diagnostics.Report;
+import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.Pipeline;
 import dev.eventchain.pipeline.Project;
 import dev.eventchain.pipeline.RunOptions;
@@ -10,10 +14,18 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
 
-/** What all commands on a project's folder share. */
-abstract class ProjectCommand {
+/** What all commands that read models or a project share: they end with a report. */
+abstract class ProjectCommand implements Callable<Integer> {
+
+  /** How many findings of one rule a person reads before asking for a file. */
+  private static final int MOST_OF_ONE_RULE = 100;
 
   private final Console console;
 
@@ -23,24 +35,46 @@ abstract class ProjectCommand {
       description = "Where to write (default: DIR/out).")
   private Path output;
 
-  @Option(
-      names = "--format",
-      paramLabel = "FORMAT",
-      defaultValue = "text",
-      description = "How findings are written to standard output: ${COMPLETION-CANDIDATES}.")
-  private DiagnosticFormat format;
+  @Mixin private ReportOptions reporting;
 
   @Option(
       names = "--overwrite",
       description = "Replace files in the output folder that a person has edited.")
   private boolean overwrite;
 
+  @Spec private CommandSpec spec;
+
   ProjectCommand(Console console) {
     this.console = console;
   }
 
-  final Console console() {
-    return console;
+  /**
+   * Does the work of the command.
+   *
+   * @throws ParameterException if it was used wrongly
+   */
+  abstract Outcome work();
+
+  @Override
+  public final Integer call() {
+    long start = System.nanoTime();
+    reporting.check();
+    if (output != null && output.toString().isEmpty()) {
+      throw wrongUsage("the output folder has no name: -o FOLDER");
+    }
+    Outcome outcome = outcome();
+    return report(outcome, (System.nanoTime() - start) / 1e9);
+  }
+
+  /** Reports must hold every failure, so none gets past this. */
+  private Outcome outcome() {
+    try {
+      return work();
+    } catch (ParameterException e) {
+      throw e;
+    } catch (RuntimeException | Error e) {
+      return Outcome.of(e);
+    }
   }
 
   final Path output() {
@@ -51,12 +85,17 @@ abstract class ProjectCommand {
     return overwrite;
   }
 
-  final DiagnosticFormat format() {
-    return format;
+  final ParameterException wrongUsage(String message) {
+    return new ParameterException(spec.commandLine(), message);
   }
 
-  /** Runs stages of a project and reports. */
-  final int execute(
+  /** The findings that do not count where there is no project. */
+  final Suppressions suppressions() {
+    return reporting.suppressions(Optional.empty(), console.today());
+  }
+
+  /** Runs stages of a project. */
+  final Outcome execute(
       Path folder, Stage first, Stage last, boolean again, LlmOptions llm, List<String> scenarios) {
     Project project = Project.open(folder);
     RunOptions options =
@@ -68,24 +107,45 @@ abstract class ProjectCommand {
             Optional.ofNullable(llm.llm),
             llm.record,
             overwrite,
-            scenarios);
-    RunResult result =
-        Pipeline.run(project, options, new ProgressLines(console.err(), console.terminal()));
-    return report(result);
+            scenarios,
+            reporting.suppressions(project.suppressions(), console.today()));
+    return Outcome.of(
+        Pipeline.run(project, options, new ProgressLines(console.err(), console.terminal())));
   }
 
-  private int report(RunResult result) {
-    int findings = console.report(result.diagnostics(), format);
-    if (format == DiagnosticFormat.TEXT) {
-      writeVerdict(result);
+  private int report(Outcome outcome, double seconds) {
+    Report report = outcome.report();
+    List<Diagnostic> unwritten =
+        reporting.targets.stream()
+            .flatMap(target -> ReportFile.write(report, target).stream())
+            .toList();
+    Outcome last = outcome.unreported(unwritten);
+    if (reporting.format == DiagnosticFormat.TEXT) {
+      printText(last);
+    } else {
+      console.out().print(reporting.format.render(last.report()));
     }
-    if (result.failure().isPresent()) {
-      return ExitCode.of(result.failure().get());
+    console.out().flush();
+    if (outcome.failed() || !unwritten.isEmpty()) {
+      List<Diagnostic> shown = outcome.failed() ? last.diagnostics() : unwritten;
+      console.err().print(DiagnosticFormat.TEXT.render(shown));
     }
-    return result.verdict() == RunResult.Verdict.FAILED ? ExitCode.FINDINGS : findings;
+    if (!last.coverage().equals(Coverage.NONE)) {
+      console.err().printf(Locale.ROOT, "%s; %.2f s%n", last.report().summary(), seconds);
+    }
+    console.err().flush();
+    return last.exitCode();
   }
 
-  private void writeVerdict(RunResult result) {
+  private void printText(Outcome outcome) {
+    if (!outcome.failed()) {
+      int most = reporting.all ? Integer.MAX_VALUE : MOST_OF_ONE_RULE;
+      console.out().print(DiagnosticFormat.textExcerpt(outcome.report(), most));
+    }
+    outcome.run().ifPresent(this::printVerdict);
+  }
+
+  private void printVerdict(RunResult result) {
     for (RunResult.ScenarioLine line : result.scenarios()) {
       console
           .out()
@@ -98,8 +158,10 @@ abstract class ProjectCommand {
     }
     boolean judged =
         result.verdict() != RunResult.Verdict.INCOMPLETE || result.failure().isPresent();
-    console.out().println((judged ? result.verdict() + ": " : "") + result.summary());
+    boolean summarized = !judged && !result.coverage().equals(Coverage.NONE);
+    if (!summarized || !result.scenarios().isEmpty()) {
+      console.out().println((judged ? result.verdict() + ": " : "") + result.summary());
+    }
     result.report().ifPresent(report -> console.out().println("Report: " + report));
-    console.out().flush();
   }
 }

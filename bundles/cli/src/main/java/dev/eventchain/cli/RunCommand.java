@@ -3,21 +3,17 @@ package dev.eventchain.cli;
 import dev.eventchain.pipeline.Stage;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code run}: from requirements to a verdict. */
 @Command(
     name = "run",
     mixinStandardHelpOptions = true,
     description = "Turn requirements into a verdict, a report and a measured model.")
-final class RunCommand extends ProjectCommand implements Callable<Integer> {
+final class RunCommand extends ProjectCommand {
 
   @Parameters(paramLabel = "DIR", description = "The project's folder.")
   private Path folder;
@@ -46,17 +42,15 @@ final class RunCommand extends ProjectCommand implements Callable<Integer> {
   private List<String> scenarios = List.of();
 
   @Mixin private LlmOptions llm;
-  @Spec private CommandSpec spec;
 
   RunCommand(Console console) {
     super(console);
   }
 
   @Override
-  public Integer call() {
+  Outcome work() {
     if (from.compareTo(to) > 0) {
-      throw new ParameterException(
-          spec.commandLine(),
+      throw wrongUsage(
           "the stage " + from.id() + " (--from) comes after the stage " + to.id() + " (--to)");
     }
     return execute(folder, from, to, again, llm, scenarios);

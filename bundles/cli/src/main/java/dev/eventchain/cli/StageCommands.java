@@ -3,7 +3,6 @@ package dev.eventchain.cli;
 import dev.eventchain.pipeline.Stage;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -15,7 +14,7 @@ final class StageCommands {
   private StageCommands() {}
 
   /** A stage that asks a language model. */
-  private abstract static class Asking extends ProjectCommand implements Callable<Integer> {
+  private abstract static class Asking extends ProjectCommand {
 
     @Parameters(paramLabel = "DIR", description = "The project's folder.")
     private Path folder;
@@ -29,7 +28,7 @@ final class StageCommands {
     }
 
     @Override
-    public Integer call() {
+    Outcome work() {
       return execute(folder, stage, stage, true, llm, List.of());
     }
   }
@@ -78,7 +77,7 @@ final class StageCommands {
       name = "simulate",
       mixinStandardHelpOptions = true,
       description = "The generated nodes in the closed loop: verdicts and a measured model.")
-  static final class Simulate extends ProjectCommand implements Callable<Integer> {
+  static final class Simulate extends ProjectCommand {
 
     @Parameters(paramLabel = "DIR", description = "The project's folder.")
     private Path folder;
@@ -94,7 +93,7 @@ final class StageCommands {
     }
 
     @Override
-    public Integer call() {
+    Outcome work() {
       return execute(folder, Stage.SIMULATE, Stage.SIMULATE, true, new LlmOptions(), scenarios);
     }
   }

@@ -1,29 +1,30 @@
 package dev.eventchain.cli;
 
+import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.AnyModel;
 import dev.eventchain.pipeline.Stage;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code validate}: a project's model, or any models of any Ecore metamodel. */
 @Command(
     name = "validate",
     mixinStandardHelpOptions = true,
-    description = "Check a project's model, or any models of any Ecore metamodel, with OCL.",
+    description = {
+      "Check a project's model, event chains, or models of any Ecore metamodel, with OCL.",
+      "Event chains are checked by the standard constraints, too."
+    },
     synopsisHeading = "Usage:%n",
     customSynopsis = {
       "eventchain validate DIR [OPTIONS]",
+      "eventchain validate MODEL.xmi... [--ocl FILE.ocl] [OPTIONS]",
       "eventchain validate --metamodel FILE.ecore --ocl FILE.ocl MODEL... [OPTIONS]"
     })
-final class ValidateCommand extends ProjectCommand implements Callable<Integer> {
+final class ValidateCommand extends ProjectCommand {
 
   @Parameters(
       arity = "1..*",
@@ -34,7 +35,7 @@ final class ValidateCommand extends ProjectCommand implements Callable<Integer> 
   @Option(
       names = "--metamodel",
       paramLabel = "FILE",
-      description = "An Ecore metamodel of the models; may be repeated.")
+      description = "An Ecore metamodel of the models (default: event chains); may be repeated.")
   private List<Path> metamodels = List.of();
 
   @Option(
@@ -43,33 +44,22 @@ final class ValidateCommand extends ProjectCommand implements Callable<Integer> 
       description = "A Complete OCL document; may be repeated.")
   private List<Path> constraints = List.of();
 
-  @Spec private CommandSpec spec;
-
   ValidateCommand(Console console) {
     super(console);
   }
 
   @Override
-  public Integer call() {
-    if (metamodels.isEmpty() && constraints.isEmpty()) {
-      return validateProject();
+  Outcome work() {
+    if (!metamodels.isEmpty() && constraints.isEmpty()) {
+      throw wrongUsage("models of a metamodel need constraints: --ocl FILE");
     }
-    if (constraints.isEmpty()) {
-      throw new ParameterException(
-          spec.commandLine(), "models of a metamodel need constraints: --ocl FILE");
+    boolean files = !metamodels.isEmpty() || !constraints.isEmpty() || inputs.size() > 1;
+    if (!files && !Files.isRegularFile(inputs.get(0))) {
+      return execute(
+          inputs.get(0), Stage.VALIDATE, Stage.VALIDATE, true, new LlmOptions(), List.of());
     }
+    Suppressions suppressions = suppressions();
     AnyModel.Validation validation = AnyModel.validate(metamodels, constraints, inputs);
-    console().err().println(validation.summary());
-    return console().report(validation.diagnostics(), format());
-  }
-
-  private int validateProject() {
-    if (inputs.size() > 1 || Files.isRegularFile(inputs.get(0))) {
-      throw new ParameterException(
-          spec.commandLine(),
-          "name one project's folder, or model files with --metamodel and --ocl");
-    }
-    return execute(
-        inputs.get(0), Stage.VALIDATE, Stage.VALIDATE, true, new LlmOptions(), List.of());
+    return Outcome.of(validation.coverage(), validation.diagnostics(), suppressions);
   }
 }

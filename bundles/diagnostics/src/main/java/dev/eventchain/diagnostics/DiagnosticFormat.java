@@ -12,7 +12,7 @@ public enum DiagnosticFormat {
   TEXT {
     @Override
     public String render(Report report) {
-      return TextReport.render(report, Integer.MAX_VALUE);
+      return TextReport.render(report);
     }
   },
   /** For programs: an object with everything the report has; what is unknown is left out. */
@@ -46,11 +46,11 @@ public enum DiagnosticFormat {
   }
 
   /**
-   * {@link #TEXT} that fits a screen: of each rule's findings only the first few, and a line that
-   * says how many more there are.
+   * The findings as text that fits a screen: of each rule's findings only the first few, and a line
+   * that says how many more there are.
    */
   public static String textExcerpt(Report report, int mostOfOneRule) {
-    return TextReport.render(report, mostOfOneRule);
+    return TextReport.findings(report, mostOfOneRule);
   }
 
   /** The name on the command line. */

@@ -10,14 +10,17 @@ final class JunitCase {
   private final List<Diagnostic> errors = new ArrayList<>();
   private final List<Diagnostic> others = new ArrayList<>();
   private final List<Suppressions.Suppressed> suppressed = new ArrayList<>();
-  private boolean idle;
+  private boolean isCheck;
+  private long evaluations;
 
   JunitCase(String name) {
     this.name = name;
   }
 
-  void evaluated(long evaluations) {
-    idle = evaluations == 0;
+  /** It stands for a check that was evaluated so many times more. */
+  void evaluated(long times) {
+    isCheck = true;
+    evaluations += times;
   }
 
   void found(Diagnostic finding) {
@@ -33,7 +36,7 @@ final class JunitCase {
   }
 
   boolean skipped() {
-    return !failed() && (idle || !suppressed.isEmpty());
+    return !failed() && ((isCheck && evaluations == 0) || !suppressed.isEmpty());
   }
 
   void write(String className, StringBuilder xml) {

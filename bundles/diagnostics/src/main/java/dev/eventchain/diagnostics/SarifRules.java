@@ -56,6 +56,7 @@ final class SarifRules {
     String title = rule.name().isEmpty() ? meaning : Printable.clean(rule.name());
     String help = help(rule, page.map(RulePage::text).orElse(""));
     json.text("id", key);
+    json.textIfKnown("name", friendlyName(rule));
     json.object("shortDescription", text -> text.text("text", sentence(title)));
     json.object("fullDescription", text -> text.text("text", sentence(meaning)));
     json.object(
@@ -67,6 +68,16 @@ final class SarifRules {
     json.object(
         "defaultConfiguration",
         configuration -> configuration.text("level", level(rule.severity())));
+  }
+
+  /** A single word in Pascal case, as viewers show it; nothing if the rule's name is none. */
+  private static String friendlyName(Rule rule) {
+    String source = rule.name().isEmpty() ? rule.id() : rule.name().replaceFirst(".*::", "");
+    StringBuilder name = new StringBuilder();
+    for (String word : source.split("[.-]", -1)) {
+      name.append(word.isEmpty() ? "" : Character.toUpperCase(word.charAt(0)) + word.substring(1));
+    }
+    return name.toString().matches("[A-Z][A-Za-z0-9]*") ? name.toString() : "";
   }
 
   /** What to do about a violation of a user's rule comes before what such rules are. */

@@ -81,8 +81,26 @@ public final class Suppressions {
       return finding.id().equals(id)
           && like(rule, finding.rule())
           && like(element, finding.location().element())
-          && (like(file, finding.location().file()) || like("*/" + file, finding.location().file()))
+          && isIn(finding.location().file())
           && like(message, finding.message());
+    }
+
+    /**
+     * Whether all findings that it is about would have been found by these checks: those of the
+     * same kind ({@code ocl.undefined} comes of the checks for {@code ocl.violated}), in the files
+     * that were checked.
+     */
+    public boolean isAboutChecksOf(Coverage coverage) {
+      return coverage.checks().stream().anyMatch(check -> kindOf(check.id()).equals(kindOf(id)))
+          && coverage.files().stream().anyMatch(this::isIn);
+    }
+
+    private static String kindOf(String id) {
+      return id.replaceFirst("\\..*", "");
+    }
+
+    private boolean isIn(String name) {
+      return like(file, name) || like("*/" + file, name);
     }
 
     private static boolean like(String pattern, String text) {

@@ -11,7 +11,13 @@ final class TextReport {
 
   private TextReport() {}
 
-  static String render(Report report, int mostOfOneRule) {
+  /** Everything, with the summary where something was checked. */
+  static String render(Report report) {
+    String findings = findings(report, Integer.MAX_VALUE);
+    return report.coverage().equals(Coverage.NONE) ? findings : findings + report.summary() + "\n";
+  }
+
+  static String findings(Report report, int mostOfOneRule) {
     StringBuilder text = new StringBuilder();
     Map<String, Integer> shown = new HashMap<>();
     Map<String, Integer> more = new LinkedHashMap<>();
@@ -26,9 +32,6 @@ final class TextReport {
     more.forEach(
         (rule, count) ->
             text.append("... and ").append(count).append(" more [").append(rule).append("]\n"));
-    if (!report.coverage().equals(Coverage.NONE)) {
-      text.append(report.summary()).append('\n');
-    }
     return text.toString();
   }
 

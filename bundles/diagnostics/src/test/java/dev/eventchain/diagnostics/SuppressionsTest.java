@@ -78,6 +78,17 @@ class SuppressionsTest {
     assertEquals(List.of(), suppressions.stale(entry -> false, List.of()));
   }
 
+  @Test
+  void anEntryIsAboutTheChecksOfItsKindInTheFilesThatWereChecked() {
+    Coverage coverage = Reports.full().coverage();
+    assertTrue(entry("ocl.undefined").isAboutChecksOf(coverage));
+    assertFalse(entry("agents.order").isAboutChecksOf(coverage));
+    assertFalse(entry("ocl.violated").isAboutChecksOf(Coverage.NONE));
+    Entry elsewhere =
+        new Entry("ocl.violated", "", "", "b.xmi", "", "known", LAST_DAY, SourceLocation.NONE);
+    assertFalse(elsewhere.isAboutChecksOf(coverage));
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"ocl.nothing-evaluated", "ocl.syntax", "xmi.syntax", "suppression.stale"})
   void whatSaysThatSomethingWasNotCheckedCannotBeSuppressed(String id) {

@@ -5,36 +5,44 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.util.Collection;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.eclipse.emf.common.util.URI;
 import org.eclipse.emf.ecore.EPackage;
 
-/** Decides which references between files are followed: none that leave the project's folder. */
+/** Decides which references between files are followed: none that leave the project's folders. */
 final class ProjectFiles {
 
   /** The places under which Eclipse's own tools write the Ecore metamodel. */
   private static final URI ECORE_IN_ECLIPSE =
       URI.createURI("platform:/plugin/org.eclipse.emf.ecore/model/Ecore.ecore");
 
-  private final Path root;
-  private final Path realRoot;
+  private final List<Root> roots;
   private final EPackage.Registry registry;
 
   /** Files that references were found to name rightly; asking the file system takes long. */
   private final Set<URI> followed = new HashSet<>();
 
-  ProjectFiles(Path root, EPackage.Registry registry) {
-    this.root = root;
-    this.realRoot = realPath(root);
+  /** A folder under the name that people gave it. */
+  private record Root(Path path, Path real) {}
+
+  ProjectFiles(Collection<Path> roots, EPackage.Registry registry) {
+    this.roots = roots.stream().map(root -> new Root(root, realPath(root))).toList();
     this.registry = registry;
   }
 
   /** The name under which people know a file of the project. */
   String nameOf(Path file) {
     Path real = realPath(file);
-    Path shown = real.startsWith(realRoot) ? root.resolve(realRoot.relativize(real)) : file;
+    Path shown =
+        roots.stream()
+            .filter(root -> real.startsWith(root.real))
+            .findFirst()
+            .map(root -> root.path.resolve(root.real.relativize(real)))
+            .orElse(file);
     return shown.normalize().toString().replace('\\', '/');
   }
 
@@ -80,7 +88,8 @@ final class ProjectFiles {
       return false;
     }
     try {
-      return realPath(Path.of(file.toFileString())).startsWith(realRoot);
+      Path real = realPath(Path.of(file.toFileString()));
+      return roots.stream().anyMatch(root -> real.startsWith(root.real));
     } catch (InvalidPathException e) {
       return false;
     }

@@ -9,6 +9,7 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import org.eclipse.emf.common.util.URI;
 import org.eclipse.emf.ecore.EObject;
@@ -36,8 +37,18 @@ public final class XmiStore {
    * @param projectRoot the folder that references must not leave
    */
   public XmiStore(Path projectRoot) {
+    this(List.of(projectRoot));
+  }
+
+  /**
+   * As {@link #XmiStore(Path)} for files below several folders, which may refer to each other.
+   *
+   * @param folders under the names by which findings name their files; the first that holds a file
+   *     names it
+   */
+  public XmiStore(Collection<Path> folders) {
     ProjectResources.registerStandard(registry);
-    files = new ProjectFiles(projectRoot, registry);
+    files = new ProjectFiles(folders, registry);
     metamodels = new ProjectResources(files, registry);
   }
 

@@ -1,7 +1,9 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.m2t.GenerationContext;
 import dev.eventchain.m2t.GenerationResult;
@@ -17,6 +19,7 @@ import dev.eventchain.ocl.OclValidator;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 
@@ -29,7 +32,7 @@ public final class AnyModel {
   private final Origins origins;
 
   private AnyModel(List<Path> metamodels, List<Path> models) {
-    store = new XmiStore(commonFolder(metamodels, models));
+    store = new XmiStore(folders(metamodels, models));
     packages.add(EventchainPackage.eINSTANCE);
     metamodels.forEach(metamodel -> packages.addAll(store.loadMetamodel(metamodel)));
     List<LoadedModel> loaded = store.loadAll(models);
@@ -40,23 +43,35 @@ public final class AnyModel {
   /**
    * A validation.
    *
-   * @param summary what was evaluated, in a sentence
+   * @param coverage what was checked
    * @param diagnostics what was found, about the constraints and then about the models
    */
-  public record Validation(String summary, List<Diagnostic> diagnostics) {}
+  public record Validation(Coverage coverage, List<Diagnostic> diagnostics) {}
 
   /**
    * Evaluates constraints on models.
    *
+   * @param metamodels the models' metamodels; none for event chains, for which the standard
+   *     constraints are evaluated, too
    * @throws DiagnosticException INPUT if a file cannot be read
    */
   public static Validation validate(
       List<Path> metamodels, List<Path> constraints, List<Path> models) {
     AnyModel any = new AnyModel(metamodels, models);
-    OclRules rules =
-        OclRules.parse(constraints.stream().map(SourceText::read).toList(), any.packages);
+    List<SourceText> documents = new ArrayList<>();
+    if (metamodels.isEmpty()) {
+      documents.add(XmiStore.standardConstraints());
+    }
+    constraints.forEach(file -> documents.add(SourceText.read(file)));
+    OclRules rules = OclRules.parse(documents, any.packages);
     OclResult result = OclValidator.validate(rules, any.roots, any.origins::locate);
-    return new Validation(Constraints.words(result), result.diagnostics());
+    List<String> files =
+        Stream.of(models, metamodels, constraints)
+            .flatMap(List::stream)
+            .map(file -> SourceLocation.of(file.normalize()).file())
+            .distinct()
+            .toList();
+    return new Validation(Constraints.coverage(files, result), result.diagnostics());
   }
 
   /**
@@ -91,16 +106,10 @@ public final class AnyModel {
   }
 
   /** References may go between the files that the command names, and what lies below them. */
-  private static Path commonFolder(List<Path> metamodels, List<Path> models) {
-    List<Path> folders = new ArrayList<>();
-    metamodels.forEach(file -> folders.add(file.toAbsolutePath().normalize().getParent()));
-    models.forEach(file -> folders.add(file.toAbsolutePath().normalize().getParent()));
-    Path common = folders.get(0);
-    for (Path folder : folders) {
-      while (!folder.startsWith(common)) {
-        common = common.getParent();
-      }
-    }
-    return common;
+  private static List<Path> folders(List<Path> metamodels, List<Path> models) {
+    return Stream.concat(models.stream(), metamodels.stream())
+        .map(file -> file.resolveSibling(""))
+        .distinct()
+        .toList();
   }
 }

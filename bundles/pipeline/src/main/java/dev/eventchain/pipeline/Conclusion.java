@@ -2,9 +2,12 @@ package dev.eventchain.pipeline;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
+import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.diagnostics.Suppressions.Suppressed;
 import dev.eventchain.pipeline.Progress.Status;
 import dev.eventchain.pipeline.RunResult.ScenarioLine;
 import dev.eventchain.pipeline.RunResult.Verdict;
@@ -36,17 +39,42 @@ final class Conclusion {
 
   RunResult conclude() {
     List<Diagnostic> found = new ArrayList<>();
-    outcomes.values().forEach(outcome -> found.addAll(outcome.diagnostics()));
+    List<Suppressed> suppressed = new ArrayList<>();
+    Coverage coverage = Coverage.NONE;
+    for (StageOutcome outcome : outcomes.values()) {
+      found.addAll(outcome.diagnostics());
+      suppressed.addAll(outcome.found().suppressed());
+      coverage = coverage.and(outcome.coverage());
+    }
+    found.addAll(aboutSuppressions(found, suppressed, coverage));
     List<ScenarioLine> scenarios = scenarioLines();
     Verdict verdict = verdict(found);
-    String summary = summary(verdict, scenarios, found);
+    String summary = summary(verdict, scenarios, found) + suppressedText(suppressed);
     Optional<Path> report = Optional.empty();
     boolean reportable = !run.options().isPartial() && !failure.equals(Optional.of(Reason.WAITING));
     if (run.options().runs(Stage.REPORT) && reportable) {
       report = writeReport(verdict, summary, found);
       found.addAll(run.takeFindings());
     }
-    return new RunResult(verdict, summary, scenarios, found, report, failure);
+    return new RunResult(verdict, summary, scenarios, found, suppressed, coverage, report, failure);
+  }
+
+  /**
+   * Which suppressions have ended, and which match nothing. The latter needs their findings to have
+   * been looked for: all of them in a run of all stages, those about the model when it was checked.
+   */
+  private List<Diagnostic> aboutSuppressions(
+      List<Diagnostic> found, List<Suppressed> suppressed, Coverage coverage) {
+    boolean everything =
+        failure.isEmpty()
+            && !run.options().isPartial()
+            && outcomes.values().stream().noneMatch(o -> o.status() == Status.NOT_RUN);
+    Suppressions suppressions = run.options().suppressions();
+    List<Diagnostic> all = new ArrayList<>(found);
+    suppressed.forEach(each -> all.add(each.finding()));
+    List<Diagnostic> about = new ArrayList<>(suppressions.expired());
+    about.addAll(suppressions.stale(e -> everything || e.isAboutChecksOf(coverage), all));
+    return about;
   }
 
   private Verdict verdict(List<Diagnostic> found) {
@@ -74,6 +102,12 @@ final class Conclusion {
       case FAILED -> scenarios.isEmpty() ? errorText : scenarioText + ", " + errorText;
       case INCOMPLETE -> failure.isPresent() ? stopped() : unjudged(scenarios, scenarioText);
     };
+  }
+
+  /** A verdict must not hide that findings are left out of it. */
+  private static String suppressedText(List<Suppressed> suppressed) {
+    int count = suppressed.size();
+    return count == 0 ? "" : ", " + count + (count == 1 ? " finding" : " findings") + " suppressed";
   }
 
   private String stopped() {

@@ -3,6 +3,7 @@ package dev.eventchain.pipeline;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -16,6 +17,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.Function;
@@ -54,7 +56,7 @@ final class Constraints {
     return documents;
   }
 
-  private static OclRules parse(List<SourceText> documents) {
+  static OclRules parse(List<SourceText> documents) {
     return OclRules.parse(documents, List.of(EventchainPackage.eINSTANCE));
   }
 
@@ -65,13 +67,40 @@ final class Constraints {
   /**
    * As {@link #check}, for a stage that must not go on with an invalid model.
    *
-   * @throws DiagnosticException FINDINGS if a finding is an error
+   * @throws DiagnosticException FINDINGS if a finding is an error that is not suppressed
    */
-  void require(EObject root, Function<EObject, SourceLocation> locator) {
-    List<Diagnostic> found = check(root, locator).diagnostics();
+  void require(RunContext run, EObject root, Function<EObject, SourceLocation> locator) {
+    List<Diagnostic> all = check(root, locator).diagnostics();
+    List<Diagnostic> found = run.options().suppressions().part(all).remaining();
     if (Diagnostic.anyError(found)) {
       throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, found);
     }
+  }
+
+  /** The files that hold the constraints, but for the standard ones. */
+  static List<String> files(RunContext run) {
+    List<Path> files = new ArrayList<>();
+    run.project().ownConstraints().ifPresent(files::add);
+    Optional.of(run.file(GENERATED)).filter(Files::isRegularFile).ifPresent(files::add);
+    return files.stream().map(file -> SourceLocation.of(file).file()).toList();
+  }
+
+  /** What a validation checked. */
+  static Coverage coverage(List<String> files, OclResult result) {
+    List<Coverage.Check> checks =
+        result.checks().stream()
+            .map(
+                check ->
+                    new Coverage.Check(
+                        Coverage.Kind.CONSTRAINT,
+                        "ocl.violated",
+                        check.constraint().qualifiedName(),
+                        check.constraint().severity(),
+                        check.constraint().location(),
+                        check.constraint().hint(),
+                        check.evaluations()))
+            .toList();
+    return new Coverage(files, result.elements(), checks);
   }
 
   /** What a validation did, in words. */

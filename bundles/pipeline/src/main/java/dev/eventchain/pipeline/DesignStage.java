@@ -32,7 +32,7 @@ final class DesignStage implements StageWork {
   public StageResult execute(RunContext run) {
     if (run.project().editedModel().isPresent()) {
       RunContext.LoadedChain model = run.loadChain(run.project().editedModel().get());
-      Constraints.withoutGenerated(run).require(model.chain(), model.origins()::locate);
+      Constraints.withoutGenerated(run).require(run, model.chain(), model.origins()::locate);
       List<Diagnostic> reuse = run.softwareBase().check(model.chain(), model.origins()::locate);
       if (Diagnostic.anyError(reuse)) {
         throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, reuse);

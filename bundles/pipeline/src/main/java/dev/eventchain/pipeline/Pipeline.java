@@ -1,7 +1,9 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Suppressions.Parted;
 import dev.eventchain.m2t.OutputFolder;
 import dev.eventchain.pipeline.Progress.Status;
 import java.time.Duration;
@@ -117,8 +119,15 @@ public final class Pipeline {
       failure = Optional.of(e.reason());
       List<Diagnostic> found = new ArrayList<>(run.takeFindings());
       found.addAll(e.diagnostics());
+      // What keeps a stage from its result cannot be suppressed.
       return new StageOutcome(
-          stage, Status.FAILED, since(start), reason(e), found, Optional.empty());
+          stage,
+          Status.FAILED,
+          since(start),
+          reason(e),
+          new Parted(found, List.of()),
+          Coverage.NONE,
+          Optional.empty());
     }
   }
 
@@ -140,20 +149,30 @@ public final class Pipeline {
     StageResult result = work.execute(run);
     List<Diagnostic> found = new ArrayList<>(run.takeFindings());
     found.addAll(result.diagnostics());
-    boolean failed = Diagnostic.anyError(found);
+    Parted parted = run.options().suppressions().part(found);
+    boolean failed = Diagnostic.anyError(parted.remaining());
     if (failed) {
       failure = Optional.of(DiagnosticException.Reason.FINDINGS);
-    } else if (work.skippable() && !(stage == Stage.SIMULATE && run.options().isPartial())) {
+    } else if (mayBeRemembered(stage, work, found)) {
       memory.remember(
-          stage, new StageRecord(key, result.outputs(), result.details(), found, result.report()));
+          stage,
+          new StageRecord(
+              key, result.outputs(), result.details(), found, result.coverage(), result.report()));
     }
     return new StageOutcome(
         stage,
         failed ? Status.FAILED : Status.DONE,
         since(start),
         result.details(),
-        found,
+        parted,
+        result.coverage(),
         Optional.of(result.report()));
+  }
+
+  /** An error that is suppressed today may count tomorrow: then the stage must run again. */
+  private boolean mayBeRemembered(Stage stage, StageWork work, List<Diagnostic> found) {
+    boolean partial = stage == Stage.SIMULATE && run.options().isPartial();
+    return work.skippable() && !partial && !Diagnostic.anyError(found);
   }
 
   /** A person may have edited what the stage wrote: then that is said again. */
@@ -167,13 +186,21 @@ public final class Pipeline {
         Status.UNCHANGED,
         since(start),
         record.details(),
-        found,
+        run.options().suppressions().part(found),
+        record.coverage(),
         Optional.of(record.report()));
   }
 
   /** What an earlier run found out proves nothing about the files of this one. */
   private static StageOutcome notRun(Stage stage) {
-    return new StageOutcome(stage, Status.NOT_RUN, Duration.ZERO, "", List.of(), Optional.empty());
+    return new StageOutcome(
+        stage,
+        Status.NOT_RUN,
+        Duration.ZERO,
+        "",
+        new Parted(List.of(), List.of()),
+        Coverage.NONE,
+        Optional.empty());
   }
 
   private static String reason(DiagnosticException e) {

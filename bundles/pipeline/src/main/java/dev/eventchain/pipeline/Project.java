@@ -53,6 +53,11 @@ public final class Project {
     return folder;
   }
 
+  /** The findings that the project's people have decided to live with, if they have said any. */
+  public Optional<Path> suppressions() {
+    return existing("eventchain-suppressions.yaml");
+  }
+
   /** Where a run writes if it is not told otherwise. */
   public Path defaultOutput() {
     return folder.resolve("out");
@@ -128,7 +133,7 @@ public final class Project {
         DiagnosticException.Reason.INPUT,
         Diagnostic.error(
                 "file.unreadable",
-                "This cannot be read: " + e.getClass().getSimpleName() + ".",
+                "This cannot be read: " + SourceText.reason(e) + ".",
                 SourceLocation.of(path))
             .withHint("Check that it is there and that you may read it."));
   }

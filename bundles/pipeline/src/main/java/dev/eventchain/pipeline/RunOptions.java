@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.diagnostics.Suppressions;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -16,6 +17,7 @@ import java.util.Optional;
  * @param record whether answers from elsewhere are kept as recordings of the project
  * @param overwrite whether files that a person has edited in the output folder are replaced
  * @param scenarios the names of the scenarios to simulate; empty: all
+ * @param suppressions the findings that do not count
  */
 public record RunOptions(
     Path output,
@@ -25,7 +27,8 @@ public record RunOptions(
     Optional<String> llm,
     boolean record,
     boolean overwrite,
-    List<String> scenarios) {
+    List<String> scenarios,
+    Suppressions suppressions) {
 
   /** Checks the order of the stages. */
   public RunOptions {

@@ -1,7 +1,9 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Suppressions.Suppressed;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -12,7 +14,9 @@ import java.util.Optional;
  * @param verdict what it comes to
  * @param summary the verdict in a sentence
  * @param scenarios a line for each scenario that was simulated
- * @param diagnostics everything that was found, in order of the stages
+ * @param diagnostics everything that was found, in order of the stages, but for what is suppressed
+ * @param suppressed what was found and is suppressed
+ * @param coverage what was checked
  * @param report the report, when one was written
  * @param failure why the run could not go on, when it could not
  */
@@ -21,6 +25,8 @@ public record RunResult(
     String summary,
     List<ScenarioLine> scenarios,
     List<Diagnostic> diagnostics,
+    List<Suppressed> suppressed,
+    Coverage coverage,
     Optional<Path> report,
     Optional<DiagnosticException.Reason> failure) {
 

@@ -1,6 +1,7 @@
 package dev.eventchain.pipeline;
 
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -65,10 +66,10 @@ final class SimulateStage implements StageWork {
     OclResult validation = Constraints.of(run).check(measured, locator);
     found.addAll(validation.diagnostics());
     ObjectNode report = SimulationReport.of(result);
-    report.set(
-        "validation",
-        Constraints.report(SourceLocation.of(run.file(MEASURED_MODEL)).file(), validation));
-    return new StageResult(details(result), files, found, report);
+    String measuredFile = SourceLocation.of(run.file(MEASURED_MODEL)).file();
+    report.set("validation", Constraints.report(measuredFile, validation));
+    Coverage coverage = Constraints.coverage(List.of(measuredFile), validation);
+    return new StageResult(details(result), files, found, report, coverage);
   }
 
   /** The results of all scenarios; those of some must not take their place. */

@@ -1,7 +1,9 @@
 package dev.eventchain.pipeline;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Suppressions.Parted;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
@@ -10,6 +12,8 @@ import java.util.Optional;
  * How a stage ended in this run.
  *
  * @param duration how long it took, on the host
+ * @param found what was found, and of it what is suppressed
+ * @param coverage what was checked, in this run or an earlier one
  * @param report what it adds to the report, from this run or an earlier one; empty if it never ran
  */
 record StageOutcome(
@@ -17,5 +21,12 @@ record StageOutcome(
     Progress.Status status,
     Duration duration,
     String details,
-    List<Diagnostic> diagnostics,
-    Optional<JsonNode> report) {}
+    Parted found,
+    Coverage coverage,
+    Optional<JsonNode> report) {
+
+  /** The findings that count. */
+  List<Diagnostic> diagnostics() {
+    return found.remaining();
+  }
+}

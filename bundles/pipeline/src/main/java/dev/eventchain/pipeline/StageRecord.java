@@ -1,6 +1,7 @@
 package dev.eventchain.pipeline;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import java.util.List;
 import java.util.Objects;
@@ -13,6 +14,7 @@ import java.util.Objects;
  * @param outputs the files it wrote, relative to the output folder, sorted
  * @param details what it made, in a few words
  * @param diagnostics what it found; none of it is an error
+ * @param coverage what it checked
  * @param report what it adds to the report
  */
 record StageRecord(
@@ -20,6 +22,7 @@ record StageRecord(
     List<String> outputs,
     String details,
     List<Diagnostic> diagnostics,
+    Coverage coverage,
     JsonNode report) {
   /** Refuses what a damaged file leaves out. */
   StageRecord {
@@ -27,6 +30,7 @@ record StageRecord(
     outputs = List.copyOf(outputs);
     Objects.requireNonNull(details);
     diagnostics = List.copyOf(diagnostics);
+    Objects.requireNonNull(coverage);
     Objects.requireNonNull(report);
   }
 }

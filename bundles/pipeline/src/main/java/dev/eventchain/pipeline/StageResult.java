@@ -2,6 +2,7 @@ package dev.eventchain.pipeline;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import java.util.List;
 
@@ -12,9 +13,19 @@ import java.util.List;
  * @param outputs the files it wrote, relative to the output folder
  * @param diagnostics what it found
  * @param report what it adds to the report; an object
+ * @param coverage what it checked
  */
 record StageResult(
-    String details, List<String> outputs, List<Diagnostic> diagnostics, JsonNode report) {
+    String details,
+    List<String> outputs,
+    List<Diagnostic> diagnostics,
+    JsonNode report,
+    Coverage coverage) {
+
+  /** Of a stage that checks nothing. */
+  StageResult(String details, List<String> outputs, List<Diagnostic> diagnostics, JsonNode report) {
+    this(details, outputs, diagnostics, report, Coverage.NONE);
+  }
 
   static StageResult of(String details, List<String> outputs, List<Diagnostic> diagnostics) {
     return new StageResult(details, outputs, diagnostics, JsonNodeFactory.instance.objectNode());

@@ -2,6 +2,7 @@ package dev.eventchain.pipeline;
 
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.ocl.OclResult;
@@ -31,6 +32,10 @@ final class ValidateStage implements StageWork {
     report.set("validation", Constraints.report(SourceLocation.of(run.model()).file(), result));
     List<Diagnostic> found = new ArrayList<>(result.diagnostics());
     found.addAll(run.softwareBase().check(model.chain(), origins::locate));
-    return new StageResult(Constraints.words(result), List.of(), found, report);
+    List<String> files = new ArrayList<>();
+    files.add(SourceLocation.of(run.model()).file());
+    files.addAll(Constraints.files(run));
+    Coverage coverage = Constraints.coverage(files, result);
+    return new StageResult(Constraints.words(result), List.of(), found, report, coverage);
   }
 }

@@ -1,7 +1,10 @@
 package dev.eventchain.endtoend;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -76,7 +79,7 @@ class AnyMetamodelTest {
     new Program()
         .run("validate", "--metamodel", ecore, "--ocl", ocl, model)
         .expect(0)
-        .says("1 constraint evaluated 2 times on 3 elements");
+        .says("0 errors, 0 warnings in 3 files: 3 elements, 1 constraint evaluated 2 times");
   }
 
   @Test
@@ -94,8 +97,7 @@ class AnyMetamodelTest {
         new Program()
             .run("validate", "--format", "json", "--metamodel", ecore, "--ocl", ocl, model)
             .expect(1);
-    var findings =
-        new com.fasterxml.jackson.databind.ObjectMapper().readTree(ended.out()).get("findings");
+    var findings = new ObjectMapper().readTree(ended.out()).get("findings");
     assertEquals(1, findings.size());
     assertEquals(4, findings.get(0).get("line").asInt());
   }
@@ -110,6 +112,51 @@ class AnyMetamodelTest {
         .expect(3)
         .says("[eventchain.memory]")
         .says("EVENTCHAIN_MEMORY");
+  }
+
+  @Test
+  void sarifListsExactlyTheViolations() throws IOException {
+    Path ocl = ocl("context Book inv HasPages: self.pages > 0\n");
+    Program.Ended ended =
+        new Program()
+            .run("validate", "--format", "sarif", "--metamodel", ecore, "--ocl", ocl, model)
+            .expect(1);
+    JsonNode results = new ObjectMapper().readTree(ended.out()).at("/runs/0/results");
+    assertEquals(1, results.size(), ended.out());
+    JsonNode place = results.at("/0/locations/0");
+    assertEquals("ocl.violated/Book::HasPages", results.at("/0/ruleId").asText());
+    assertEquals(4, place.at("/physicalLocation/region/startLine").asInt());
+    assertEquals(3, place.at("/physicalLocation/region/startColumn").asInt());
+    assertEquals("Library/books[1]", place.at("/logicalLocations/0/fullyQualifiedName").asText());
+  }
+
+  @Test
+  void filesHaveTheNamesThatTheyWereGiven() throws IOException {
+    Path ocl = ocl("context Book inv HasPages: self.pages > 0\n");
+    Path relative = Program.ROOT.relativize(model.toRealPath());
+    Program.Ended ended =
+        new Program().run("validate", "--metamodel", ecore, "--ocl", ocl, relative).expect(1);
+    assertTrue(ended.out().startsWith(relative + ":4:3: error:"), ended.out());
+  }
+
+  @Test
+  void referencesStayInTheFoldersOfTheNamedFiles() throws IOException {
+    Path models = Files.createDirectories(folder.resolve("models"));
+    Path metamodels = Files.createDirectories(folder.resolve("metamodels"));
+    Path beside = Files.createDirectories(folder.resolve("beside"));
+    Path library = Files.move(ecore, metamodels.resolve("library.ecore"));
+    Files.writeString(beside.resolve("other.xmi"), MODEL);
+    Path linked =
+        Files.writeString(
+            models.resolve("model.xmi"),
+            MODEL.replace(
+                "<books title=\"Bad\" pages=\"-1\"/>",
+                "<books href=\"../beside/other.xmi#//@books.0\"/>"));
+    Path ocl = ocl("context Book inv HasPages: self.pages > 0\n");
+    new Program()
+        .run("validate", "--metamodel", library, "--ocl", ocl, linked)
+        .expect(2)
+        .says("xmi.href.refused");
   }
 
   @Test

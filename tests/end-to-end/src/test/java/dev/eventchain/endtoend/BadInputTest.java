@@ -26,6 +26,8 @@ import org.junit.jupiter.params.provider.CsvSource;
  */
 class BadInputTest {
 
+  private static final String NO_CHAIN =
+      "<eventchain:Requirement xmlns:eventchain='http://eventchain.dev/eventchain/1.0'/>";
   private static final String DECISION = "out/components/Braking_Decision.py";
 
   @TempDir static Path once;
@@ -70,6 +72,7 @@ class BadInputTest {
         "constraints.ocl|context SoftwareNode inv X: self.nam = ''|1|ocl.type|constraints.ocl:1",
         "constraints.ocl|context SoftwareNode inv X: (|1|ocl.syntax|constraints.ocl:1",
         "model/chain.xmi|<a|2|xmi.syntax|chain.xmi:2",
+        "model/chain.xmi|" + NO_CHAIN + "|2|project.model|chain.xmi",
         "scenarios/stopped-vehicle-50.yaml|name: [|2|scenario.syntax|stopped-vehicle-50.yaml:2",
       })
   void aBrokenFileIsNamedWithItsPlace(
@@ -186,7 +189,11 @@ class BadInputTest {
     ended = new Program().run("run", project, "--scenario", "empty-road");
     ended.expect(0).says("1 of 1 scenarios passed; no verdict");
     assertArrayEquals(verdict, Files.readAllBytes(project.resolve("out/verdict.json")));
-    new Program().run("run", project, "--scenario", "empty").expect(2).says("stopped-vehicle-50");
+    new Program()
+        .run("run", project, "--scenario", "empty")
+        .expect(2)
+        .says("project.scenario.unknown")
+        .says("stopped-vehicle-50");
   }
 
   @Test
@@ -285,6 +292,7 @@ class BadInputTest {
         "run . --to nowhere|2|nowhere",
         "validate --ocl a.ocl b.xmi|2|b.xmi",
         "generate --template t.mtl m.xmi|2|-o",
+        "explain nothing.at.all|2|explain.unknown",
       })
   void wrongUsageSaysWhatIsWrong(String command, int code, String text) {
     ended = new Program().run((Object[]) command.split(" ", -1));

@@ -1,0 +1,92 @@
+package dev.eventchain.cli;
+
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Report;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.diagnostics.Suppressions.Suppressed;
+import dev.eventchain.pipeline.RunResult;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * How a command ended.
+ *
+ * @param failed whether it could not do its work, and the findings say why
+ * @param run the run of the project's stages, when there was one
+ */
+record Outcome(
+    int exitCode,
+    boolean failed,
+    Coverage coverage,
+    List<Diagnostic> diagnostics,
+    List<Suppressed> suppressed,
+    Optional<RunResult> run) {
+
+  /** Of a command that did its work. */
+  static Outcome of(Coverage coverage, List<Diagnostic> found, List<Suppressed> suppressed) {
+    int code = Diagnostic.anyError(found) ? ExitCode.FINDINGS : ExitCode.FINE;
+    return new Outcome(code, false, coverage, found, suppressed, Optional.empty());
+  }
+
+  /** Of a run of stages. */
+  static Outcome of(RunResult run) {
+    boolean wanting =
+        run.verdict() == RunResult.Verdict.FAILED || Diagnostic.anyError(run.diagnostics());
+    int code = run.failure().map(ExitCode::of).orElse(wanting ? ExitCode.FINDINGS : ExitCode.FINE);
+    return new Outcome(
+        code, false, run.coverage(), run.diagnostics(), run.suppressed(), Optional.of(run));
+  }
+
+  /** Every failure is a finding; one that is not is a defect of this program, and says so. */
+  static Outcome of(Throwable failure) {
+    if (failure instanceof DiagnosticException known) {
+      return failed(ExitCode.of(known.reason()), known.diagnostics());
+    }
+    return failed(
+        ExitCode.UNAVAILABLE, List.of(MemoryFinding.in(failure).orElseGet(() -> defect(failure))));
+  }
+
+  /** Says that this program itself is wrong, with the place in its code. */
+  private static Diagnostic defect(Throwable failure) {
+    StackTraceElement[] stack = failure.getStackTrace();
+    String place = stack.length == 0 ? "" : " at " + stack[0];
+    return Diagnostic.error(
+            "eventchain.defect",
+            "This is a defect of eventchain: " + failure + place,
+            SourceLocation.NONE)
+        .withHint("Report it with the command and the input that led to it.");
+  }
+
+  private static Outcome failed(int exitCode, List<Diagnostic> diagnostics) {
+    return new Outcome(exitCode, true, Coverage.NONE, diagnostics, List.of(), Optional.empty());
+  }
+
+  /** The same with what came up while the reports were written, which makes the command fail. */
+  Outcome unreported(List<Diagnostic> problems) {
+    if (problems.isEmpty()) {
+      return this;
+    }
+    List<Diagnostic> all = new ArrayList<>(diagnostics);
+    all.addAll(problems);
+    return new Outcome(ExitCode.INPUT, failed, coverage, all, suppressed, run);
+  }
+
+  Report report() {
+    return new Report(Main.version(), exitCode, coverage, diagnostics, suppressed);
+  }
+
+  /**
+   * Findings without a project, parted by what its people have decided, and warnings about that.
+   */
+  static Outcome of(Coverage coverage, List<Diagnostic> found, Suppressions suppressions) {
+    Suppressions.Parted parted = suppressions.part(found);
+    List<Diagnostic> remaining = new ArrayList<>(parted.remaining());
+    remaining.addAll(suppressions.expired());
+    remaining.addAll(suppressions.stale(entry -> entry.isAboutChecksOf(coverage), found));
+    return of(coverage, remaining, parted.suppressed());
+  }
+}

@@ -1,0 +1,64 @@
+package dev.eventchain.cli;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Report;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.Optional;
+
+/** Writes a report to a file, whole or not at all. */
+final class ReportFile {
+
+  private ReportFile() {}
+
+  /** Writes a report; the finding says why it could not. */
+  static Optional<Diagnostic> write(Report report, ReportOptions.Target to) {
+    byte[] content = to.format().render(report).getBytes(StandardCharsets.UTF_8);
+    Path file = to.file();
+    try {
+      if (Files.isDirectory(file)) {
+        throw new IOException("this is a folder");
+      }
+      Files.createDirectories(file.toAbsolutePath().getParent());
+      if (isStream(file)) {
+        Files.write(file, content, StandardOpenOption.APPEND);
+      } else {
+        Path target = Files.exists(file) ? file.toRealPath() : file.toAbsolutePath();
+        replace(target, content);
+      }
+      return Optional.empty();
+    } catch (IOException e) {
+      return Optional.of(
+          Diagnostic.error(
+                  "report.unwritable",
+                  "The report cannot be written: " + SourceText.reason(e) + ".",
+                  SourceLocation.of(file))
+              .withHint("Name another file with --report " + to.format() + "=FILE."));
+    }
+  }
+
+  /** A device or a pipe, also under the names of this process's own, stays what it is. */
+  private static boolean isStream(Path file) {
+    Path absolute = file.toAbsolutePath().normalize();
+    return absolute.startsWith("/dev")
+        || absolute.startsWith("/proc")
+        || (Files.exists(file) && !Files.isRegularFile(file));
+  }
+
+  private static void replace(Path file, byte[] content) throws IOException {
+    // Not a temporary file of Java's, which only its owner may read.
+    Path part = file.resolveSibling("." + file.getFileName() + "." + ProcessHandle.current().pid());
+    try {
+      Files.write(part, content);
+      Files.move(part, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+    } finally {
+      Files.deleteIfExists(part);
+    }
+  }
+}

@@ -1,0 +1,42 @@
+package dev.eventchain.cli;
+
+import java.time.Clock;
+import java.time.Instant;
+import java.time.LocalDate;
+import java.time.ZoneOffset;
+import java.util.Map;
+
+/**
+ * The day on which suppressions are judged. It is an input: {@code SOURCE_DATE_EPOCH}, in seconds,
+ * takes the place of the clock, as in other reproducible builds.
+ */
+final class Today {
+
+  private final String epoch;
+  private final Clock clock;
+
+  private Today(String epoch, Clock clock) {
+    this.epoch = epoch;
+    this.clock = clock;
+  }
+
+  static Today of(Map<String, String> environment, Clock clock) {
+    return new Today(environment.getOrDefault("SOURCE_DATE_EPOCH", ""), clock);
+  }
+
+  /**
+   * The day, in UTC.
+   *
+   * @throws IllegalArgumentException if the environment does not give a number of seconds
+   */
+  LocalDate date() {
+    if (epoch.isEmpty()) {
+      return LocalDate.now(clock.withZone(ZoneOffset.UTC));
+    }
+    if (!epoch.matches("[0-9]{1,11}")) {
+      throw new IllegalArgumentException(
+          "SOURCE_DATE_EPOCH is '" + epoch + "', which is no number of seconds");
+    }
+    return LocalDate.ofInstant(Instant.ofEpochSecond(Long.parseLong(epoch)), ZoneOffset.UTC);
+  }
+}
