@@ -1,0 +1,172 @@
+package dev.eventchain.architecture;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.diagnostics.RulePage;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+
+/**
+ * Every finding that a bundle reports has one page, every page explains a finding that is reported,
+ * and a test shows it.
+ */
+class RulePagesTest {
+
+  private static final Path BUNDLES = Path.of("..", "..", "bundles");
+  private static final Pattern ID =
+      Pattern.compile("[\"']([a-z0-9]+(?:\\.[a-z0-9]+(?:-[a-z0-9]+)*)+)[\"']");
+
+  /** The ends of names that look like ids and are files, fields or properties. */
+  private static final Set<String> NO_IDS =
+      Set.of("json", "py", "xmi", "ocl", "ecore", "js", "css", "html", "txt", "yaml", "md", "msgs");
+
+  /**
+   * What no test brings about: a disk that fails in the middle, an interrupt inside the JVM, and a
+   * process of nodes that breaks a protocol which both its ends hold.
+   */
+  private static final Set<String> WITHOUT_A_TEST =
+      Set.of(
+          "llm.recording.unwritable",
+          "message.malformed",
+          "node.timeout",
+          "protocol.frame",
+          "simulation.interrupted");
+
+  /** Pages by id: the bundles that have one. */
+  private static final Map<String, List<String>> PAGES = new TreeMap<>();
+
+  private static List<String> sources;
+
+  @BeforeAll
+  static void read() throws IOException {
+    try (Stream<Path> files = Files.walk(BUNDLES, 3)) {
+      for (Path file : files.filter(f -> f.getParent().endsWith("rules")).sorted().toList()) {
+        String id = file.getFileName().toString().replaceFirst("\\.md$", "");
+        String bundle = file.getParent().getParent().getFileName().toString();
+        PAGES.computeIfAbsent(id, key -> new ArrayList<>()).add(bundle);
+        assertEquals("# " + id, Files.readAllLines(file).get(0), file.toString());
+      }
+    }
+    String folders = "/([a-z0-9]+/src/main|ros2-runtime/python)/";
+    sources = texts(BUNDLES, Pattern.compile(".*/bundles" + folders + ".*\\.(java|py)"));
+  }
+
+  @Test
+  void everyIdHasExactlyOnePage() {
+    Set<String> kinds =
+        PAGES.keySet().stream()
+            .map(id -> id.replaceFirst("\\..*", ""))
+            .collect(Collectors.toCollection(TreeSet::new));
+    Set<String> missing = new TreeSet<>();
+    for (String source : sources) {
+      Matcher id = ID.matcher(source);
+      while (id.find()) {
+        String name = id.group(1);
+        boolean isId =
+            kinds.contains(name.replaceFirst("\\..*", ""))
+                && !NO_IDS.contains(name.replaceFirst(".*\\.", ""));
+        if (isId && !PAGES.containsKey(name)) {
+          missing.add(name);
+        }
+      }
+    }
+    assertEquals(Set.of(), missing, "ids without a page");
+    PAGES.forEach((id, bundles) -> assertEquals(1, bundles.size(), id + " in " + bundles));
+  }
+
+  @Test
+  void everyPageExplainsAFindingThatIsReported() {
+    List<String> unused = PAGES.keySet().stream().filter(id -> !isReported(id)).toList();
+    assertEquals(List.of(), unused, "pages about nothing");
+  }
+
+  /**
+   * Whole in quotes, or put together in one file: from a first part that ends with a dot, or in a
+   * Python format string.
+   */
+  private static boolean isReported(String id) {
+    for (int dot = id.length(); dot > 0; dot = id.lastIndexOf('.', dot - 1)) {
+      String first = dot == id.length() ? id : id.substring(0, dot + 1);
+      String second = dot == id.length() ? "" : id.substring(dot + 1);
+      for (String source : sources) {
+        boolean formatted =
+            source.contains("}." + second + "\"")
+                && isQuoted(first.substring(0, first.length() - 1), source);
+        if (formatted
+            || (isQuoted(first, source) && (second.isEmpty() || isQuoted(second, source)))) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  private static boolean isQuoted(String text, String source) {
+    return source.contains('"' + text + '"') || source.contains('\'' + text + '\'');
+  }
+
+  @Test
+  void everyFindingIsShownByATest() throws IOException {
+    Pattern tests = Pattern.compile(".*/src/test/.*|.*/ros2-runtime/tests/.*\\.py");
+    String all =
+        String.join("\n", texts(BUNDLES, tests))
+            + String.join("\n", texts(Path.of("..", "end-to-end"), tests));
+    Set<String> mentioned = new TreeSet<>();
+    Matcher id = Pattern.compile("[a-z0-9]+(?:[.-][a-z0-9]+)+").matcher(all);
+    while (id.find()) {
+      mentioned.add(id.group());
+    }
+    Set<String> untested = new TreeSet<>(PAGES.keySet());
+    untested.removeAll(mentioned);
+    assertEquals(WITHOUT_A_TEST, untested);
+  }
+
+  @Test
+  void theJarsHoldThePages() {
+    Set<String> packaged =
+        RulePage.all().stream().map(RulePage::id).collect(Collectors.toCollection(TreeSet::new));
+    assertEquals(PAGES.keySet(), packaged);
+    for (RulePage page : RulePage.all()) {
+      assertEquals(PAGES.get(page.id()), List.of(page.bundle()), page.id());
+      assertFalse(page.firstSentence().isBlank(), page.id());
+      assertTrue(page.firstSentence().length() < 400, page.firstSentence());
+    }
+  }
+
+  private static List<String> texts(Path folder, Pattern name) throws IOException {
+    try (Stream<Path> files = Files.walk(folder)) {
+      return files
+          .filter(file -> name.matcher(file.toString().replace('\\', '/')).matches())
+          .filter(Files::isRegularFile)
+          .sorted()
+          .map(RulePagesTest::text)
+          .toList();
+    }
+  }
+
+  /** Fixtures may hold what is no UTF-8. */
+  private static String text(Path file) {
+    try {
+      return new String(Files.readAllBytes(file), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}
