@@ -3,6 +3,7 @@ package dev.eventchain.ocl;
 import java.util.AbstractMap;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -24,9 +25,19 @@ import org.eclipse.emf.ecore.util.EcoreUtil;
  */
 final class Extents extends AbstractMap<EClass, Set<EObject>> {
 
+  /** Objects that are instances of the same classes, as far as Java is concerned, too. */
+  private record Likeness(EClass type, Class<?> implementation) {
+    static Likeness of(EObject object) {
+      return new Likeness(object.eClass(), object.getClass());
+    }
+  }
+
+  /** All objects, and the same once more, sorted by what they are alike in. */
+  private record Model(List<EObject> all, Map<Likeness, List<EObject>> alike) {}
+
   private final List<EObject> roots;
   private final Map<EClass, Set<EObject>> instances = new ConcurrentHashMap<>();
-  private List<EObject> all;
+  private Model model;
 
   Extents(Collection<? extends EObject> roots) {
     this.roots = List.copyOf(roots);
@@ -34,30 +45,51 @@ final class Extents extends AbstractMap<EClass, Set<EObject>> {
 
   @Override
   public Set<EObject> get(Object type) {
-    return type instanceof EClass eClass
-        ? instances.computeIfAbsent(eClass, this::findInstances)
-        : Set.of();
+    if (!(type instanceof EClass eClass)) {
+      return Set.of();
+    }
+    Set<EObject> known = instances.get(eClass);
+    return known != null ? known : instances.computeIfAbsent(eClass, this::findInstances);
   }
 
   private Set<EObject> findInstances(EClass type) {
-    Set<EObject> found = new InsertionOrderedSet<>();
-    for (EObject object : all()) {
-      if (type.isInstance(object)) {
-        found.add(object);
+    Model found = model();
+    Map<Likeness, List<EObject>> fitting = new LinkedHashMap<>();
+    found
+        .alike()
+        .forEach(
+            (likeness, objects) -> {
+              if (type.isInstance(objects.get(0))) {
+                fitting.put(likeness, objects);
+              }
+            });
+    if (fitting.size() == 1) {
+      return InsertionOrderedSet.ofDistinct(fitting.values().iterator().next());
+    }
+    List<EObject> several = new ArrayList<>();
+    if (!fitting.isEmpty()) {
+      for (EObject object : found.all()) {
+        if (fitting.containsKey(Likeness.of(object))) {
+          several.add(object);
+        }
       }
     }
-    return found;
+    return InsertionOrderedSet.ofDistinct(several);
   }
 
-  private synchronized List<EObject> all() {
-    if (all == null) {
+  private synchronized Model model() {
+    if (model == null) {
       Set<EObject> found = new LinkedHashSet<>();
       for (EObject root : roots) {
         addModelOf(root, found);
       }
-      all = new ArrayList<>(found);
+      Map<Likeness, List<EObject>> alike = new LinkedHashMap<>();
+      for (EObject object : found) {
+        alike.computeIfAbsent(Likeness.of(object), any -> new ArrayList<>()).add(object);
+      }
+      model = new Model(new ArrayList<>(found), alike);
     }
-    return all;
+    return model;
   }
 
   private static void addModelOf(EObject object, Set<EObject> found) {

@@ -2,8 +2,10 @@ package dev.eventchain.ocl;
 
 import java.util.AbstractSet;
 import java.util.Collection;
+import java.util.Collections;
 import java.util.Iterator;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Set;
 
 /**
@@ -12,7 +14,11 @@ import java.util.Set;
  */
 final class InsertionOrderedSet<E> extends AbstractSet<E> {
 
-  private final Set<E> elements;
+  /** The elements as a list, as long as nobody has changed the set; otherwise null. */
+  private List<E> distinct;
+
+  /** Made when it is first needed, if the elements came as a list. */
+  private volatile Set<E> elements;
 
   InsertionOrderedSet() {
     elements = new LinkedHashSet<>();
@@ -22,33 +28,57 @@ final class InsertionOrderedSet<E> extends AbstractSet<E> {
     elements = new LinkedHashSet<>(source);
   }
 
+  /** A set of the elements of a list which has none twice and must not change from now on. */
+  static <E> InsertionOrderedSet<E> ofDistinct(List<E> elements) {
+    InsertionOrderedSet<E> result = new InsertionOrderedSet<>();
+    result.distinct = Collections.unmodifiableList(elements);
+    result.elements = null;
+    return result;
+  }
+
+  private Set<E> hashed() {
+    Set<E> known = elements;
+    if (known == null) {
+      // Threads may do so at once; they come to the same.
+      known = new LinkedHashSet<>(distinct);
+      elements = known;
+    }
+    return known;
+  }
+
+  private Set<E> changed() {
+    Set<E> result = hashed();
+    distinct = null;
+    return result;
+  }
+
   @Override
   public boolean add(E element) {
-    return elements.add(element);
+    return changed().add(element);
   }
 
   @Override
   public boolean contains(Object element) {
-    return elements.contains(element);
+    return hashed().contains(element);
   }
 
   @Override
   public boolean remove(Object element) {
-    return elements.remove(element);
+    return changed().remove(element);
   }
 
   @Override
   public Iterator<E> iterator() {
-    return elements.iterator();
+    return distinct == null ? elements.iterator() : distinct.iterator();
   }
 
   @Override
   public int size() {
-    return elements.size();
+    return distinct == null ? elements.size() : distinct.size();
   }
 
   @Override
   public void clear() {
-    elements.clear();
+    changed().clear();
   }
 }
