@@ -118,6 +118,11 @@ public final class OclConstraint {
     }
   }
 
+  /** Whether no part of it is left to Eclipse OCL's evaluator. */
+  boolean isLowered() {
+    return condition.isLowered();
+  }
+
   /** What to say of an element that violates it. */
   String messageFor(EObject element, Evaluation run) {
     run.bind("self", element);
