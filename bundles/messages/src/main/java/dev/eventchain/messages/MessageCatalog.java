@@ -35,11 +35,14 @@ public final class MessageCatalog {
   private static final String SEPARATOR = "=".repeat(80) + "\n";
 
   private final Map<String, String> standard;
+  private final List<Path> folders;
   private final SortedMap<String, Path> files;
   private final Map<String, MessageType> types = new HashMap<>();
 
-  private MessageCatalog(Map<String, String> standard, SortedMap<String, Path> files) {
+  private MessageCatalog(
+      Map<String, String> standard, List<Path> folders, SortedMap<String, Path> files) {
     this.standard = standard;
+    this.folders = folders;
     this.files = files;
   }
 
@@ -53,7 +56,7 @@ public final class MessageCatalog {
   public static MessageCatalog of(Collection<Path> folders) {
     SortedMap<String, Path> files = new TreeMap<>();
     folders.forEach(folder -> list(folder, files));
-    return new MessageCatalog(StandardTypes.TEXTS, files);
+    return new MessageCatalog(StandardTypes.TEXTS, List.copyOf(folders), files);
   }
 
   private static void list(Path folder, Map<String, Path> files) {
@@ -73,6 +76,16 @@ public final class MessageCatalog {
               "The folder of message definitions cannot be read: " + e.getMessage(),
               SourceLocation.of(folder)));
     }
+  }
+
+  /** The folders of the user, as they were named. */
+  public List<Path> folders() {
+    return folders;
+  }
+
+  /** The full name of a type: {@code std_msgs/Bool} is short for {@code std_msgs/msg/Bool}. */
+  public static String fullName(String name) {
+    return MessageParser.fullName(name, "");
   }
 
   /** The full names of all types. */
@@ -104,7 +117,7 @@ public final class MessageCatalog {
    *     message.type.unknown}, {@code message.cycle}; or its file cannot be read
    */
   public synchronized Optional<MessageType> find(String name) {
-    String fullName = MessageParser.fullName(name, "");
+    String fullName = fullName(name);
     if (!standard.containsKey(fullName) && !files.containsKey(fullName)) {
       return Optional.empty();
     }

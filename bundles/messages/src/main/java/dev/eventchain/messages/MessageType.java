@@ -1,5 +1,6 @@
 package dev.eventchain.messages;
 
+import dev.eventchain.diagnostics.NearestName;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -30,8 +31,9 @@ public final class MessageType {
    *
    * @param type the type of the field; empty if there is none
    * @param problem what is wrong with the path, a sentence; empty if nothing is
+   * @param hint what was meant, a sentence; empty if nothing is near
    */
-  public record Resolution(Optional<FieldType> type, String problem) {}
+  public record Resolution(Optional<FieldType> type, String problem, String hint) {}
 
   private final String name;
   private final List<Field> fields;
@@ -67,31 +69,74 @@ public final class MessageType {
     return indices.getOrDefault(field, -1);
   }
 
-  /** Whether the path names a field, and of which type. */
+  /**
+   * Whether the path names a field, and of which type. A path ends at an array or sequence: single
+   * values of it have no path.
+   */
   public Resolution resolve(String path) {
     MessageType current = this;
-    String rest = path;
+    int start = 0;
     while (true) {
-      int dot = rest.indexOf('.');
-      String step = dot < 0 ? rest : rest.substring(0, dot);
+      int dot = path.indexOf('.', start);
+      String step = path.substring(start, dot < 0 ? path.length() : dot);
       int index = current.indexOf(step);
       if (index < 0) {
-        return unknown(current + " has no field '" + step + "'; it has " + current.names() + ".");
+        return current.unknown(this, path, start, step);
       }
       FieldType type = current.fields.get(index).type();
       if (dot < 0) {
-        return new Resolution(Optional.of(type), "");
+        return new Resolution(Optional.of(type), "", "");
       }
       if (type.message().isEmpty() || type.shape() != FieldType.Shape.SINGLE) {
-        return unknown("'" + step + "' of " + current + " is " + type + ", which has no fields.");
+        return new Resolution(
+            Optional.empty(),
+            "'" + step + "' of " + current + " is " + type + ", which has no fields.",
+            "Name the whole field: " + path.substring(0, dot) + ".");
       }
       current = type.message().get();
-      rest = rest.substring(dot + 1);
+      start = dot + 1;
     }
   }
 
-  private static Resolution unknown(String problem) {
-    return new Resolution(Optional.empty(), problem);
+  private Resolution unknown(MessageType root, String path, int start, String step) {
+    String problem = this + " has no field '" + step + "'; it has " + names() + ".";
+    String name = step.replaceFirst("\\[.*", "");
+    if (name.length() < step.length() && indexOf(name) >= 0) {
+      return new Resolution(
+          Optional.empty(),
+          problem,
+          "Name the whole field, "
+              + path.substring(0, start)
+              + name
+              + ", and take the value out of it inside of the component.");
+    }
+    String rest = path.substring(start + step.length());
+    // The classic one: nav_msgs/Odometry has twist.twist.linear.x and no twist.linear.x.
+    Optional<String> deeper =
+        fields.stream()
+            .filter(field -> field.type().message().isPresent())
+            .filter(field -> field.type().message().get().indexOf(step) >= 0)
+            .map(field -> path.substring(0, start) + field.name() + "." + step + rest)
+            .filter(root::has)
+            .findFirst();
+    Optional<String> near =
+        NearestName.of(step, fields.stream().map(Field::name).toList())
+            .map(nearest -> path.substring(0, start) + nearest)
+            .map(meant -> root.has(meant + rest) ? meant + rest : meant);
+    String hint = deeper.or(() -> near).map(meant -> "Did you mean `" + meant + "`?").orElse("");
+    return new Resolution(Optional.empty(), problem, hint);
+  }
+
+  private boolean has(String path) {
+    Optional<MessageType> current = Optional.of(this);
+    for (String step : path.split("\\.", -1)) {
+      if (current.isEmpty() || current.get().indexOf(step) < 0) {
+        return false;
+      }
+      FieldType type = current.get().fields.get(current.get().indexOf(step)).type();
+      current = type.shape() == FieldType.Shape.SINGLE ? type.message() : Optional.empty();
+    }
+    return true;
   }
 
   private String names() {

@@ -77,9 +77,13 @@ public record QosSettings(
    * A policy for which an offer does not satisfy a request.
    *
    * @param policy as DDS calls it: reliability, durability, deadline, liveliness, lease duration
+   * @param offered the kind, or a time in ms, "50.5 ms", or {@link #NO_TIME}; requested as well
    * @param decided false where it depends on the middleware's configuration or on the moment
    */
   public record Incompatibility(String policy, String offered, String requested, boolean decided) {}
+
+  /** How a time is called that is not bounded. */
+  public static final String NO_TIME = "none";
 
   private static final String SYSTEM_DEFAULT = "system_default";
 
@@ -230,7 +234,7 @@ public record QosSettings(
   /** A time as people write it, in ms. */
   private static String text(Optional<Duration> time) {
     if (time.isEmpty()) {
-      return "none";
+      return NO_TIME;
     }
     return new BigDecimal(time.get().toNanos())
             .movePointLeft(6)

@@ -146,6 +146,21 @@ class MessageCatalogTest {
 
   @ParameterizedTest
   @CsvSource({
+    "nav_msgs/Odometry, twist.linear.x, Did you mean `twist.twist.linear.x`?",
+    "nav_msgs/Odometry, twist.twist.liner.x, Did you mean `twist.twist.linear.x`?",
+    "nav_msgs/Odometry, twst.linear.x, Did you mean `twist`?",
+    "nav_msgs/Odometry, nothing.like.it, ''",
+    "sensor_msgs/PointCloud2, fields.name, Name the whole field: fields.",
+    "sensor_msgs/LaserScan, header.stamp.sec.x, Name the whole field: header.stamp.sec.",
+    "sensor_msgs/LaserScan, ranges[0], 'Name the whole field, ranges, and take the value out of it"
+        + " inside of the component.'",
+  })
+  void wrongPathSaysWhatWasMeant(String type, String path, String hint) {
+    assertEquals(hint, STANDARD.find(type).orElseThrow().resolve(path).hint());
+  }
+
+  @ParameterizedTest
+  @CsvSource({
     "ranges, 1",
     "header.seq, 1",
     "header, 1",

@@ -3,6 +3,7 @@ package dev.eventchain.modeler;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.metamodel.Signal;
 import dev.eventchain.metamodel.eventchain.ComponentImplementation;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainFactory;
@@ -36,6 +37,7 @@ public final class SoftwareBase {
   private final Map<String, Component> components;
   private final String componentsText;
   private final String signalsText;
+  private final Optional<List<Signal>> signals;
   private final List<Diagnostic> diagnostics;
   private final EventChain described;
 
@@ -44,11 +46,13 @@ public final class SoftwareBase {
       EventChain described,
       String componentsText,
       String signalsText,
+      Optional<List<Signal>> signals,
       List<Diagnostic> diagnostics) {
     this.components = components;
     this.described = described;
     this.componentsText = componentsText;
     this.signalsText = signalsText;
+    this.signals = signals.map(List::copyOf);
     this.diagnostics = List.copyOf(diagnostics);
   }
 
@@ -75,13 +79,15 @@ public final class SoftwareBase {
       components = new Reader(folder, json, diagnostics).components();
     }
     String signalsText = "[]";
+    Optional<List<Signal>> signals = Optional.empty();
     Path signalsFile = folder.resolve("signals.json");
     if (Files.exists(signalsFile)) {
       SourceText source = SourceText.read(signalsFile);
       signalsText = source.text();
-      new SignalCheck(JsonText.parse(source), diagnostics).check();
+      signals = Optional.of(new SignalReader(JsonText.parse(source), diagnostics).read());
     }
-    return new SoftwareBase(components, described, componentsText, signalsText, diagnostics);
+    return new SoftwareBase(
+        components, described, componentsText, signalsText, signals, diagnostics);
   }
 
   /** The components, in the order of the file. */
@@ -102,6 +108,14 @@ public final class SoftwareBase {
   /** The text of {@code signals.json}; an empty array where there is no such file. */
   public String signalsText() {
     return signalsText;
+  }
+
+  /**
+   * The signals, in the order of the file; empty where there is no such file, so that nothing is
+   * known about the vehicle.
+   */
+  public Optional<List<Signal>> signals() {
+    return signals;
   }
 
   /** What is wrong with the files. */

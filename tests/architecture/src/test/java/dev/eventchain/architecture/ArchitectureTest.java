@@ -38,6 +38,7 @@ class ArchitectureTest {
           Map.entry("llm", Set.of()),
           Map.entry("m2t", Set.of("ocl")),
           Map.entry("modeler", Set.of("metamodel")),
+          Map.entry("analysis", Set.of("metamodel", "messages")),
           Map.entry("simulation", Set.of("metamodel", "messages", "python")),
           Map.entry("agents", Set.of("ocl", "modeler", "metamodel", "python", "llm")),
           Map.entry(
@@ -50,6 +51,7 @@ class ArchitectureTest {
                   "llm",
                   "m2t",
                   "modeler",
+                  "analysis",
                   "simulation",
                   "agents")),
           Map.entry("cli", Set.of("pipeline")));

@@ -2,13 +2,17 @@ package dev.eventchain.modeler;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.metamodel.Signal;
+import dev.eventchain.metamodel.eventchain.QosProfile;
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
 
-/** Whether {@code signals.json} is as it should be: the paper's form, and a direction. */
-final class SignalCheck {
+/** Reads {@code signals.json}: the paper's form, and a direction. */
+final class SignalReader {
 
   private static final List<String> DIRECTIONS = List.of("provided", "consumed", "internal");
 
@@ -16,26 +20,31 @@ final class SignalCheck {
   private final List<Diagnostic> findings;
   private final Set<String> topics = new HashSet<>();
 
-  SignalCheck(JsonText text, List<Diagnostic> findings) {
+  SignalReader(JsonText text, List<Diagnostic> findings) {
     this.text = text;
     this.findings = findings;
   }
 
-  void check() {
+  /** The signals in the order of the file; whatever is not as it should be is a finding. */
+  List<Signal> read() {
+    List<Signal> signals = new ArrayList<>();
     if (!text.root().isArray()) {
       findings.add(
           Diagnostic.error(
               "modeler.value.type",
               "The file must hold an array, not " + JsonObjectReader.kind(text.root()) + ".",
               text.at("")));
-      return;
+      return signals;
     }
     for (int i = 0; i < text.root().size(); i++) {
-      JsonObjectReader.at(text, "/" + i, findings::add).ifPresent(this::checkSignal);
+      JsonObjectReader.at(text, "/" + i, findings::add)
+          .map(this::readSignal)
+          .ifPresent(signals::add);
     }
+    return signals;
   }
 
-  private void checkSignal(JsonObjectReader json) {
+  private Signal readSignal(JsonObjectReader json) {
     String topic = legal(json, "Topic Name", Names::isTopic, "modeler.topic.illegal");
     if (!topic.isEmpty() && !topics.add(topic)) {
       json.find(
@@ -43,16 +52,19 @@ final class SignalCheck {
           "There is a signal '" + topic + "' already.",
           json.at("Topic Name"));
     }
-    legal(json, "Message Type", Names::isMessageType, "modeler.type.illegal");
-    new QosReader(text, findings::add).read(json);
-    json.text("direction").ifPresent(direction -> checkDirection(json, direction));
+    String type = legal(json, "Message Type", Names::isMessageType, "modeler.type.illegal");
+    Optional<QosProfile> qos = new QosReader(text, findings::add).read(json);
+    Signal.Direction direction = direction(json);
+    List<Signal.Field> fields = new ArrayList<>();
     for (String pointer : json.elements("Message Definition")) {
-      JsonObjectReader.at(text, pointer, findings::add).ifPresent(this::checkField);
+      JsonObjectReader.at(text, pointer, findings::add).map(this::readField).ifPresent(fields::add);
     }
     json.refuseOthers();
+    return new Signal(topic, type, direction, qos, fields, json.location());
   }
 
-  private void checkDirection(JsonObjectReader json, String direction) {
+  private Signal.Direction direction(JsonObjectReader json) {
+    String direction = json.text("direction").orElse("internal");
     if (!DIRECTIONS.contains(direction)) {
       findings.add(
           Diagnostic.error(
@@ -61,14 +73,20 @@ final class SignalCheck {
                   json.at("direction"))
               .withHint(NearestName.hint(direction, DIRECTIONS)));
     }
+    return switch (direction) {
+      case "provided" -> Signal.Direction.PROVIDED;
+      case "consumed" -> Signal.Direction.CONSUMED;
+      default -> Signal.Direction.INTERNAL;
+    };
   }
 
-  private void checkField(JsonObjectReader json) {
-    legal(json, "Field", Names::isFieldPath, "modeler.field.illegal");
-    json.requiredText("Type");
+  private Signal.Field readField(JsonObjectReader json) {
+    String path = legal(json, "Field", Names::isFieldPath, "modeler.field.illegal");
+    String type = json.requiredText("Type");
     json.text("Description");
-    json.text("Unit");
+    String unit = json.text("Unit").orElse("");
     json.refuseOthers();
+    return new Signal.Field(path, type, unit, json.location());
   }
 
   private static String legal(

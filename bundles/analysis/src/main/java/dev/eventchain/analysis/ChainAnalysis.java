@@ -1,0 +1,76 @@
+package dev.eventchain.analysis;
+
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.metamodel.DataFlowIndex;
+import dev.eventchain.metamodel.Signal;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Function;
+import org.eclipse.emf.ecore.EObject;
+
+/**
+ * What OCL cannot say about a chain: whether its components, and the vehicle around it, mean the
+ * same by each topic, which otherwise fails on the road and in silence; and what follows from the
+ * flow of the whole chain.
+ *
+ * <p>What a single element looks like is left to the standard constraints: data without a topic, a
+ * legal type or a field are not looked at here.
+ */
+public final class ChainAnalysis {
+
+  private final MessageCatalog catalog;
+  private final Optional<Map<String, Signal>> signals;
+
+  private ChainAnalysis(MessageCatalog catalog, Optional<Map<String, Signal>> signals) {
+    this.catalog = catalog;
+    this.signals = signals;
+  }
+
+  /**
+   * An analysis of chains for one vehicle.
+   *
+   * @param catalog the message types that there are
+   * @param signals the topics outside of the chain; empty if nobody knows them, so that who writes
+   *     and reads at the ends of the chain cannot be checked
+   */
+  public static ChainAnalysis of(MessageCatalog catalog, Optional<List<Signal>> signals) {
+    return new ChainAnalysis(catalog, signals.map(ChainAnalysis::byTopic));
+  }
+
+  private static Map<String, Signal> byTopic(List<Signal> signals) {
+    Map<String, Signal> byTopic = new LinkedHashMap<>();
+    signals.forEach(signal -> byTopic.putIfAbsent(signal.topic(), signal));
+    return byTopic;
+  }
+
+  /**
+   * Checks a chain, and the definitions in the user's folders of messages.
+   *
+   * @param locator the places of the chain's elements
+   */
+  public AnalysisResult check(EventChain chain, Function<EObject, SourceLocation> locator) {
+    Findings findings = new Findings(locator);
+    findings.addAll(catalog.diagnostics());
+    List<Topic> topics = Topic.of(chain, signals.orElse(Map.of()));
+    TypeContracts types = new TypeContracts(catalog, findings);
+    DataFlowIndex flow = DataFlowIndex.of(chain);
+    TopicContracts partners =
+        new TopicContracts(topics, signals.map(Map::keySet), flow, types, findings);
+    SignalContracts described = new SignalContracts(types, findings);
+    UnitContracts units = new UnitContracts(findings);
+    QosContracts qos = new QosContracts(findings);
+    for (Topic topic : topics) {
+      types.check(topic);
+      partners.check(topic);
+      described.check(topic);
+      units.check(topic);
+      qos.check(topic);
+    }
+    new FlowRules(chain, flow, findings).check();
+    return findings.result();
+  }
+}

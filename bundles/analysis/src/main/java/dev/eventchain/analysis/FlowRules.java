@@ -1,0 +1,144 @@
+package dev.eventchain.analysis;
+
+import dev.eventchain.metamodel.DataFlowIndex;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.LatencyConstraint;
+import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/**
+ * What follows from the flow of a whole chain. In OCL each of these rules would look through all
+ * components for each component; with an index they take time in proportion to the chain.
+ */
+final class FlowRules {
+
+  private final EventChain chain;
+  private final DataFlowIndex flow;
+  private final Findings findings;
+
+  FlowRules(EventChain chain, DataFlowIndex flow, Findings findings) {
+    this.chain = chain;
+    this.flow = flow;
+    this.findings = findings;
+  }
+
+  void check() {
+    mainLine();
+    feedback();
+    chain.getLatencyConstraints().forEach(this::connected);
+  }
+
+  /** The main line has an end: else no order of execution follows it. */
+  private void mainLine() {
+    if (chain.getSoftware().stream().anyMatch(node -> node.getNextstep() != null)) {
+      findings.checked(Rule.NEXTSTEP_CYCLE);
+    }
+    Set<SoftwareNode> done = new HashSet<>();
+    for (SoftwareNode start : chain.getSoftware()) {
+      List<SoftwareNode> line = new ArrayList<>();
+      Set<SoftwareNode> here = new HashSet<>();
+      SoftwareNode node = start;
+      while (node != null && done.add(node)) {
+        line.add(node);
+        here.add(node);
+        node = node.getNextstep();
+      }
+      // A next step to itself is what NextstepIsInChain finds.
+      if (node != null && here.contains(node) && node.getNextstep() != node) {
+        List<SoftwareNode> cycle = line.subList(line.indexOf(node), line.size());
+        findings.error(
+            Rule.NEXTSTEP_CYCLE,
+            findings.at(cycle.get(0)),
+            "The next steps go in a circle: " + path(cycle) + ".",
+            "The main line of a chain ends: take the nextstep of one of them away.");
+      }
+    }
+  }
+
+  /** A warning only: a control loop may be closed on purpose, and nodes run on their own timers. */
+  private void feedback() {
+    if (!chain.getSoftware().isEmpty()) {
+      findings.checked(Rule.FLOW_CYCLE);
+    }
+    for (List<SoftwareNode> group : flow.cycles()) {
+      findings.warning(
+          Rule.FLOW_CYCLE,
+          findings.at(group.get(0)),
+          "The data flow in a circle: " + path(shortestCycle(group)) + ".",
+          "If that is no feedback that you want, look for the topic that is written further down"
+              + " and read further up.");
+    }
+  }
+
+  /** The shortest way from a group's first component back to it. */
+  private List<SoftwareNode> shortestCycle(List<SoftwareNode> group) {
+    SoftwareNode start = group.get(0);
+    Map<SoftwareNode, SoftwareNode> before = reach(start, new HashSet<>(group));
+    List<SoftwareNode> cycle = new ArrayList<>();
+    SoftwareNode node = before.get(start);
+    while (node != start) {
+      cycle.add(node);
+      node = before.get(node);
+    }
+    cycle.add(start);
+    Collections.reverse(cycle);
+    return cycle;
+  }
+
+  /**
+   * The components that get data from one, each with the one before it; the start too if it gets
+   * its own.
+   */
+  private Map<SoftwareNode, SoftwareNode> reach(SoftwareNode start, Set<SoftwareNode> within) {
+    Map<SoftwareNode, SoftwareNode> before = new HashMap<>();
+    Deque<SoftwareNode> open = new ArrayDeque<>(List.of(start));
+    while (!open.isEmpty()) {
+      SoftwareNode node = open.remove();
+      for (SoftwareNode next : flow.successors(node)) {
+        if (within.contains(next) && before.putIfAbsent(next, node) == null && next != start) {
+          open.add(next);
+        }
+      }
+    }
+    return before;
+  }
+
+  private void connected(LatencyConstraint constraint) {
+    SoftwareNode first = constraint.getFirst();
+    SoftwareNode last = constraint.getLast();
+    if (first == null || last == null) {
+      return; // LatencyConstraintIsComplete
+    }
+    findings.checked(Rule.LATENCY_UNCONNECTED);
+    if (first != last && !reach(first, new HashSet<>(chain.getSoftware())).containsKey(last)) {
+      String backwards =
+          reach(last, new HashSet<>(chain.getSoftware())).containsKey(first)
+              ? "They flow the other way: exchange first and last."
+              : "Name two components with a way of data between them.";
+      findings.error(
+          Rule.LATENCY_UNCONNECTED,
+          findings.at(constraint),
+          "The latency constraint '%s' bounds the time from '%s' to '%s', but no data flow there."
+              .formatted(constraint.getName(), first.getName(), last.getName()),
+          backwards,
+          findings.at(first),
+          findings.at(last));
+    }
+  }
+
+  /** {@code A -> B -> A}. */
+  private static String path(List<SoftwareNode> cycle) {
+    return cycle.stream().map(SoftwareNode::getName).collect(Collectors.joining(" -> "))
+        + " -> "
+        + cycle.get(0).getName();
+  }
+}

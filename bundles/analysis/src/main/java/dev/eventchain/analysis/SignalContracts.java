@@ -1,0 +1,70 @@
+package dev.eventchain.analysis;
+
+import dev.eventchain.metamodel.Signal;
+import dev.eventchain.metamodel.eventchain.Data;
+import java.util.stream.Collectors;
+
+/** Whether the chain uses the vehicle's topics as they are described. */
+final class SignalContracts {
+
+  private final TypeContracts types;
+  private final Findings findings;
+
+  SignalContracts(TypeContracts types, Findings findings) {
+    this.types = types;
+    this.findings = findings;
+  }
+
+  void check(Topic topic) {
+    topic.signal().ifPresent(signal -> check(topic, signal));
+  }
+
+  private void check(Topic topic, Signal signal) {
+    for (Endpoint publisher : topic.publishers()) {
+      findings.checked(Rule.SIGNAL_DIRECTION);
+      if (signal.direction() == Signal.Direction.PROVIDED) {
+        findings.error(
+            Rule.SIGNAL_DIRECTION,
+            findings.at(publisher.first()),
+            "%s writes %s, which the vehicle provides.".formatted(publisher.name(), topic.name()),
+            "Write another topic, or correct the direction in signals.json.",
+            signal.location());
+      }
+    }
+    if (!signal.fields().isEmpty()) {
+      topic.endpoints().forEach(endpoint -> fields(endpoint, signal));
+    }
+  }
+
+  /** A field that exists but is not described: the vehicle may leave it unset, or unread. */
+  private void fields(Endpoint endpoint, Signal signal) {
+    for (Data data : endpoint.data()) {
+      if (types.fieldType(data).isEmpty()) {
+        continue;
+      }
+      findings.checked(Rule.SIGNAL_FIELD);
+      String path = data.getFieldName();
+      boolean described =
+          signal.fields().stream()
+              .map(Signal.Field::path)
+              .anyMatch(p -> p.equals(path) || isPart(p, path) || isPart(path, p));
+      if (!described) {
+        findings.warning(
+            Rule.SIGNAL_FIELD,
+            findings.at(data),
+            "%s uses the field '%s' of %s, which signals.json does not describe."
+                .formatted(endpoint.name(), path, signal.topic()),
+            "Described are %s. Use one of them, or describe this one."
+                .formatted(
+                    signal.fields().stream()
+                        .map(Signal.Field::path)
+                        .collect(Collectors.joining(", "))),
+            signal.location());
+      }
+    }
+  }
+
+  private static boolean isPart(String whole, String part) {
+    return part.startsWith(whole + ".");
+  }
+}
