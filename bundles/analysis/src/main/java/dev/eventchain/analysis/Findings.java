@@ -1,5 +1,6 @@
 package dev.eventchain.analysis;
 
+import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -66,9 +67,17 @@ final class Findings {
   }
 
   AnalysisResult result() {
-    List<AnalysisResult.Check> counted = new ArrayList<>();
+    List<Coverage.Check> counted = new ArrayList<>();
     for (Rule rule : Rule.values()) {
-      counted.add(new AnalysisResult.Check(rule.id(), checks.getOrDefault(rule, 0L)));
+      counted.add(
+          new Coverage.Check(
+              Coverage.Kind.CONTRACT,
+              rule.id(),
+              "",
+              rule.severity(),
+              SourceLocation.NONE,
+              "",
+              checks.getOrDefault(rule, 0L)));
     }
     return new AnalysisResult(List.copyOf(found), counted);
   }

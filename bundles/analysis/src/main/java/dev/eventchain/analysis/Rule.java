@@ -1,34 +1,43 @@
 package dev.eventchain.analysis;
 
+import dev.eventchain.diagnostics.Severity;
+
 /** The rules, in the order in which reports name them. */
 enum Rule {
-  MESSAGE_UNKNOWN("contract.message.unknown"),
-  FIELD_UNKNOWN("contract.field.unknown"),
-  TYPE_MISMATCH("contract.type.mismatch"),
-  TOPIC_TYPE("contract.topic.type"),
-  FIELD_UNSET("contract.field.unset"),
-  UNIT_MISMATCH("contract.unit.mismatch"),
-  QOS_AMBIGUOUS("contract.qos.ambiguous"),
-  QOS_INCOMPATIBLE("contract.qos.incompatible"),
-  QOS_UNDECIDED("contract.qos.undecided"),
-  PUBLISHER_MISSING("contract.publisher.missing"),
-  CONSUMER_MISSING("contract.consumer.missing"),
-  PUBLISHERS_SEVERAL("contract.publishers.several"),
-  SIGNAL_TYPE("contract.signal.type"),
-  SIGNAL_FIELD("contract.signal.field"),
-  SIGNAL_DIRECTION("contract.signal.direction"),
-  NEXTSTEP_CYCLE("chain.nextstep.cycle"),
-  FLOW_CYCLE("chain.flow.cycle"),
-  LATENCY_UNCONNECTED("chain.latency.unconnected");
+  MESSAGE_UNKNOWN("contract.message.unknown", Severity.ERROR),
+  FIELD_UNKNOWN("contract.field.unknown", Severity.ERROR),
+  TYPE_MISMATCH("contract.type.mismatch", Severity.ERROR),
+  TOPIC_TYPE("contract.topic.type", Severity.ERROR),
+  FIELD_UNSET("contract.field.unset", Severity.ERROR),
+  UNIT_MISMATCH("contract.unit.mismatch", Severity.ERROR),
+  QOS_AMBIGUOUS("contract.qos.ambiguous", Severity.WARNING),
+  QOS_INCOMPATIBLE("contract.qos.incompatible", Severity.ERROR),
+  QOS_UNDECIDED("contract.qos.undecided", Severity.INFO),
+  PUBLISHER_MISSING("contract.publisher.missing", Severity.ERROR),
+  CONSUMER_MISSING("contract.consumer.missing", Severity.ERROR),
+  PUBLISHERS_SEVERAL("contract.publishers.several", Severity.WARNING),
+  SIGNAL_TYPE("contract.signal.type", Severity.ERROR),
+  SIGNAL_FIELD("contract.signal.field", Severity.WARNING),
+  SIGNAL_DIRECTION("contract.signal.direction", Severity.ERROR),
+  NEXTSTEP_CYCLE("chain.nextstep.cycle", Severity.ERROR),
+  FLOW_CYCLE("chain.flow.cycle", Severity.WARNING),
+  LATENCY_UNCONNECTED("chain.latency.unconnected", Severity.ERROR);
 
   private final String id;
+  private final Severity severity;
 
-  Rule(String id) {
+  Rule(String id, Severity severity) {
     this.id = id;
+    this.severity = severity;
   }
 
   /** The id of its findings. */
   String id() {
     return id;
+  }
+
+  /** How bad its findings are at worst. */
+  Severity severity() {
+    return severity;
   }
 }

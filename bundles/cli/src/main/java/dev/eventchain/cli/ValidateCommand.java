@@ -16,12 +16,12 @@ import picocli.CommandLine.Parameters;
     mixinStandardHelpOptions = true,
     description = {
       "Check a project's model, event chains, or models of any Ecore metamodel, with OCL.",
-      "Event chains are checked by the standard constraints, too."
+      "Event chains are checked by the standard constraints and message contracts, too."
     },
     synopsisHeading = "Usage:%n",
     customSynopsis = {
       "eventchain validate DIR [OPTIONS]",
-      "eventchain validate MODEL.xmi... [--ocl FILE.ocl] [OPTIONS]",
+      "eventchain validate MODEL.xmi... [--ocl FILE.ocl] [--messages FOLDER] [OPTIONS]",
       "eventchain validate --metamodel FILE.ecore --ocl FILE.ocl MODEL... [OPTIONS]"
     })
 final class ValidateCommand extends ProjectCommand {
@@ -44,6 +44,12 @@ final class ValidateCommand extends ProjectCommand {
       description = "A Complete OCL document; may be repeated.")
   private List<Path> constraints = List.of();
 
+  @Option(
+      names = "--messages",
+      paramLabel = "FOLDER",
+      description = "Holds PACKAGE/msg/NAME.msg that event chains use; may be repeated.")
+  private List<Path> messages = List.of();
+
   ValidateCommand(Console console) {
     super(console);
   }
@@ -59,7 +65,7 @@ final class ValidateCommand extends ProjectCommand {
           inputs.get(0), Stage.VALIDATE, Stage.VALIDATE, true, new LlmOptions(), List.of());
     }
     Suppressions suppressions = suppressions();
-    AnyModel.Validation validation = AnyModel.validate(metamodels, constraints, inputs);
+    AnyModel.Validation validation = AnyModel.validate(metamodels, constraints, inputs, messages);
     return Outcome.of(validation.coverage(), validation.diagnostics(), suppressions);
   }
 }

@@ -1,5 +1,7 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.analysis.AnalysisResult;
+import dev.eventchain.analysis.ChainAnalysis;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
@@ -9,9 +11,11 @@ import dev.eventchain.m2t.GenerationContext;
 import dev.eventchain.m2t.GenerationResult;
 import dev.eventchain.m2t.OutputFolder;
 import dev.eventchain.m2t.TemplateModule;
+import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.metamodel.LoadedModel;
 import dev.eventchain.metamodel.Origins;
 import dev.eventchain.metamodel.XmiStore;
+import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
 import dev.eventchain.ocl.OclResult;
 import dev.eventchain.ocl.OclRules;
@@ -19,6 +23,7 @@ import dev.eventchain.ocl.OclValidator;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
@@ -52,11 +57,13 @@ public final class AnyModel {
    * Evaluates constraints on models.
    *
    * @param metamodels the models' metamodels; none for event chains, for which the standard
-   *     constraints are evaluated, too
+   *     constraints are evaluated and the contracts inside of each chain checked, too
+   * @param messages folders of {@code PACKAGE/msg/NAME.msg} that event chains use, beside the
+   *     standard types of ROS 2
    * @throws DiagnosticException INPUT if a file cannot be read
    */
   public static Validation validate(
-      List<Path> metamodels, List<Path> constraints, List<Path> models) {
+      List<Path> metamodels, List<Path> constraints, List<Path> models, List<Path> messages) {
     AnyModel any = new AnyModel(metamodels, models);
     List<SourceText> documents = new ArrayList<>();
     if (metamodels.isEmpty()) {
@@ -71,7 +78,29 @@ public final class AnyModel {
             .map(file -> SourceLocation.of(file.normalize()).file())
             .distinct()
             .toList();
-    return new Validation(Constraints.coverage(files, result), result.diagnostics());
+    Coverage coverage = Constraints.coverage(files, result);
+    List<Diagnostic> found = new ArrayList<>(result.diagnostics());
+    if (metamodels.isEmpty()) {
+      Validation contracts = any.contracts(MessageCatalog.of(messages));
+      coverage = coverage.and(contracts.coverage());
+      found.addAll(contracts.diagnostics());
+    }
+    return new Validation(coverage, found);
+  }
+
+  /** The contracts inside of each chain: nothing is known of the vehicle around it. */
+  private Validation contracts(MessageCatalog messages) {
+    ChainAnalysis analysis = ChainAnalysis.of(messages, Optional.empty());
+    Coverage coverage = Coverage.NONE;
+    List<Diagnostic> found = new ArrayList<>();
+    for (EObject root : roots) {
+      if (root instanceof EventChain chain) {
+        AnalysisResult result = analysis.check(chain, origins::locate);
+        coverage = coverage.and(new Coverage(List.of(), 0, result.checks()));
+        found.addAll(result.diagnostics());
+      }
+    }
+    return new Validation(coverage, found);
   }
 
   /**

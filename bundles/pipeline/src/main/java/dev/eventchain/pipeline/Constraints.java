@@ -5,7 +5,6 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.metamodel.XmiStore;
@@ -64,19 +63,6 @@ final class Constraints {
     return OclValidator.validate(rules, List.of(root), locator);
   }
 
-  /**
-   * As {@link #check}, for a stage that must not go on with an invalid model.
-   *
-   * @throws DiagnosticException FINDINGS if a finding is an error that is not suppressed
-   */
-  void require(RunContext run, EObject root, Function<EObject, SourceLocation> locator) {
-    List<Diagnostic> all = check(root, locator).diagnostics();
-    List<Diagnostic> found = run.options().suppressions().part(all).remaining();
-    if (Diagnostic.anyError(found)) {
-      throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, found);
-    }
-  }
-
   /** The files that hold the constraints, but for the standard ones. */
   static List<String> files(RunContext run) {
     List<Path> files = new ArrayList<>();
@@ -115,7 +101,7 @@ final class Constraints {
     return findings == 0 ? checked : checked + ", " + counted(findings, "finding");
   }
 
-  private static String counted(long number, String what) {
+  static String counted(long number, String what) {
     return number + " " + what + (number == 1 ? "" : "s");
   }
 

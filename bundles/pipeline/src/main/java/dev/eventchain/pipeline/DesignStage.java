@@ -4,7 +4,6 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.agents.AgentResult;
 import dev.eventchain.agents.DesignAgent;
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.modeler.EventChainWriter;
 import java.util.List;
 
@@ -32,11 +31,10 @@ final class DesignStage implements StageWork {
   public StageResult execute(RunContext run) {
     if (run.project().editedModel().isPresent()) {
       RunContext.LoadedChain model = run.loadChain(run.project().editedModel().get());
-      Constraints.withoutGenerated(run).require(run, model.chain(), model.origins()::locate);
-      List<Diagnostic> reuse = run.softwareBase().check(model.chain(), model.origins()::locate);
-      if (Diagnostic.anyError(reuse)) {
-        throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, reuse);
-      }
+      List<Diagnostic> reuse =
+          ChainChecks.withoutGenerated(run)
+              .require(run, model.chain(), model.origins()::locate)
+              .reuse();
       run.write(FILE, EventChainWriter.write(model.chain()));
       return StageResult.of(
           "the chain of model/chain.xmi, which people edit", List.of(FILE), reuse);

@@ -44,7 +44,7 @@ final class GenerateStage implements StageWork {
   public StageResult execute(RunContext run) {
     RunContext.LoadedChain model = run.loadChain(run.model());
     // A generator must not turn an invalid model into software.
-    Constraints.of(run).require(run, model.chain(), ChainOrigins.of(run, model)::locate);
+    ChainChecks.of(run).require(run, model.chain(), ChainOrigins.of(run, model)::locate);
     TemplateModule module = Templates.compile(run.project(), List.of(EventchainPackage.eINSTANCE));
     GenerationResult generated =
         module.generate(

@@ -2,14 +2,11 @@ package dev.eventchain.pipeline;
 
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
-import dev.eventchain.diagnostics.Coverage;
-import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.ocl.OclResult;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The model against its constraints. */
+/** The model against its constraints and contracts. */
 final class ValidateStage implements StageWork {
 
   @Override
@@ -25,17 +22,16 @@ final class ValidateStage implements StageWork {
   @Override
   public StageResult execute(RunContext run) {
     RunContext.LoadedChain model = run.loadChain(run.model());
-    Constraints constraints = Constraints.of(run);
     ChainOrigins origins = ChainOrigins.of(run, model);
-    OclResult result = constraints.check(model.chain(), origins::locate);
+    ChainChecks.Outcome outcome = ChainChecks.of(run).check(model.chain(), origins::locate);
     ObjectNode report = JsonNodeFactory.instance.objectNode();
-    report.set("validation", Constraints.report(SourceLocation.of(run.model()).file(), result));
-    List<Diagnostic> found = new ArrayList<>(result.diagnostics());
-    found.addAll(run.softwareBase().check(model.chain(), origins::locate));
+    report.set(
+        "validation",
+        Constraints.report(SourceLocation.of(run.model()).file(), outcome.constraints()));
     List<String> files = new ArrayList<>();
     files.add(SourceLocation.of(run.model()).file());
     files.addAll(Constraints.files(run));
-    Coverage coverage = Constraints.coverage(files, result);
-    return new StageResult(Constraints.words(result), List.of(), found, report, coverage);
+    return new StageResult(
+        outcome.words(), List.of(), outcome.diagnostics(), report, outcome.coverage(files));
   }
 }

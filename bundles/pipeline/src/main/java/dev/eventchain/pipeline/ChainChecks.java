@@ -1,0 +1,106 @@
+package dev.eventchain.pipeline;
+
+import dev.eventchain.analysis.AnalysisResult;
+import dev.eventchain.analysis.ChainAnalysis;
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.modeler.SoftwareBase;
+import dev.eventchain.ocl.OclResult;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Function;
+import org.eclipse.emf.ecore.EObject;
+
+/**
+ * What has to hold for the event chain of a project: its constraints, its contracts on messages,
+ * and the use of existing components as they are.
+ */
+final class ChainChecks {
+
+  private final Constraints constraints;
+  private final ChainAnalysis analysis;
+  private final SoftwareBase base;
+
+  private ChainChecks(Constraints constraints, ChainAnalysis analysis, SoftwareBase base) {
+    this.constraints = constraints;
+    this.analysis = analysis;
+    this.base = base;
+  }
+
+  /**
+   * What was checked and found.
+   *
+   * @param constraints the standard constraints, the project's own and the generated ones
+   * @param analysis the contracts
+   * @param reuse how existing components are used otherwise than they are
+   */
+  record Outcome(OclResult constraints, AnalysisResult analysis, List<Diagnostic> reuse) {
+
+    /** All findings. */
+    List<Diagnostic> diagnostics() {
+      List<Diagnostic> all = new ArrayList<>(constraints.diagnostics());
+      all.addAll(analysis.diagnostics());
+      all.addAll(reuse);
+      return all;
+    }
+
+    /** What was done, in words. */
+    String words() {
+      return Constraints.words(constraints)
+          + ", "
+          + Constraints.counted(
+              coverage(List.of()).evaluations(Coverage.Kind.CONTRACT), "message contract");
+    }
+
+    /**
+     * What was checked.
+     *
+     * @param files the files that were
+     */
+    Coverage coverage(List<String> files) {
+      return Constraints.coverage(files, constraints)
+          .and(new Coverage(List.of(), 0, analysis.checks()));
+    }
+  }
+
+  /** The checks of a project, whose software base knows the vehicle and its messages. */
+  static ChainChecks of(RunContext run) {
+    return of(run, Constraints.of(run));
+  }
+
+  /** The checks of a project before constraints are generated. */
+  static ChainChecks withoutGenerated(RunContext run) {
+    return of(run, Constraints.withoutGenerated(run));
+  }
+
+  private static ChainChecks of(RunContext run, Constraints constraints) {
+    SoftwareBase base = run.softwareBase();
+    MessageCatalog catalog = MessageCatalog.of(run.project().messageFolders());
+    return new ChainChecks(constraints, ChainAnalysis.of(catalog, base.signals()), base);
+  }
+
+  Outcome check(EventChain chain, Function<EObject, SourceLocation> locator) {
+    return new Outcome(
+        constraints.check(chain, locator),
+        analysis.check(chain, locator),
+        base.check(chain, locator));
+  }
+
+  /**
+   * As {@link #check}, for a stage that must not go on with an invalid model.
+   *
+   * @throws DiagnosticException FINDINGS if a finding is an error that is not suppressed
+   */
+  Outcome require(RunContext run, EventChain chain, Function<EObject, SourceLocation> locator) {
+    Outcome outcome = check(chain, locator);
+    List<Diagnostic> found = run.options().suppressions().part(outcome.diagnostics()).remaining();
+    if (Diagnostic.anyError(found)) {
+      throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, found);
+    }
+    return outcome;
+  }
+}

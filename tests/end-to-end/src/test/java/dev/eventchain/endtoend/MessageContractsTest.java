@@ -1,0 +1,98 @@
+package dev.eventchain.endtoend;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Contracts between the components of a project, and the vehicle around them. */
+class MessageContractsTest {
+
+  private static final Path CASES =
+      Program.ROOT.resolve("bundles/analysis/src/test/resources/cases");
+
+  @TempDir Path folder;
+
+  @Test
+  void qualityOfServiceThatStarvesASubscriberIsFoundAtTheSubscriber() throws IOException {
+    new Program()
+        .run("validate", project("contract.qos.incompatible/bad"))
+        .expect(1)
+        .says(
+            "model/chain.xmi:12:3: error: 'Brake_Decision' requests reliability RELIABLE on"
+                + " /filter/speed, but 'Speed_Filter' offers BEST_EFFORT")
+        .says("[contract.qos.incompatible]")
+        .says("at: EventChain[limiter]/data[filtered]")
+        .says("model/chain.xmi:8:3");
+  }
+
+  @Test
+  void theVehicleIsOneMoreSide() throws IOException {
+    new Program()
+        .run("validate", project("contract.qos.incompatible/bad-from-vehicle"))
+        .expect(1)
+        .says("but the vehicle offers BEST_EFFORT")
+        .says("software-base/signals.json:2:3");
+  }
+
+  @Test
+  void definitionsOfTheProjectAreKnown() throws IOException {
+    new Program()
+        .run("validate", project("contract.qos.incompatible/good"))
+        .expect(0)
+        .says("26 constraints")
+        .says(" message contracts");
+  }
+
+  @Test
+  void nothingIsGeneratedFromAChainThatCannotWork() throws IOException {
+    new Program()
+        .run("generate", project("contract.field.unset/bad"))
+        .expect(1)
+        .says("[contract.field.unset]");
+  }
+
+  @Test
+  void aChainWithoutAProjectIsCheckedAsFarAsItKnowsTheVehicle() {
+    Path bad = CASES.resolve("contract.qos.incompatible/bad");
+    new Program()
+        .run("validate", bad.resolve("chain.xmi"), "--messages", bad.resolve("msg"))
+        .expect(1)
+        .says("chain.xmi:12:3: error:")
+        .says("[contract.qos.incompatible]");
+    new Program()
+        .run("validate", bad.resolve("chain.xmi"))
+        .expect(1)
+        .says("[contract.message.unknown]");
+    Path unknownVehicle = CASES.resolve("contract.publisher.missing/bad");
+    new Program()
+        .run(
+            "validate",
+            unknownVehicle.resolve("chain.xmi"),
+            "--messages",
+            unknownVehicle.resolve("msg"))
+        .expect(0);
+  }
+
+  /** The case as a project whose chain people edit. */
+  private Path project(String name) throws IOException {
+    Path project = folder.resolve("limiter");
+    copy(CASES.resolve(name).resolve("signals.json"), project.resolve("software-base"));
+    copy(CASES.resolve(name).resolve("chain.xmi"), project.resolve("model"));
+    Path messages = CASES.resolve(name).resolve("msg/limiter_msgs/msg");
+    try (Stream<Path> files = Files.list(messages)) {
+      for (Path file : files.toList()) {
+        copy(file, project.resolve("software-base/msg/limiter_msgs/msg"));
+      }
+    }
+    Files.writeString(project.resolve("eventchain.yaml"), "name: limiter\n");
+    return project;
+  }
+
+  private static void copy(Path file, Path to) throws IOException {
+    Files.createDirectories(to);
+    Files.copy(file, to.resolve(file.getFileName()));
+  }
+}
