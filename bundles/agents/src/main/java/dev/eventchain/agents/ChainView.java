@@ -3,7 +3,6 @@ package dev.eventchain.agents;
 import com.fasterxml.jackson.databind.JsonNode;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
 
 /**
  * An event chain description as the checks see it. What is missing is empty: the reader of
@@ -26,26 +25,21 @@ record ChainView(List<ChainView.Component> components) {
     List<Value> outputValues() {
       return outputs.stream().flatMap(port -> port.values().stream()).toList();
     }
-
-    Stream<Port> ports() {
-      return Stream.concat(inputs.stream(), outputs.stream());
-    }
   }
 
   /**
    * A topic that a component reads or writes.
    *
-   * @param messageType the type as it is written
    * @param pointer where it stands
    */
-  record Port(String topic, String messageType, String pointer, List<Value> values) {}
+  record Port(String topic, String pointer, List<Value> values) {}
 
   /**
-   * A field that a component reads or writes.
+   * A value that a component reads or writes.
    *
    * @param pointer where it stands
    */
-  record Value(String name, String field, String type, String unit, String pointer) {}
+  record Value(String name, String type, String pointer) {}
 
   static ChainView of(JsonNode chain) {
     List<Component> components = new ArrayList<>();
@@ -72,7 +66,6 @@ record ChainView(List<ChainView.Component> components) {
       ports.add(
           new Port(
               text(port, "topic"),
-              text(port, "message_type"),
               here,
               values(port.path("values"), here + "/values")));
     }
@@ -86,9 +79,7 @@ record ChainView(List<ChainView.Component> components) {
       values.add(
           new Value(
               text(value, "name"),
-              text(value, "field"),
               text(value, "type"),
-              text(value, "unit"),
               pointer + "/" + i));
     }
     return values;

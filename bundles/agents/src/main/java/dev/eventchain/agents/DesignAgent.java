@@ -1,8 +1,10 @@
 package dev.eventchain.agents;
 
-import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.analysis.ChainAnalysis;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.modeler.EventChainReader;
 import dev.eventchain.modeler.JsonText;
@@ -14,6 +16,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.function.Function;
+import org.eclipse.emf.ecore.EObject;
 
 /**
  * Designs an event chain from requirements and the software that exists (the paper's Section IV-A
@@ -37,12 +41,17 @@ public final class DesignAgent {
    * @param frequency Hz, for new components unless the requirements ask for another one
    * @param requirements the functional requirements; every one is taken on by a component
    * @param base the existing components and signals
+   * @param messages the message types that there are
    * @return the event-chain description {@code chain.json}
    * @throws dev.eventchain.diagnostics.DiagnosticException FINDINGS if no answer passed its checks;
    *     and as the model throws
    */
   public AgentResult design(
-      String system, double frequency, Requirements requirements, SoftwareBase base) {
+      String system,
+      double frequency,
+      Requirements requirements,
+      SoftwareBase base,
+      MessageCatalog messages) {
     Map<String, String> values =
         Map.of(
             "system", system,
@@ -51,18 +60,21 @@ public final class DesignAgent {
             "software component description in json format", base.componentsText(),
             "signals", base.signalsText());
     return new RepairLoop(context, "design", AnswerKind.JSON)
-        .run(FILE, PROMPT, values, Optional.empty(), text -> check(text, requirements, base));
+        .run(FILE, PROMPT, values, Optional.empty(), text -> check(text, requirements, base, messages));
   }
 
-  static List<Diagnostic> check(SourceText text, Requirements requirements, SoftwareBase base) {
+  static List<Diagnostic> check(
+      SourceText text, Requirements requirements, SoftwareBase base, MessageCatalog messages) {
     Modeled<EventChain> chain =
         EventChainReader.read(text, "chain", requirements, OptionalDouble.empty());
+    Function<EObject, SourceLocation> locator = chain.origins()::locate;
     List<Diagnostic> diagnostics = new ArrayList<>(chain.diagnostics());
-    diagnostics.addAll(base.check(chain.root(), chain.origins()::locate));
+    diagnostics.addAll(base.check(chain.root(), locator));
+    diagnostics.addAll(
+        ChainAnalysis.of(messages, base.signals()).check(chain.root(), locator).diagnostics());
     JsonText json = JsonText.parse(text);
     if (json.root().isArray()) {
-      JsonNode signals = JsonText.parse(SourceText.of("signals.json", base.signalsText())).root();
-      diagnostics.addAll(new ChainCheck(requirements, signals).check(json));
+      diagnostics.addAll(new ChainCheck(requirements).check(json));
     }
     return diagnostics;
   }

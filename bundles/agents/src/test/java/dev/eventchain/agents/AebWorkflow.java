@@ -2,6 +2,7 @@ package dev.eventchain.agents;
 
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.llm.ChatModel;
+import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
@@ -34,10 +35,11 @@ final class AebWorkflow {
     Requirements requirements = read("requirements.md");
     Requirements rules = read("design-rules.md");
     SoftwareBase base = SoftwareBase.read(PROJECT.resolve("software-base"));
+    MessageCatalog messages = MessageCatalog.of(List.of(PROJECT.resolve("software-base/msg")));
     AgentContext context = AgentContext.of(model);
     Map<String, AgentResult> results = new LinkedHashMap<>();
 
-    AgentResult design = new DesignAgent(context).design(TITLE, FREQUENCY, requirements, base);
+    AgentResult design = new DesignAgent(context).design(TITLE, FREQUENCY, requirements, base, messages);
     results.put("chain.json", design);
     SourceText description = SourceText.of("chain.json", design.text());
     EventChain chain =

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.modeler.Requirements;
 import dev.eventchain.modeler.SoftwareBase;
 import java.io.IOException;
@@ -17,6 +18,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 class DesignCheckTest {
   private static final Path BASE = Path.of("src/test/resources/design/base");
   private static final SoftwareBase SOFTWARE = SoftwareBase.read(BASE);
+  private static final MessageCatalog MESSAGES = MessageCatalog.of(List.of());
   private static final Requirements REQUIREMENTS =
       Requirements.read(SourceText.read(BASE.resolve("requirements.md")));
 
@@ -30,7 +32,7 @@ class DesignCheckTest {
   @MethodSource
   void eachFaultIsFoundWhereItIs(Path file) throws IOException {
     List<Diagnostic> found =
-        DesignAgent.check(SourceText.read(file), REQUIREMENTS, SOFTWARE).stream().sorted().toList();
+        DesignAgent.check(SourceText.read(file), REQUIREMENTS, SOFTWARE, MESSAGES).stream().sorted().toList();
     ExpectedFile.check(file, ExpectedFile.lines(found));
   }
 
@@ -45,13 +47,13 @@ class DesignCheckTest {
     String right = SourceText.read(folder.resolve("valid.json")).text();
     ScriptedModel model = new ScriptedModel().answer(wrong).answer("```json\n" + right + "```");
     AgentResult result =
-        new DesignAgent(AgentContext.of(model)).design("Test", 20.0, REQUIREMENTS, SOFTWARE);
+        new DesignAgent(AgentContext.of(model)).design("Test", 20.0, REQUIREMENTS, SOFTWARE, MESSAGES);
     assertEquals("design/v1", result.prompt());
     assertEquals(2, result.attempts().size());
     String prompt = model.requests.get(0).messages().get(0).content();
     assertEquals(1, prompt.split("R-2: The system shall brake", -1).length - 1);
     assertEquals(1, prompt.split("new one with 20 Hz", -1).length - 1);
     String repair = model.requests.get(1).messages().get(2).content();
-    assertEquals(1, repair.split("There is no signal /sensor/distance", -1).length - 1);
+    assertEquals(1, repair.split("reads /sensor/distance", -1).length - 1);
   }
 }

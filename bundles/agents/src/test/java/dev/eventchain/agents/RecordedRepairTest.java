@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.llm.ChatModel;
 import dev.eventchain.llm.ChatModels;
+import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.modeler.Requirements;
 import dev.eventchain.modeler.SoftwareBase;
 import java.io.IOException;
@@ -30,7 +31,7 @@ class RecordedRepairTest {
     AgentResult result = design(ChatModels.open("replay", "authored", RECORDINGS, false));
     assertEquals(2, result.attempts().size());
     assertEquals(
-        List.of("agents.topic.invented"),
+        List.of("contract.publisher.missing"),
         result.attempts().get(0).findings().stream().map(Diagnostic::id).toList());
     assertEquals(List.of(), result.diagnostics());
   }
@@ -38,6 +39,6 @@ class RecordedRepairTest {
   private static AgentResult design(ChatModel model) {
     Requirements requirements = Requirements.read(SourceText.read(BASE.resolve("requirements.md")));
     return new DesignAgent(AgentContext.of(model))
-        .design("Test", 20.0, requirements, SoftwareBase.read(BASE));
+        .design("Test", 20.0, requirements, SoftwareBase.read(BASE), MessageCatalog.of(List.of()));
   }
 }

@@ -4,7 +4,6 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.metamodel.DataFlowIndex;
 import dev.eventchain.metamodel.Origins;
 import dev.eventchain.metamodel.eventchain.ComponentOrigin;
 import dev.eventchain.metamodel.eventchain.Data;
@@ -110,7 +109,6 @@ public final class EventChainReader {
       find("modeler.chain.empty", "The description holds no component.", text.at(""));
     }
     linkNextSteps();
-    reportCycles();
   }
 
   private void readArray() {
@@ -276,17 +274,6 @@ public final class EventChainReader {
               .filter(n -> n.getInput().stream().anyMatch(d -> written.contains(d.getTopicName())))
               .findFirst();
       next.ifPresent(nodes.get(i)::setNextstep);
-    }
-  }
-
-  private void reportCycles() {
-    for (List<SoftwareNode> cycle : DataFlowIndex.of(chain).cycles()) {
-      String names = cycle.stream().map(SoftwareNode::getName).collect(Collectors.joining(", "));
-      diagnostics.add(
-          Diagnostic.warning(
-              "modeler.chain.cycle",
-              "The data flows in a circle: " + names + ".",
-              origins.locate(cycle.get(0))));
     }
   }
 

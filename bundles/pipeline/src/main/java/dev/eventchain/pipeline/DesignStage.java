@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.agents.AgentResult;
 import dev.eventchain.agents.DesignAgent;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.modeler.EventChainWriter;
 import java.util.List;
 
@@ -23,6 +24,7 @@ final class DesignStage implements StageWork {
         .addFile(project.requirements())
         .addFile(project.softwareBase().resolve("components.json"))
         .addFile(project.softwareBase().resolve("signals.json"));
+    fingerprint.addFiles(project.messageFiles());
     project.editedModel().ifPresent(fingerprint::addFile);
     project.ownConstraints().ifPresent(fingerprint::addFile);
   }
@@ -46,7 +48,8 @@ final class DesignStage implements StageWork {
                 configuration.title(),
                 configuration.frequency(),
                 run.requirements(),
-                run.softwareBase());
+                run.softwareBase(),
+                MessageCatalog.of(run.project().messageFolders()));
     run.write(FILE, designed.text());
     ObjectNode report = AgentReport.of(run, Stage.DESIGN, List.of(designed));
     return new StageResult(

@@ -102,6 +102,24 @@ public final class Project {
     return existing("software-base/msg").map(List::of).orElse(List.of());
   }
 
+  /** The files in the folders of messages. */
+  List<Path> messageFiles() {
+    return messageFolders().stream().flatMap(folder -> below(folder).stream()).toList();
+  }
+
+  /** The files in a folder and in those below it, but for what Python has compiled. */
+  static List<Path> below(Path folder) {
+    try (Stream<Path> files = Files.walk(folder)) {
+      return files
+          .filter(Files::isRegularFile)
+          .filter(file -> !file.toString().contains("__pycache__"))
+          .sorted()
+          .toList();
+    } catch (IOException e) {
+      throw unreadable(folder, e);
+    }
+  }
+
   /** The scenarios, by name. */
   List<Path> scenarios() {
     return filesIn(folder.resolve("scenarios"), ".yaml");

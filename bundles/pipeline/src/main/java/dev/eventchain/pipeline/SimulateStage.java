@@ -15,8 +15,6 @@ import dev.eventchain.simulation.ScenarioVerdict;
 import dev.eventchain.simulation.Simulation;
 import dev.eventchain.simulation.SimulationRequest;
 import dev.eventchain.simulation.SimulationResult;
-import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -26,7 +24,6 @@ import java.util.TreeSet;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Function;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EObject;
 
 /** The generated nodes in the closed loop: verdicts, measurements, and the measured model. */
@@ -43,8 +40,8 @@ final class SimulateStage implements StageWork {
     fingerprint.add(run.options().scenarios());
     project.ownConstraints().ifPresent(fingerprint::addFile);
     fingerprint.addFile(run.file(Constraints.GENERATED));
-    fingerprint.addFiles(below(packageFolder(run, run.loadChain(run.model()).chain())));
-    project.messageFolders().forEach(folder -> fingerprint.addFiles(below(folder)));
+    fingerprint.addFiles(Project.below(packageFolder(run, run.loadChain(run.model()).chain())));
+    fingerprint.addFiles(project.messageFiles());
   }
 
   @Override
@@ -168,17 +165,5 @@ final class SimulateStage implements StageWork {
     String name = GenerateStage.packageName(chain);
     run.required(GenerateStage.FOLDER + "/" + name + "/" + name + "/__init__.py", Stage.GENERATE);
     return run.file(GenerateStage.FOLDER + "/" + name);
-  }
-
-  private static List<Path> below(Path folder) {
-    try (Stream<Path> files = Files.walk(folder)) {
-      return files
-          .filter(Files::isRegularFile)
-          .filter(file -> !file.toString().contains("__pycache__"))
-          .sorted()
-          .toList();
-    } catch (IOException e) {
-      throw Project.unreadable(folder, e);
-    }
   }
 }

@@ -40,7 +40,9 @@ class ArchitectureTest {
           Map.entry("modeler", Set.of("metamodel")),
           Map.entry("analysis", Set.of("metamodel", "messages")),
           Map.entry("simulation", Set.of("metamodel", "messages", "python")),
-          Map.entry("agents", Set.of("ocl", "modeler", "metamodel", "python", "llm")),
+          Map.entry(
+              "agents",
+              Set.of("ocl", "analysis", "messages", "modeler", "metamodel", "python", "llm")),
           Map.entry(
               "pipeline",
               Set.of(
