@@ -3,6 +3,7 @@ package dev.eventchain.cli;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.pipeline.AnyModel;
+import dev.eventchain.pipeline.Project;
 import dev.eventchain.pipeline.Stage;
 import java.nio.file.Path;
 import java.util.List;
@@ -44,7 +45,8 @@ final class GenerateCommand extends ProjectCommand {
       if (!metamodels.isEmpty()) {
         throw wrongUsage("a model of a metamodel needs a template: --template FILE");
       }
-      return execute(input, Stage.GENERATE, Stage.GENERATE, true, new LlmOptions(), List.of());
+      return execute(
+          Project.open(input), Stage.GENERATE, Stage.GENERATE, true, new LlmOptions(), List.of());
     }
     Path folder = output();
     if (folder == null) {

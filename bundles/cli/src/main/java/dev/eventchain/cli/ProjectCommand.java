@@ -94,13 +94,22 @@ abstract class ProjectCommand implements Callable<Integer> {
     return reporting.suppressions(Optional.empty(), console.today());
   }
 
+  /** Where the results of a project are. */
+  final Path outputOf(Project project) {
+    return output == null ? project.defaultOutput() : output;
+  }
+
   /** Runs stages of a project. */
   final Outcome execute(
-      Path folder, Stage first, Stage last, boolean again, LlmOptions llm, List<String> scenarios) {
-    Project project = Project.open(folder);
+      Project project,
+      Stage first,
+      Stage last,
+      boolean again,
+      LlmOptions llm,
+      List<String> scenarios) {
     RunOptions options =
         new RunOptions(
-            output == null ? project.defaultOutput() : output,
+            outputOf(project),
             first,
             last,
             again,

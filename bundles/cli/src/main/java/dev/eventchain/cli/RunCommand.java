@@ -1,5 +1,6 @@
 package dev.eventchain.cli;
 
+import dev.eventchain.pipeline.Project;
 import dev.eventchain.pipeline.Stage;
 import java.nio.file.Path;
 import java.util.List;
@@ -53,6 +54,6 @@ final class RunCommand extends ProjectCommand {
       throw wrongUsage(
           "the stage " + from.id() + " (--from) comes after the stage " + to.id() + " (--to)");
     }
-    return execute(folder, from, to, again, llm, scenarios);
+    return execute(Project.open(folder), from, to, again, llm, scenarios);
   }
 }

@@ -1,5 +1,6 @@
 package dev.eventchain.cli;
 
+import dev.eventchain.pipeline.Project;
 import dev.eventchain.pipeline.Stage;
 import java.nio.file.Path;
 import java.util.List;
@@ -29,7 +30,7 @@ final class StageCommands {
 
     @Override
     Outcome work() {
-      return execute(folder, stage, stage, true, llm, List.of());
+      return execute(Project.open(folder), stage, stage, true, llm, List.of());
     }
   }
 
@@ -94,7 +95,8 @@ final class StageCommands {
 
     @Override
     Outcome work() {
-      return execute(folder, Stage.SIMULATE, Stage.SIMULATE, true, new LlmOptions(), scenarios);
+      return execute(
+          Project.open(folder), Stage.SIMULATE, Stage.SIMULATE, true, new LlmOptions(), scenarios);
     }
   }
 }

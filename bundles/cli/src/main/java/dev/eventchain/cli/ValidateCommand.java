@@ -2,6 +2,7 @@ package dev.eventchain.cli;
 
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.AnyModel;
+import dev.eventchain.pipeline.Project;
 import dev.eventchain.pipeline.Stage;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -16,7 +17,8 @@ import picocli.CommandLine.Parameters;
     mixinStandardHelpOptions = true,
     description = {
       "Check a project's model, event chains, or models of any Ecore metamodel, with OCL.",
-      "Event chains are checked by the standard constraints and message contracts, too."
+      "Event chains are checked by the standard constraints and message contracts, too.",
+      "A project that has no model yet gets one first, as by 'run DIR --to validate'."
     },
     synopsisHeading = "Usage:%n",
     customSynopsis = {
@@ -61,11 +63,17 @@ final class ValidateCommand extends ProjectCommand {
     }
     boolean files = !metamodels.isEmpty() || !constraints.isEmpty() || inputs.size() > 1;
     if (!files && !Files.isRegularFile(inputs.get(0))) {
-      return execute(
-          inputs.get(0), Stage.VALIDATE, Stage.VALIDATE, true, new LlmOptions(), List.of());
+      return validate(Project.open(inputs.get(0)));
     }
     Suppressions suppressions = suppressions();
     AnyModel.Validation validation = AnyModel.validate(metamodels, constraints, inputs, messages);
     return Outcome.of(validation.coverage(), validation.diagnostics(), suppressions);
+  }
+
+  /** Without a model there is nothing to validate, so the stages that make it run before. */
+  private Outcome validate(Project project) {
+    boolean hasModel = project.hasModel(outputOf(project));
+    Stage first = hasModel ? Stage.VALIDATE : Stage.DESIGN;
+    return execute(project, first, Stage.VALIDATE, hasModel, new LlmOptions(), List.of());
   }
 }

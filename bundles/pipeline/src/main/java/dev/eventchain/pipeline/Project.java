@@ -92,6 +92,15 @@ public final class Project {
     return existing("model/chain.xmi");
   }
 
+  /**
+   * Whether there is a model to start from: one that people edit, or one that an earlier run wrote.
+   *
+   * @param output the folder of that run's results
+   */
+  public boolean hasModel(Path output) {
+    return editedModel().isPresent() || Files.isRegularFile(output.resolve("chain.xmi"));
+  }
+
   /** The constraints that people wrote, when there are any. */
   Optional<Path> ownConstraints() {
     return existing("constraints.ocl");

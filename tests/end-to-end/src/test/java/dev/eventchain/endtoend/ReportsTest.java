@@ -74,21 +74,28 @@ class ReportsTest {
     Path fresh = Program.exampleIn(folder);
     Path broken = Files.writeString(folder.resolve("broken.xmi"), "<a");
     Object[][] failures = {
-      {folder.resolve("nowhere"), "project.missing"},
-      {fresh, "project.stage.missing"},
-      {broken, "xmi.syntax"},
+      {"validate", folder.resolve("nowhere"), "project.missing"},
+      {"generate", fresh, "project.stage.missing"},
+      {"validate", broken, "xmi.syntax"},
     };
     for (Object[] failure : failures) {
       Files.deleteIfExists(report);
       Program.Ended ended =
           new Program()
-              .run("validate", failure[0], "--format", "json", "--report", "json=" + report);
+              .run(failure[0], failure[1], "--format", "json", "--report", "json=" + report);
       ended.expect(2);
       assertEquals(ended.out(), Files.readString(report));
       JsonNode json = json(ended.out());
       assertEquals(2, json.get("exitCode").asInt());
-      assertEquals(failure[1], json.at("/findings/0/id").asText());
+      assertEquals(failure[2], json.at("/findings/0/id").asText());
     }
+  }
+
+  @Test
+  void aProjectWithoutAModelGetsOneBeforeItIsValidated() throws IOException {
+    Path fresh = Program.exampleIn(folder.resolve("new"));
+    new Program().run("validate", fresh).expect(0).says("constraints");
+    assertTrue(Files.isRegularFile(fresh.resolve("out/chain.xmi")));
   }
 
   @Test
