@@ -63,11 +63,7 @@ record ChainView(List<ChainView.Component> components) {
     for (int i = 0; i < json.size(); i++) {
       JsonNode port = json.path(i);
       String here = pointer + "/" + i;
-      ports.add(
-          new Port(
-              text(port, "topic"),
-              here,
-              values(port.path("values"), here + "/values")));
+      ports.add(new Port(text(port, "topic"), here, values(port.path("values"), here + "/values")));
     }
     return ports;
   }
@@ -76,11 +72,7 @@ record ChainView(List<ChainView.Component> components) {
     List<Value> values = new ArrayList<>();
     for (int i = 0; i < json.size(); i++) {
       JsonNode value = json.path(i);
-      values.add(
-          new Value(
-              text(value, "name"),
-              text(value, "type"),
-              pointer + "/" + i));
+      values.add(new Value(text(value, "name"), text(value, "type"), pointer + "/" + i));
     }
     return values;
   }

@@ -60,7 +60,12 @@ public final class DesignAgent {
             "software component description in json format", base.componentsText(),
             "signals", base.signalsText());
     return new RepairLoop(context, "design", AnswerKind.JSON)
-        .run(FILE, PROMPT, values, Optional.empty(), text -> check(text, requirements, base, messages));
+        .run(
+            FILE,
+            PROMPT,
+            values,
+            Optional.empty(),
+            text -> check(text, requirements, base, messages));
   }
 
   static List<Diagnostic> check(

@@ -39,7 +39,8 @@ final class AebWorkflow {
     AgentContext context = AgentContext.of(model);
     Map<String, AgentResult> results = new LinkedHashMap<>();
 
-    AgentResult design = new DesignAgent(context).design(TITLE, FREQUENCY, requirements, base, messages);
+    AgentResult design =
+        new DesignAgent(context).design(TITLE, FREQUENCY, requirements, base, messages);
     results.put("chain.json", design);
     SourceText description = SourceText.of("chain.json", design.text());
     EventChain chain =

@@ -32,7 +32,9 @@ class DesignCheckTest {
   @MethodSource
   void eachFaultIsFoundWhereItIs(Path file) throws IOException {
     List<Diagnostic> found =
-        DesignAgent.check(SourceText.read(file), REQUIREMENTS, SOFTWARE, MESSAGES).stream().sorted().toList();
+        DesignAgent.check(SourceText.read(file), REQUIREMENTS, SOFTWARE, MESSAGES).stream()
+            .sorted()
+            .toList();
     ExpectedFile.check(file, ExpectedFile.lines(found));
   }
 
@@ -47,7 +49,8 @@ class DesignCheckTest {
     String right = SourceText.read(folder.resolve("valid.json")).text();
     ScriptedModel model = new ScriptedModel().answer(wrong).answer("```json\n" + right + "```");
     AgentResult result =
-        new DesignAgent(AgentContext.of(model)).design("Test", 20.0, REQUIREMENTS, SOFTWARE, MESSAGES);
+        new DesignAgent(AgentContext.of(model))
+            .design("Test", 20.0, REQUIREMENTS, SOFTWARE, MESSAGES);
     assertEquals("design/v1", result.prompt());
     assertEquals(2, result.attempts().size());
     String prompt = model.requests.get(0).messages().get(0).content();
