@@ -17,7 +17,8 @@ import java.util.stream.Collectors;
 
 /**
  * What follows from the flow of a whole chain. In OCL each of these rules would look through all
- * components for each component; with an index they take time in proportion to the chain.
+ * components for each component. With an index, circles take time in proportion to the chain, and
+ * so does each latency constraint.
  */
 final class FlowRules {
 

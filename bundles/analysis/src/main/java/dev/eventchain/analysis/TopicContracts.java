@@ -201,19 +201,30 @@ final class TopicContracts {
         findings.checked(Rule.FIELD_UNSET);
         if (flow.producers(data).isEmpty()) {
           Endpoint publisher = topic.publishers().get(0);
-          Set<String> set = new TreeSet<>();
-          topic.publishers().forEach(p -> p.data().forEach(d -> set.add(d.getFieldName() + "")));
+          Set<String> set = fieldsThatAreSet(topic, data.getMessageType());
           findings.error(
               Rule.FIELD_UNSET,
               findings.at(data),
               "%s reads the field '%s' of %s, which %s does not set."
                   .formatted(
                       subscriber.name(), data.getFieldName(), topic.name(), publisher.name()),
-              "Set are %s: read one of them, or set this one too."
-                  .formatted(String.join(", ", set)),
+              set.isEmpty()
+                  ? "Set it, or read it nowhere."
+                  : "Set are %s: read one of them, or set this one too."
+                      .formatted(String.join(", ", set)),
               findings.at(publisher.first()));
         }
       }
     }
+  }
+
+  private static Set<String> fieldsThatAreSet(Topic topic, String messageType) {
+    Set<String> set = new TreeSet<>();
+    topic.publishers().stream()
+        .flatMap(publisher -> publisher.data().stream())
+        .filter(output -> output.getFieldName() != null)
+        .filter(output -> sameKnown(output.getMessageType(), messageType))
+        .forEach(output -> set.add(output.getFieldName()));
+    return set;
   }
 }

@@ -46,7 +46,7 @@ final class ReportFile {
   /** A device or a pipe, also under the names of this process's own, stays what it is. */
   private static boolean isStream(Path file) {
     Path absolute = file.toAbsolutePath().normalize();
-    return absolute.startsWith("/dev")
+    return (absolute.startsWith("/dev") && !absolute.startsWith("/dev/shm"))
         || absolute.startsWith("/proc")
         || (Files.exists(file) && !Files.isRegularFile(file));
   }

@@ -8,6 +8,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -18,7 +19,7 @@ import picocli.CommandLine.Parameters;
     description = {
       "Check a project's model, event chains, or models of any Ecore metamodel, with OCL.",
       "Event chains are checked by the standard constraints and message contracts, too.",
-      "A project that has no model yet gets one first, as by 'run DIR --to validate'."
+      "A project without model or generated constraints gets them first, as by 'run DIR'."
     },
     synopsisHeading = "Usage:%n",
     customSynopsis = {
@@ -52,6 +53,8 @@ final class ValidateCommand extends ProjectCommand {
       description = "Holds PACKAGE/msg/NAME.msg that event chains use; may be repeated.")
   private List<Path> messages = List.of();
 
+  @Mixin private LlmOptions llm;
+
   ValidateCommand(Console console) {
     super(console);
   }
@@ -63,6 +66,9 @@ final class ValidateCommand extends ProjectCommand {
     }
     boolean files = !metamodels.isEmpty() || !constraints.isEmpty() || inputs.size() > 1;
     if (!files && !Files.isRegularFile(inputs.get(0))) {
+      if (!messages.isEmpty()) {
+        throw wrongUsage("--messages is for model files; a project has software-base/msg");
+      }
       return validate(Project.open(inputs.get(0)));
     }
     Suppressions suppressions = suppressions();
@@ -70,10 +76,10 @@ final class ValidateCommand extends ProjectCommand {
     return Outcome.of(validation.coverage(), validation.diagnostics(), suppressions);
   }
 
-  /** Without a model there is nothing to validate, so the stages that make it run before. */
+  /** What is to be validated, and by what, must be there, so the stages that make it run before. */
   private Outcome validate(Project project) {
-    boolean hasModel = project.hasModel(outputOf(project));
-    Stage first = hasModel ? Stage.VALIDATE : Stage.DESIGN;
-    return execute(project, first, Stage.VALIDATE, hasModel, new LlmOptions(), List.of());
+    boolean ready = project.isReadyToValidate(outputOf(project));
+    Stage first = ready ? Stage.VALIDATE : Stage.DESIGN;
+    return execute(project, first, Stage.VALIDATE, ready, llm, List.of());
   }
 }

@@ -144,8 +144,8 @@ final class SarifReport {
   private SourceLocation placeOf(Diagnostic finding) {
     List<String> files = report.coverage().files();
     SourceLocation place = finding.location();
-    return place.equals(SourceLocation.NONE) && !files.isEmpty()
-        ? SourceLocation.of(files.get(0))
+    return place.file().isEmpty() && !files.isEmpty()
+        ? SourceLocation.of(files.get(0)).withElement(place.element())
         : place;
   }
 

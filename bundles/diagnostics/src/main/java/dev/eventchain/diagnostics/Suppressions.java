@@ -24,6 +24,7 @@ public final class Suppressions {
   private static final Set<String> NEVER =
       Set.of(
           "eventchain.defect",
+          "ocl.limit",
           "ocl.nothing-evaluated",
           "ocl.type",
           "ocl.not-boolean",
@@ -91,7 +92,8 @@ public final class Suppressions {
      * that were checked.
      */
     public boolean isAboutChecksOf(Coverage coverage) {
-      return coverage.checks().stream().anyMatch(check -> kindOf(check.id()).equals(kindOf(id)))
+      return coverage.checks().stream()
+              .anyMatch(check -> kindOf(check.id()).equals(kindOf(id)) && like(rule, check.rule()))
           && coverage.files().stream().anyMatch(this::isIn);
     }
 

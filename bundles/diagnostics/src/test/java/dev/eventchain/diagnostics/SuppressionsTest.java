@@ -90,7 +90,14 @@ class SuppressionsTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"ocl.nothing-evaluated", "ocl.syntax", "xmi.syntax", "suppression.stale"})
+  @ValueSource(
+      strings = {
+        "ocl.nothing-evaluated",
+        "ocl.limit",
+        "ocl.syntax",
+        "xmi.syntax",
+        "suppression.stale"
+      })
   void whatSaysThatSomethingWasNotCheckedCannotBeSuppressed(String id) {
     assertFalse(Suppressions.mayBeSuppressed(id));
     Diagnostic finding = Diagnostic.error(id, "m", SourceLocation.NONE);

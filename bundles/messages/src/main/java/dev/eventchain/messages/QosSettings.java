@@ -199,7 +199,9 @@ public record QosSettings(
         Durability.VOLATILE,
         Durability.TRANSIENT_LOCAL,
         found);
-    compare("deadline", offered.deadline, requested.deadline, found);
+    // A profile that takes the best it can have adapts its times, too.
+    boolean decided = offered.liveliness != Liveliness.BEST_AVAILABLE;
+    compare("deadline", offered.deadline, requested.deadline, decided, found);
     compare(
         "liveliness",
         offered.liveliness,
@@ -207,7 +209,7 @@ public record QosSettings(
         Liveliness.AUTOMATIC,
         Liveliness.MANUAL_BY_TOPIC,
         found);
-    compare("lease duration", offered.lease, requested.lease, found);
+    compare("lease duration", offered.lease, requested.lease, decided, found);
     return List.copyOf(found);
   }
 
@@ -224,10 +226,11 @@ public record QosSettings(
       String policy,
       Optional<Duration> offered,
       Optional<Duration> requested,
+      boolean decided,
       List<Incompatibility> found) {
     if (requested.isPresent()
         && (offered.isEmpty() || offered.get().compareTo(requested.get()) > 0)) {
-      found.add(new Incompatibility(policy, text(offered), text(requested), true));
+      found.add(new Incompatibility(policy, text(offered), text(requested), decided));
     }
   }
 

@@ -42,7 +42,8 @@ final class UnitParser {
       int superscript = SUPERSCRIPTS.indexOf(written.charAt(i));
       text.append(superscript < 0 ? written.charAt(i) : PLAIN.charAt(superscript));
     }
-    return text.toString();
+    // A blank is a product, but not beside another sign.
+    return text.toString().replaceAll("\\s*([*/.\u00B7])\\s*", "$1");
   }
 
   private Optional<Unit> product() {

@@ -59,7 +59,7 @@ final class UnitTable {
     prefixed(1.0, ANGLE, 1, "rad");
     prefixed(1.0, BYTE, 1, "B", "byte", "Byte", "By");
     prefixed(0.125, BYTE, 1, "bit");
-    prefixed(1.0, CANDELA, 1, "cd", "lm");
+    prefixed(1.0, CANDELA, 1, "cd");
     prefixed(1.0, SECOND, -1, "Hz");
     derived(1.0, "N", 1, 1, -2, 0);
     derived(1.0, "Nm", 2, 1, -2, 0);

@@ -25,6 +25,7 @@ class UnitTest {
     "1/s, Hz",
     "/s, Hz",
     "km/h, kmh",
+    "m / s, m/s",
     "mm, m/1000",
     "N, kg.m/s2",
     "Nm, N.m",

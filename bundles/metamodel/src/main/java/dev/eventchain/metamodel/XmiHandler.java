@@ -4,6 +4,7 @@ import java.io.StringReader;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import org.eclipse.emf.ecore.EAttribute;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EDataType;
 import org.eclipse.emf.ecore.EFactory;
@@ -118,6 +119,9 @@ final class XmiHandler extends SAXXMIHandler {
       file.problems().refuseNumber(feature, text, tagOffset());
     } else {
       super.setFeatureValue(object, feature, shared(value), position);
+      if (feature instanceof EAttribute attribute && attribute.isID()) {
+        noteId(EcoreUtil.getID(object), object); // also where the id is a part and no attribute
+      }
     }
   }
 

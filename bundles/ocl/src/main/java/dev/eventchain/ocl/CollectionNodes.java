@@ -63,7 +63,7 @@ final class CollectionNodes {
   }
 
   /** {@code includes} and {@code excludes}. */
-  static final class Includes extends Node {
+  static final class Includes extends GuardedNode {
     private final Node source;
     private final Node element;
     private final boolean wanted;
@@ -75,7 +75,7 @@ final class CollectionNodes {
     }
 
     @Override
-    Object evaluate(Frame frame) {
+    Object compute(Frame frame) {
       Collection<?> elements = source.elements(frame);
       if (elements == null) {
         return INVALID;

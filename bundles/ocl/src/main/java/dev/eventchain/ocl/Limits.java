@@ -10,7 +10,7 @@ import org.eclipse.ocl.EvaluationHaltedException;
 final class Limits {
 
   private static final int MOST_ELEMENTS = 4_000_000;
-  private static final int MOST_CHARACTERS = 16_000_000;
+  static final int MOST_CHARACTERS = 16_000_000;
 
   /** Regular expressions that never seem to end need a text of some length for that. */
   private static final int SHORT_TEXT = 20;

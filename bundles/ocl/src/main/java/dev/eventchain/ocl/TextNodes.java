@@ -48,6 +48,10 @@ final class TextNodes {
       if (!(source.evaluate(frame) instanceof String text)) {
         return INVALID;
       }
+      return Limits.require(unary(text));
+    }
+
+    private Object unary(String text) {
       return switch (code) {
         case PredefinedType.SIZE -> text.length();
         case PredefinedType.TO_INTEGER -> Integer.valueOf(text);
@@ -124,7 +128,7 @@ final class TextNodes {
         case PredefinedType.STARTS_WITH -> text.startsWith(other);
         case PredefinedType.EQUALS_IGNORE_CASE -> text.equalsIgnoreCase(other);
         case PredefinedType.MATCHES -> matcher(frame, other, text).matches();
-        case PredefinedType.TOKENIZE -> tokens(text, other, false);
+        case PredefinedType.TOKENIZE -> Limits.require(tokens(text, other, false));
         default -> joined(text, other);
       };
     }
@@ -172,13 +176,17 @@ final class TextNodes {
       if (isUndefined(one) || isUndefined(two)) {
         return INVALID;
       }
+      return Limits.require(ternary(text, one, two, frame));
+    }
+
+    private Object ternary(String text, Object one, Object two, Frame frame) {
       return switch (code) {
         case PredefinedType.SUBSTRING -> substring(text, (Integer) one, (Integer) two);
         case PredefinedType.REPLACE_ALL ->
             matcher(frame, (String) one, text).replaceAll((String) two);
         case PredefinedType.REPLACE_FIRST ->
             matcher(frame, (String) one, text).replaceFirst((String) two);
-        case PredefinedType.SUBSTITUTE_ALL -> text.replace((String) one, (String) two);
+        case PredefinedType.SUBSTITUTE_ALL -> substituteAll(text, (String) one, (String) two);
         case PredefinedType.SUBSTITUTE_FIRST -> substituteFirst(text, (String) one, (String) two);
         default -> tokens(text, (String) one, (Boolean) two);
       };
@@ -187,6 +195,29 @@ final class TextNodes {
     private static Object substring(String text, int first, int last) {
       boolean inside = 1 <= first && first <= last && last <= text.length();
       return inside ? text.substring(first - 1, last) : INVALID;
+    }
+
+    /** Refuses a text that is too long before it is made, since each step may double it. */
+    private static String substituteAll(String text, String wanted, String replacement) {
+      long growth = (long) replacement.length() - wanted.length();
+      if (growth > 0 && (text.length() + 1L) * replacement.length() > Limits.MOST_CHARACTERS) {
+        long times = occurrences(text, wanted);
+        Limits.requireCharacters(text.length() + times * growth);
+      }
+      return text.replace(wanted, replacement);
+    }
+
+    private static long occurrences(String text, String wanted) {
+      if (wanted.isEmpty()) {
+        return text.length() + 1L;
+      }
+      long count = 0;
+      for (int at = text.indexOf(wanted);
+          at >= 0;
+          at = text.indexOf(wanted, at + wanted.length())) {
+        count++;
+      }
+      return count;
     }
 
     private static Object substituteFirst(String text, String wanted, String replacement) {

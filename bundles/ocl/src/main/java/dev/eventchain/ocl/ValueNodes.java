@@ -120,7 +120,7 @@ final class ValueNodes {
     Object read(Frame frame) {
       Object value = item.evaluate(frame);
       if (value == null) {
-        return List.of();
+        return Collections.emptyList(); // List.of() may not be asked for null
       }
       return value == INVALID ? INVALID : Collections.singletonList(value);
     }
@@ -245,6 +245,12 @@ final class ValueNodes {
     @Override
     public int size() {
       return size;
+    }
+
+    /** Without a walk, which nothing could stop. */
+    @Override
+    public boolean contains(Object value) {
+      return value instanceof Integer number && number >= first && (long) number - first < size;
     }
   }
 

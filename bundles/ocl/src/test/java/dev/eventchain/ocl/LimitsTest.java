@@ -57,6 +57,8 @@ class LimitsTest {
         "Bag{1..2147483647}->sum() > 0 # collection of more than 4000000 elements",
         "State.allInstances()->collect(x | State.allInstances())->size() > 3"
             + " # collection of more than 4000000 elements",
+        "Sequence{1..30}->iterate(i; s : String = 'aa' | s.substituteAll('a', 'aa')).size() > 0"
+            + " # text of more than 16000000 characters",
         "Sequence{1..4000}->collectNested(i | Sequence{1..4000})->flatten()->size() > 0"
             + " # collection of more than 4000000 elements",
         "Sequence{1..40}->iterate(i; s : Sequence(Integer) = Sequence{1} | s->union(s))->size() > 3"

@@ -14,6 +14,7 @@ import dev.eventchain.pipeline.RunResult.Verdict;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -46,6 +47,9 @@ final class Conclusion {
       suppressed.addAll(outcome.found().suppressed());
       coverage = coverage.and(outcome.coverage());
     }
+    // Stages that need a valid model find what validation found.
+    found = new ArrayList<>(new LinkedHashSet<>(found));
+    suppressed = new ArrayList<>(new LinkedHashSet<>(suppressed));
     found.addAll(aboutSuppressions(found, suppressed, coverage));
     List<ScenarioLine> scenarios = scenarioLines();
     Verdict verdict = verdict(found);

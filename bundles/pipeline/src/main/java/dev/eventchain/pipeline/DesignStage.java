@@ -33,13 +33,13 @@ final class DesignStage implements StageWork {
   public StageResult execute(RunContext run) {
     if (run.project().editedModel().isPresent()) {
       RunContext.LoadedChain model = run.loadChain(run.project().editedModel().get());
-      List<Diagnostic> reuse =
+      List<Diagnostic> found =
           ChainChecks.withoutGenerated(run)
               .require(run, model.chain(), model.origins()::locate)
-              .reuse();
+              .diagnostics();
       run.write(FILE, EventChainWriter.write(model.chain()));
       return StageResult.of(
-          "the chain of model/chain.xmi, which people edit", List.of(FILE), reuse);
+          "the chain of model/chain.xmi, which people edit", List.of(FILE), found);
     }
     Configuration configuration = run.project().configuration();
     AgentResult designed =

@@ -29,7 +29,13 @@ final class GenerateStage implements StageWork {
 
   @Override
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
-    fingerprint.add(run.project().configuration().template()).addFile(run.model());
+    fingerprint
+        .add(run.project().configuration().template())
+        .addFile(run.model())
+        .addFile(run.project().softwareBase().resolve("signals.json"))
+        .addFiles(run.project().messageFiles())
+        .addFile(run.file(Constraints.GENERATED));
+    run.project().ownConstraints().ifPresent(fingerprint::addFile);
     fingerprint.addFiles(
         run.softwareBase().components().stream().map(SoftwareBase.Component::file).toList());
     RunContext.LoadedChain model = run.loadChain(run.model());
@@ -44,7 +50,8 @@ final class GenerateStage implements StageWork {
   public StageResult execute(RunContext run) {
     RunContext.LoadedChain model = run.loadChain(run.model());
     // A generator must not turn an invalid model into software.
-    ChainChecks.of(run).require(run, model.chain(), ChainOrigins.of(run, model)::locate);
+    ChainChecks.Outcome checked =
+        ChainChecks.of(run).require(run, model.chain(), ChainOrigins.of(run, model)::locate);
     TemplateModule module = Templates.compile(run.project(), List.of(EventchainPackage.eINSTANCE));
     GenerationResult generated =
         module.generate(
@@ -56,6 +63,8 @@ final class GenerateStage implements StageWork {
     if (Diagnostic.anyError(found)) {
       throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, found);
     }
+    // Errors are among them only if they are suppressed, for as long as that holds.
+    found.addAll(checked.diagnostics());
     SortedMap<String, byte[]> files = new TreeMap<>();
     generated.files().forEach((name, content) -> files.put(FOLDER + "/" + name, content));
     components(run, model.chain(), files);

@@ -93,12 +93,18 @@ public final class Project {
   }
 
   /**
-   * Whether there is a model to start from: one that people edit, or one that an earlier run wrote.
+   * Whether there is a model, which people edit or an earlier run wrote, and the constraints that
+   * stand for the design rules.
    *
    * @param output the folder of that run's results
    */
-  public boolean hasModel(Path output) {
-    return editedModel().isPresent() || Files.isRegularFile(output.resolve("chain.xmi"));
+  public boolean isReadyToValidate(Path output) {
+    boolean hasModel =
+        editedModel().isPresent() || Files.isRegularFile(output.resolve("chain.xmi"));
+    boolean hasConstraints =
+        !Files.isRegularFile(designRules())
+            || Files.isRegularFile(output.resolve(Constraints.GENERATED));
+    return hasModel && hasConstraints;
   }
 
   /** The constraints that people wrote, when there are any. */

@@ -99,6 +99,15 @@ class ReportsTest {
   }
 
   @Test
+  void aModelThatPeopleEditIsHeldToTheDesignRulesInAFreshCheckoutToo() throws IOException {
+    Path fresh = Program.exampleIn(folder.resolve("edited"));
+    Files.createDirectories(fresh.resolve("model"));
+    Files.copy(project.resolve("out/chain.xmi"), fresh.resolve("model/chain.xmi"));
+    new Program().run("validate", fresh).expect(0);
+    assertTrue(Files.isRegularFile(fresh.resolve("out/generated.ocl")));
+  }
+
+  @Test
   void aReportThatCannotBeWrittenFails() throws IOException {
     Path file = Files.writeString(folder.resolve("file"), "in the way");
     Program.Ended ended =
