@@ -92,8 +92,7 @@ public final class Suppressions {
      * that were checked.
      */
     public boolean isAboutChecksOf(Coverage coverage) {
-      return coverage.checks().stream()
-              .anyMatch(check -> kindOf(check.id()).equals(kindOf(id)) && like(rule, check.rule()))
+      return coverage.checks().stream().anyMatch(check -> kindOf(check.id()).equals(kindOf(id)))
           && coverage.files().stream().anyMatch(this::isIn);
     }
 

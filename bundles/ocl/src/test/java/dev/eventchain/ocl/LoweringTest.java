@@ -28,7 +28,7 @@ import org.eclipse.ocl.util.Tuple;
 
 /**
  * Lowered expressions have the values that {@link Evaluator} gives, in the same order, and that
- * Eclipse OCL gives. One of the slow tests: about a minute.
+ * Eclipse OCL gives. Takes about 25 s.
  *
  * <p>Left out of the comparison with Eclipse OCL, which it cannot answer in one way only or answers
  * otherwise on purpose: expressions whose value depends on the order of a set or a bag.
