@@ -34,6 +34,7 @@ final class FileRecords {
   private final Map<String, Set<String>> journal = new HashMap<>();
   private final boolean damaged;
   private byte[] stored = {};
+  private boolean journalIsCut;
 
   FileRecords(OutputStorage storage) throws IOException {
     this.storage = storage;
@@ -57,19 +58,20 @@ final class FileRecords {
 
   /** Whether the content of a file is one that we gave it, apart from protected areas. */
   boolean isOurs(String path, byte[] content) {
-    String hash = hash(content);
+    String hash = fingerprint(content);
     return hash.equals(hashes.get(path)) || journal.getOrDefault(path, Set.of()).contains(hash);
   }
 
-  /** To be called before a file is given a content. */
-  void announce(String path, byte[] content) throws IOException {
-    String line = hash(content) + " " + path + "\n";
-    storage.append(JOURNAL, line.getBytes(StandardCharsets.UTF_8));
+  /** To be called before a file is given a content of this fingerprint. */
+  void announce(String path, String fingerprint) throws IOException {
+    String line = fingerprint + " " + path + "\n";
+    storage.append(JOURNAL, (journalIsCut ? "\n" + line : line).getBytes(StandardCharsets.UTF_8));
+    journalIsCut = false;
   }
 
   /** To be called when a file holds a content that we gave it. */
-  void put(String path, byte[] content) {
-    hashes.put(path, hash(content));
+  void put(String path, String fingerprint) {
+    hashes.put(path, fingerprint);
     journal.remove(path);
   }
 
@@ -110,6 +112,8 @@ final class FileRecords {
 
   private void readJournal() throws IOException {
     String lines = storage.read(JOURNAL).map(b -> new String(b, StandardCharsets.UTF_8)).orElse("");
+    // A full disk may have ended it in the middle of a line.
+    journalIsCut = !lines.isEmpty() && !lines.endsWith("\n");
     lines
         .lines()
         .filter(line -> line.indexOf(' ') == 64)
@@ -137,7 +141,8 @@ final class FileRecords {
     return bytes.toByteArray();
   }
 
-  private static String hash(byte[] content) {
+  /** What the records keep of a content: a hash of what is outside of its protected areas. */
+  static String fingerprint(byte[] content) {
     try {
       MessageDigest digest = MessageDigest.getInstance("SHA-256");
       return HexFormat.of().formatHex(digest.digest(ProtectedAreas.withoutAreas(content)));

@@ -1,6 +1,7 @@
 package dev.eventchain.m2t;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.DirectoryStream;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
@@ -28,6 +29,11 @@ final class FolderStorage implements OutputStorage {
   private final FolderLock lock;
   private final Set<Path> checkedFolders = new HashSet<>();
 
+  /** The file that was appended to last, which stays open. */
+  private Path appended;
+
+  private OutputStream appending = OutputStream.nullOutputStream();
+
   private FolderStorage(Path shownBase, Path base, Path records, FolderLock lock) {
     this.shownBase = shownBase;
     this.base = base;
@@ -54,10 +60,7 @@ final class FolderStorage implements OutputStorage {
   @Override
   public Optional<byte[]> read(String path) throws IOException {
     try {
-      Path file = place(path);
-      return Files.exists(file, LinkOption.NOFOLLOW_LINKS)
-          ? Optional.of(Files.readAllBytes(file))
-          : Optional.empty();
+      return Optional.of(Files.readAllBytes(place(path)));
     } catch (NoSuchFileException e) {
       return Optional.empty();
     }
@@ -68,18 +71,39 @@ final class FolderStorage implements OutputStorage {
     Path file = place(path);
     Files.createDirectories(parentOf(file));
     Path fresh = records.resolve(NEW_FILE);
-    Files.write(fresh, content);
-    Files.move(fresh, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+    try {
+      Files.write(fresh, content);
+      Files.move(fresh, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+    } catch (IOException e) {
+      // What there is of it would only fill a full disk further.
+      Files.deleteIfExists(fresh);
+      throw e;
+    }
   }
 
   @Override
   public void append(String path, byte[] content) throws IOException {
-    Files.write(place(path), content, StandardOpenOption.CREATE, StandardOpenOption.APPEND);
+    Path file = place(path);
+    if (!file.equals(appended)) {
+      stopAppending();
+      appending = Files.newOutputStream(file, StandardOpenOption.CREATE, StandardOpenOption.APPEND);
+      appended = file;
+    }
+    appending.write(content);
+  }
+
+  private void stopAppending() throws IOException {
+    appending.close();
+    appending = OutputStream.nullOutputStream();
+    appended = null;
   }
 
   @Override
   public void delete(String path) throws IOException {
     Path file = place(path);
+    if (file.equals(appended)) {
+      stopAppending();
+    }
     Files.deleteIfExists(file);
     for (Path folder = parentOf(file); !folder.equals(base) && isEmpty(folder); ) {
       Files.delete(folder);
@@ -95,7 +119,11 @@ final class FolderStorage implements OutputStorage {
 
   @Override
   public void close() throws IOException {
-    lock.release();
+    try {
+      stopAppending();
+    } finally {
+      lock.release();
+    }
   }
 
   private Path place(String path) throws IOException {

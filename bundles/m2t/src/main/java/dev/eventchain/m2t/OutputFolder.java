@@ -124,8 +124,9 @@ public final class OutputFolder implements AutoCloseable {
 
   private Written put(String path, byte[] content, OnEdit onEdit) throws IOException {
     Optional<byte[]> present = storage.read(path);
+    String fingerprint = FileRecords.fingerprint(content);
     if (present.isPresent() && Arrays.equals(present.get(), content)) {
-      records.put(path, content);
+      records.put(path, fingerprint);
       return new Written(Outcome.UNCHANGED, Optional.empty());
     }
     Optional<Diagnostic> finding = Optional.empty();
@@ -135,9 +136,9 @@ public final class OutputFolder implements AutoCloseable {
       }
       finding = Optional.of(overwritten(path));
     }
-    records.announce(path, content);
+    records.announce(path, fingerprint);
     storage.replace(path, content);
-    records.put(path, content);
+    records.put(path, fingerprint);
     return new Written(Outcome.WRITTEN, finding);
   }
 
