@@ -9,6 +9,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.Stream;
 
 /** Reads a module and all those that it imports or extends. */
 final class ModuleLoader {
@@ -34,15 +35,18 @@ final class ModuleLoader {
 
   /**
    * Modules in the folder of a file: {@code a::b} is {@code a/b.mtl} below it, or {@code b.mtl} in
-   * it.
+   * it, or {@code a/b.mtl} beside the folder, where several sets of templates share modules.
    */
   static Function<String, Optional<SourceText>> beside(Path file) {
     Path folder = Optional.ofNullable(file.getParent()).orElse(Path.of(""));
     return name -> {
-      Path nested = folder.resolve(name.replace("::", "/") + ".mtl");
+      String nested = name.replace("::", "/") + ".mtl";
       Path flat = folder.resolve(name.substring(name.lastIndexOf(':') + 1) + ".mtl");
-      Path existing = Files.exists(nested) ? nested : flat;
-      return Files.exists(existing) ? Optional.of(SourceText.read(existing)) : Optional.empty();
+      Path around = name.contains("::") ? folder.resolve("..").resolve(nested).normalize() : flat;
+      return Stream.of(folder.resolve(nested), flat, around)
+          .filter(Files::exists)
+          .findFirst()
+          .map(SourceText::read);
     };
   }
 

@@ -19,6 +19,9 @@ final class Templates {
 
   private static final String MAIN = "main";
 
+  /** The folder of what several sets share. */
+  private static final String SHARED = "python";
+
   private Templates() {}
 
   /** The project's own template file, if its configuration names one. */
@@ -50,7 +53,12 @@ final class Templates {
                                 SourceLocation.of(project.configurationFile()))
                             .withHint("Use ros2-python, or name a file *.mtl of the project.")));
     return TemplateModule.compile(
-        main, name -> shipped(set, name.substring(name.lastIndexOf(':') + 1)), packages);
+        main,
+        name -> {
+          String module = name.substring(name.lastIndexOf(':') + 1);
+          return shipped(set, module).or(() -> shipped(SHARED, module));
+        },
+        packages);
   }
 
   private static Optional<SourceText> shipped(String set, String module) {
