@@ -59,8 +59,9 @@ public record SourceLocation(String file, int line, int column, String element, 
     return text.toString();
   }
 
-  /** The name under which people know a file: the same on every system. */
+  /** The name under which people know a file: the same on every system, and for {@code ./x}. */
   static String nameOf(Path file) {
-    return file.toString().replace('\\', '/');
+    String name = file.normalize().toString().replace('\\', '/');
+    return name.isEmpty() ? "." : name;
   }
 }

@@ -54,6 +54,13 @@ class SourceTextTest {
     assertEquals(2, e.diagnostics().get(0).location().line());
   }
 
+  @Test
+  void aFileHasOneNameHoweverTheWayToItIsWritten() {
+    assertEquals("x/y", SourceLocation.of(Path.of("./x/../x/y")).file());
+    assertEquals(".", SourceLocation.of(Path.of("./")).file());
+    assertEquals("../y", SourceLocation.of(Path.of("../y")).file());
+  }
+
   private static String idOf(Path file) {
     DiagnosticException e = assertThrows(DiagnosticException.class, () -> SourceText.read(file));
     assertEquals(DiagnosticException.Reason.INPUT, e.reason());

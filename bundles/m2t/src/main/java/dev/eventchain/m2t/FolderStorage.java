@@ -114,7 +114,7 @@ final class FolderStorage implements OutputStorage {
 
   @Override
   public String shown(String path) {
-    return shownBase.resolve(path).toString();
+    return shownBase.resolve(path).normalize().toString();
   }
 
   @Override

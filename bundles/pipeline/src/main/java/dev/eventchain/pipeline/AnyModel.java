@@ -75,7 +75,7 @@ public final class AnyModel {
     List<String> files =
         Stream.of(models, metamodels, constraints)
             .flatMap(List::stream)
-            .map(file -> SourceLocation.of(file.normalize()).file())
+            .map(file -> SourceLocation.of(file).file())
             .distinct()
             .toList();
     Coverage coverage = Constraints.coverage(files, result);
