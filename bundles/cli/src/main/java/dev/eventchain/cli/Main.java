@@ -24,6 +24,7 @@ import picocli.CommandLine.ParameterException;
       ValidateCommand.class,
       GenerateCommand.class,
       StageCommands.Simulate.class,
+      DiagramCommand.class,
       ExplainCommand.class,
     },
     description = "From written requirements to running, validated ROS 2 software.",

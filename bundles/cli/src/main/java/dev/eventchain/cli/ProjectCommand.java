@@ -107,9 +107,21 @@ abstract class ProjectCommand implements Callable<Integer> {
       boolean again,
       LlmOptions llm,
       List<String> scenarios) {
+    return execute(project, outputOf(project), first, last, again, llm, scenarios);
+  }
+
+  /** As above, with the results in a folder that the command does not name. */
+  final Outcome execute(
+      Project project,
+      Path results,
+      Stage first,
+      Stage last,
+      boolean again,
+      LlmOptions llm,
+      List<String> scenarios) {
     RunOptions options =
         new RunOptions(
-            outputOf(project),
+            results,
             first,
             last,
             again,

@@ -92,6 +92,12 @@ public final class Project {
     return existing("model/chain.xmi");
   }
 
+  /** The model of the chain: the one that people edit, else the one that an earlier run wrote. */
+  public Optional<Path> model(Path output) {
+    return editedModel()
+        .or(() -> Optional.of(output.resolve("chain.xmi")).filter(Files::isRegularFile));
+  }
+
   /**
    * Whether there is a model, which people edit or an earlier run wrote, and the constraints that
    * stand for the design rules.
@@ -99,12 +105,10 @@ public final class Project {
    * @param output the folder of that run's results
    */
   public boolean isReadyToValidate(Path output) {
-    boolean hasModel =
-        editedModel().isPresent() || Files.isRegularFile(output.resolve("chain.xmi"));
     boolean hasConstraints =
         !Files.isRegularFile(designRules())
             || Files.isRegularFile(output.resolve(Constraints.GENERATED));
-    return hasModel && hasConstraints;
+    return model(output).isPresent() && hasConstraints;
   }
 
   /** The constraints that people wrote, when there are any. */

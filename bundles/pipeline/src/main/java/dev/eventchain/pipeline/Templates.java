@@ -52,6 +52,20 @@ final class Templates {
                                 "There is no template set '" + set + "'.",
                                 SourceLocation.of(project.configurationFile()))
                             .withHint("Use ros2-python, or name a file *.mtl of the project.")));
+    return compile(set, main, packages);
+  }
+
+  /**
+   * Compiles a template that ships with the program.
+   *
+   * @param module the main module's name in the set
+   */
+  static TemplateModule shipped(String set, String module, Collection<EPackage> packages) {
+    return compile(set, shipped(set, module).orElseThrow(), packages);
+  }
+
+  private static TemplateModule compile(
+      String set, SourceText main, Collection<EPackage> packages) {
     return TemplateModule.compile(
         main,
         name -> {

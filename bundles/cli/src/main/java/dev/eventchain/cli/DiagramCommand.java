@@ -1,0 +1,106 @@
+package dev.eventchain.cli;
+
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.pipeline.Diagrams;
+import dev.eventchain.pipeline.Diagrams.Kind;
+import dev.eventchain.pipeline.Project;
+import dev.eventchain.pipeline.Stage;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** {@code diagram}: pictures of a project's event chain, or of any model or metamodel. */
+@Command(
+    name = "diagram",
+    mixinStandardHelpOptions = true,
+    description = {
+      "Draw a project's event chain, or any model or Ecore metamodel, as PlantUML text and as SVG.",
+      "activity: the components of an event chain, with the topics between them;",
+      "instance: a model's elements with their attributes and references;",
+      "metamodel: a metamodel's classes. Needs no other program and no network.",
+      "A project without model gets it first, as by 'run DIR --to model'."
+    },
+    synopsisHeading = "Usage:%n",
+    customSynopsis = {
+      "eventchain diagram DIR [--kind KIND] [-o FOLDER] [OPTIONS]",
+      "eventchain diagram --metamodel FILE.ecore MODEL -o FOLDER [--kind KIND] [OPTIONS]",
+      "eventchain diagram FILE.ecore -o FOLDER [OPTIONS]"
+    })
+final class DiagramCommand extends ProjectCommand {
+
+  @Parameters(
+      paramLabel = "DIR|MODEL",
+      description = "The project's folder, a model file, or a metamodel (*.ecore).")
+  private Path input;
+
+  @Option(
+      names = "--metamodel",
+      paramLabel = "FILE",
+      description = "An Ecore metamodel of the model (default: event chains); may be repeated.")
+  private List<Path> metamodels = List.of();
+
+  @Option(
+      names = "--kind",
+      paramLabel = "KIND",
+      description =
+          "What to draw: ${COMPLETION-CANDIDATES} (default: all of a project; instance of a model; "
+              + "metamodel of a metamodel); may be repeated.")
+  private Set<Kind> kinds = new TreeSet<>();
+
+  DiagramCommand(Console console) {
+    super(console);
+  }
+
+  @Override
+  Outcome work() {
+    boolean meansProject = output() == null && !Files.exists(input);
+    if (metamodels.isEmpty() && (Files.isDirectory(input) || meansProject)) {
+      return drawProject(Project.open(input));
+    }
+    if (output() == null) {
+      throw wrongUsage("say where to write: -o FOLDER");
+    }
+    boolean isMetamodel = metamodels.isEmpty() && input.toString().endsWith(".ecore");
+    Set<Kind> wanted = kindsOr(isMetamodel ? Kind.METAMODEL : Kind.INSTANCE);
+    if (!metamodels.isEmpty() && wanted.contains(Kind.ACTIVITY)) {
+      throw wrongUsage("only event chains have an activity diagram: leave out --metamodel");
+    }
+    boolean classes = isMetamodel && wanted.contains(Kind.METAMODEL);
+    List<Path> ecores = classes ? List.of(input) : metamodels;
+    List<Path> models = classes && wanted.size() == 1 ? List.of() : List.of(input);
+    return drawn(Diagrams.draw(wanted, ecores, models, output(), overwrite()));
+  }
+
+  private Outcome drawProject(Project project) {
+    Path folder = output() == null ? project.defaultOutput().resolve("diagrams") : output();
+    Path results = project.defaultOutput();
+    if (project.model(results).isEmpty()) {
+      Outcome made = makeModel(project, results);
+      if (made.exitCode() != ExitCode.FINE) {
+        return made;
+      }
+    }
+    Path model = project.model(results).orElseThrow();
+    Set<Kind> wanted = kindsOr(Kind.values());
+    return drawn(Diagrams.draw(wanted, List.of(), List.of(model), folder, overwrite()));
+  }
+
+  private Outcome makeModel(Project project, Path results) {
+    return execute(project, results, Stage.DESIGN, Stage.MODEL, false, new LlmOptions(), List.of());
+  }
+
+  private Set<Kind> kindsOr(Kind... otherwise) {
+    return kinds.isEmpty() ? EnumSet.copyOf(List.of(otherwise)) : kinds;
+  }
+
+  private Outcome drawn(List<Diagnostic> found) {
+    return Outcome.of(Coverage.NONE, found, suppressions());
+  }
+}

@@ -1,0 +1,193 @@
+package dev.eventchain.pipeline;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.m2t.GenerationContext;
+import dev.eventchain.m2t.GenerationResult;
+import dev.eventchain.m2t.OutputFolder;
+import dev.eventchain.m2t.TemplateModule;
+import dev.eventchain.metamodel.LoadedModel;
+import dev.eventchain.metamodel.Origins;
+import dev.eventchain.metamodel.XmiStore;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.EventchainPackage;
+import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.eclipse.emf.common.util.TreeIterator;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EcorePackage;
+import org.eclipse.emf.ecore.util.EcoreUtil;
+
+/** Diagrams of models and metamodels, as PlantUML text and as an SVG picture. */
+public final class Diagrams {
+
+  /**
+   * How many boxes and arrows a diagram may have: beyond, the layout takes minutes, and nobody can
+   * read it.
+   */
+  private static final int MOST = 1000;
+
+  /** What is drawn. */
+  public enum Kind {
+    /** An event chain: its components in order, with the topics between them. */
+    ACTIVITY,
+    /** The elements of any model with their attributes and references. */
+    INSTANCE,
+    /** The classes of any Ecore metamodel. */
+    METAMODEL;
+
+    @Override
+    public String toString() {
+      return name().toLowerCase(Locale.ROOT);
+    }
+  }
+
+  private final List<EPackage> metamodels = new ArrayList<>();
+  private final List<EObject> roots = new ArrayList<>();
+  private final Path source;
+  private Origins origins = new Origins();
+
+  private Diagrams(List<Path> ecores, List<Path> models) {
+    List<Path> files = Stream.concat(models.stream(), ecores.stream()).toList();
+    XmiStore store =
+        new XmiStore(files.stream().map(f -> f.resolveSibling("")).distinct().toList());
+    ecores.forEach(ecore -> metamodels.addAll(store.loadMetamodel(ecore)));
+    for (LoadedModel model : store.loadAll(models)) {
+      roots.addAll(model.roots());
+      origins = model.origins();
+    }
+    source = files.get(0);
+    if (metamodels.isEmpty()) {
+      metamodels.add(EventchainPackage.eINSTANCE);
+    }
+  }
+
+  /**
+   * Writes {@code KIND.puml} and {@code KIND.svg} for each kind.
+   *
+   * @param ecores the model's metamodels; none for event chains
+   * @param models the models that are drawn; may be none if only metamodels are
+   * @param overwrite whether files that a person has edited are replaced
+   * @return what was found; a diagram with an error among its findings is not written
+   * @throws DiagnosticException INPUT if a file cannot be read, or the output not written
+   */
+  public static List<Diagnostic> draw(
+      Set<Kind> kinds, List<Path> ecores, List<Path> models, Path folder, boolean overwrite) {
+    Diagrams diagrams = new Diagrams(ecores, models);
+    OutputFolder.OnEdit onEdit =
+        overwrite ? OutputFolder.OnEdit.OVERWRITE : OutputFolder.OnEdit.KEEP;
+    List<Diagnostic> found = new ArrayList<>();
+    try (OutputFolder output = OutputFolder.open(folder)) {
+      for (Kind kind : kinds) {
+        diagrams
+            .draw(kind, found)
+            .forEach(
+                (name, content) ->
+                    output.write(name, content, onEdit).finding().ifPresent(found::add));
+      }
+    }
+    return found;
+  }
+
+  private Map<String, byte[]> draw(Kind kind, List<Diagnostic> found) {
+    List<? extends EObject> drawn = drawn(kind);
+    if (drawn.isEmpty()) {
+      found.add(nothing(kind));
+      return Map.of();
+    }
+    int size = sizeOf(kind, drawn);
+    if (size > MOST) {
+      found.add(tooLarge(kind, size));
+      return Map.of();
+    }
+    TemplateModule module =
+        Templates.shipped(
+            "plantuml",
+            kind.toString(),
+            List.of(EventchainPackage.eINSTANCE, EcorePackage.eINSTANCE));
+    GenerationResult result = module.generate(drawn, context(kind));
+    found.addAll(module.warnings());
+    found.addAll(result.diagnostics());
+    byte[] text = result.files().get(kind + ".puml");
+    if (text == null || Diagnostic.anyError(result.diagnostics())) {
+      return Map.of();
+    }
+    byte[] picture = DiagramImage.svg(new String(text, StandardCharsets.UTF_8));
+    return Map.of(kind + ".puml", text, kind + ".svg", picture);
+  }
+
+  private GenerationContext context(Kind kind) {
+    String from =
+        kind == Kind.METAMODEL
+            ? metamodels.get(0).getNsURI()
+            : String.valueOf(source.getFileName());
+    return GenerationContext.of(origins::locate)
+        .withProperties(
+            Map.of(
+                "eventchain.provenance",
+                "Made by Eventchain from " + from + " with templates/plantuml/" + kind + ".mtl"));
+  }
+
+  private List<? extends EObject> drawn(Kind kind) {
+    return switch (kind) {
+      case ACTIVITY ->
+          roots.stream()
+              .filter(root -> root instanceof EventChain chain && !chain.getSoftware().isEmpty())
+              .limit(1)
+              .toList();
+      case INSTANCE -> roots;
+      case METAMODEL -> metamodels;
+    };
+  }
+
+  /** About as many boxes and arrows as there will be. */
+  private static int sizeOf(Kind kind, List<? extends EObject> drawn) {
+    int size = 0;
+    TreeIterator<EObject> all = EcoreUtil.getAllContents(drawn);
+    while (all.hasNext()) {
+      EObject element = all.next();
+      size +=
+          switch (kind) {
+            case ACTIVITY ->
+                element instanceof SoftwareNode ? 2 + element.eCrossReferences().size() : 0;
+            case INSTANCE -> 2 + element.eCrossReferences().size();
+            case METAMODEL ->
+                element instanceof EClassifier ? 1 + element.eCrossReferences().size() : 0;
+          };
+    }
+    return size;
+  }
+
+  private Diagnostic nothing(Kind kind) {
+    String what = kind == Kind.ACTIVITY ? "no event chain with a component" : "no element";
+    return Diagnostic.error(
+            "diagram.nothing",
+            "There is nothing to draw: the model has " + what + ".",
+            SourceLocation.of(source))
+        .withHint("Draw a model of another metamodel with --kind instance.");
+  }
+
+  private Diagnostic tooLarge(Kind kind, int size) {
+    return Diagnostic.error(
+            "diagram.too-large",
+            "The "
+                + kind
+                + " diagram would have about "
+                + size
+                + " boxes and arrows; at most "
+                + MOST
+                + " are drawn.",
+            SourceLocation.of(source))
+        .withHint("Draw a smaller model, or the chain alone with --kind activity.");
+  }
+}
