@@ -18,10 +18,10 @@ final class BlockParser {
 
   private final Problems problems;
   private final List<Token> tokens;
-  private final List<String> texts;
+  private final List<Syntax.Text> texts;
   private int next;
 
-  BlockParser(Problems problems, List<Token> tokens, List<String> texts) {
+  BlockParser(Problems problems, List<Token> tokens, List<Syntax.Text> texts) {
     this.problems = problems;
     this.tokens = tokens;
     this.texts = texts;
@@ -75,8 +75,8 @@ final class BlockParser {
           return List.copyOf(nodes);
         }
         case TEXT -> {
-          if (!texts.get(next).isEmpty()) {
-            nodes.add(new Syntax.Text(token.start(), texts.get(next)));
+          if (!texts.get(next).text().isEmpty()) {
+            nodes.add(texts.get(next));
           }
           next++;
         }

@@ -30,7 +30,7 @@ final class BodyCompiler {
 
   private Step step(Node node, Scope scope) {
     if (node instanceof Syntax.Text text) {
-      return new Steps.Text(text.text());
+      return new Steps.Text(text.text(), place(text.start()));
     } else if (node instanceof Syntax.Output output) {
       return output(output, scope);
     } else if (node instanceof Syntax.For loop) {
@@ -76,16 +76,24 @@ final class BodyCompiler {
     if (value.isEmpty() || decoration.isEmpty()) {
       return NOTHING;
     }
-    boolean calls = callsTemplate(value.get());
-    boolean decorated = !decoration.get().equals(Decorations.NONE);
-    return decorated
-        ? new Steps.DecoratedOutput(value.get(), calls, decoration.get())
-        : new Steps.Output(value.get(), calls);
+    return output(value.get(), decoration.get(), place(output.start()));
   }
 
-  private static boolean callsTemplate(Expression value) {
-    return value.outermostCall().orElse(null) instanceof CallLibrary.Call call
-        && call.callsTemplates();
+  private static Step output(Expression value, Steps.Decoration decoration, Place place) {
+    boolean decorated = !decoration.equals(Decorations.NONE);
+    if (value.outermostCall().orElse(null) instanceof CallLibrary.Call call
+        && call.callsTemplates()) {
+      return decorated
+          ? new Steps.DecoratedCallOutput(value, call, decoration)
+          : new Steps.CallOutput(value, call);
+    }
+    return decorated
+        ? new Steps.DecoratedOutput(value, decoration, place)
+        : new Steps.Output(value, place);
+  }
+
+  private Place place(int offset) {
+    return new Place(expressions.problems().source(), offset);
   }
 
   /** The decoration; empty if one of its expressions is wrong. */

@@ -5,6 +5,7 @@ import dev.eventchain.ocl.ExpressionLanguage;
 import dev.eventchain.ocl.Invalid;
 import dev.eventchain.ocl.OperationLibrary;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -98,33 +99,77 @@ final class CallLibrary implements OperationLibrary {
   }
 
   /** A call of one of some callables, the most special first. */
-  record Call(String name, List<Callable> candidates, boolean hasSource)
-      implements OperationLibrary.Implementation {
+  static final class Call implements OperationLibrary.Implementation {
+    private final String name;
+    private final boolean hasSource;
+    private final Callable[] candidates;
+
+    private Call(String name, List<Callable> candidates, boolean hasSource) {
+      this.name = name;
+      this.candidates = candidates.toArray(Callable[]::new);
+      this.hasSource = hasSource;
+    }
 
     boolean callsTemplates() {
-      return candidates.get(0) instanceof Template;
+      return candidates[0] instanceof Template;
     }
 
     @Override
     public Object call(Object source, List<Object> arguments, Evaluation evaluation) {
       GenerationRun run = evaluation.attachment(GenerationRun.class);
-      List<Object> all = new ArrayList<>(arguments);
-      if (hasSource) {
-        all.add(0, source);
-      }
-      // Null suits every type; it is the most general candidate that expects anything.
-      List<Callable> inOrder = new ArrayList<>(candidates);
-      if (!all.isEmpty() && all.get(0) == null) {
-        inOrder.sort(Comparator.comparingInt(each -> -candidates.indexOf(each)));
-      }
-      for (Callable candidate : inOrder) {
-        if (candidate.accepts(all, run)) {
-          return candidate.call(all, run);
-        }
+      List<Object> all = all(source, arguments);
+      Callable callable = find(all, run);
+      if (callable != null) {
+        return callable.call(all, run);
       }
       return callsTemplates()
           ? ""
           : new Invalid("no query '" + name + "' takes these arguments", run.place(), false);
+    }
+
+    /**
+     * Writes the text of the call, or the value if it is a query that takes the arguments.
+     *
+     * @param indentation what goes behind each of its line breaks
+     * @return an {@link Invalid} if there is no value; otherwise null
+     */
+    Object write(Object source, List<Object> arguments, GenerationRun run, String indentation) {
+      List<Object> all = all(source, arguments);
+      Callable callable = find(all, run);
+      if (callable instanceof Template template) {
+        template.write(all, run, indentation);
+      } else if (callable != null) {
+        Object value = callable.call(all, run);
+        if (value instanceof Invalid) {
+          return value;
+        }
+        run.appendIndented(Texts.of(value), indentation);
+      }
+      return null;
+    }
+
+    private List<Object> all(Object source, List<Object> arguments) {
+      if (!hasSource) {
+        return arguments;
+      }
+      Object[] all = new Object[arguments.size() + 1];
+      all[0] = source;
+      for (int i = 1; i < all.length; i++) {
+        all[i] = arguments.get(i - 1);
+      }
+      return Arrays.asList(all);
+    }
+
+    /** Null suits every type; it means the most general candidate that expects anything. */
+    private Callable find(List<Object> arguments, GenerationRun run) {
+      boolean fromTheMostGeneral = !arguments.isEmpty() && arguments.get(0) == null;
+      for (int i = 0; i < candidates.length; i++) {
+        Callable candidate = candidates[fromTheMostGeneral ? candidates.length - 1 - i : i];
+        if (candidate.accepts(arguments, run)) {
+          return candidate;
+        }
+      }
+      return null;
     }
   }
 }

@@ -29,20 +29,23 @@ final class GeneratedFiles {
    * contents that placeholders stand for.
    */
   private record Open(Map<String, String> areas, Set<String> ids, List<String> kept) {
-    /** What people wrote, with which neither indentation nor any operation may meddle. */
-    String fill(String text) {
-      String filled = text;
-      for (int i = 0; i < kept.size(); i++) {
-        filled = filled.replace(placeholder(i), kept.get(i));
-      }
-      return filled;
-    }
 
     /** Made of characters that Unicode reserves for such use and that no text has. */
     static String placeholder(int index) {
-      return '\uFDD0' + Integer.toString(index) + '\uFDD1';
+      return PLACEHOLDER_START + Integer.toString(index) + PLACEHOLDER_END;
+    }
+
+    /** What the placeholder from one offset to another stands for; null if it is none. */
+    String content(String text, int start, int end) {
+      String number = text.substring(start + 1, Math.max(start + 1, end));
+      return number.matches("[0-9]{1,9}") && Integer.parseInt(number) < kept.size()
+          ? kept.get(Integer.parseInt(number))
+          : null;
     }
   }
+
+  private static final char PLACEHOLDER_START = '\uFDD0';
+  private static final char PLACEHOLDER_END = '\uFDD1';
 
   private final GenerationRun run;
   private final Function<String, Optional<byte[]>> earlier;
@@ -60,7 +63,7 @@ final class GeneratedFiles {
 
   /** Makes a file of what something writes. */
   void write(
-      SourceLocation place, String name, FileMode mode, String charsetName, Runnable writer) {
+      SourceLocation place, String name, FileMode mode, String charsetName, Step body) {
     OutputPath path = OutputPath.of(name);
     Optional<Charset> charset = charset(place, charsetName);
     if (path.refused()) {
@@ -80,7 +83,7 @@ final class GeneratedFiles {
     if (charset.isEmpty() || keepExisting(path.value(), mode)) {
       return;
     }
-    String text = text(path.value(), charset.get(), writer);
+    String text = text(path.value(), charset.get(), body);
     byte[] bytes = bytes(place, path.value(), text, charset.get());
     contents.merge(path.value(), bytes, GeneratedFiles::joined);
   }
@@ -97,22 +100,64 @@ final class GeneratedFiles {
     return existing.isPresent();
   }
 
-  private String text(String path, Charset charset, Runnable writer) {
+  private String text(String path, Charset charset, Step body) {
     Map<String, String> areas =
         earlier
             .apply(path)
             .map(content -> ProtectedAreas.of(new String(content, charset)))
             .orElse(Map.of());
     open.push(new Open(areas, new HashSet<>(), new ArrayList<>()));
+    OutputBuffer output = run.output();
+    OutputBuffer.Part part = output.beginText();
     String text;
+    Optional<OriginMarks> marks;
     Open closed;
     try {
-      text = run.separateTextOf(writer);
+      body.write(run);
+      text = output.textOf(part);
+      marks = output.marksOf(part);
     } finally {
+      output.cut(part);
       closed = open.pop();
     }
     keepLost(path, charset, closed);
-    return closed.fill(text);
+    return filled(path, text, closed, marks);
+  }
+
+  /** What people wrote, with which neither indentation nor any operation may meddle. */
+  private String filled(String path, String text, Open file, Optional<OriginMarks> marks) {
+    if (file.kept().isEmpty()) {
+      marks.ifPresent(origins -> run.tracing().file(path, text, origins));
+      return text;
+    }
+    OutputBuffer filled = new OutputBuffer(marks.isPresent());
+    OutputBuffer.Part all = filled.mark();
+    int from = 0;
+    int start = text.indexOf(PLACEHOLDER_START);
+    while (start >= 0) {
+      int end = text.indexOf(PLACEHOLDER_END, start);
+      String content = file.content(text, start, end);
+      if (content != null) {
+        append(text, from, start, marks, filled);
+        append(content, 0, content.length(), marks.map(any -> OriginMarks.NOWHERE), filled);
+        from = end + 1;
+      }
+      start = text.indexOf(PLACEHOLDER_START, start + 1);
+    }
+    append(text, from, text.length(), marks, filled);
+    String whole = filled.textOf(all);
+    filled.marksOf(all).ifPresent(origins -> run.tracing().file(path, whole, origins));
+    return whole;
+  }
+
+  private static void append(
+      String text, int from, int to, Optional<OriginMarks> marks, OutputBuffer filled) {
+    String part = text.substring(from, to);
+    if (marks.isEmpty()) {
+      filled.append(part);
+    } else {
+      filled.append(part, marks.get().between(from, to));
+    }
   }
 
   /** Saves the areas that the file has no longer, beside it. */

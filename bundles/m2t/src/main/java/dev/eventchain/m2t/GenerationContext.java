@@ -13,24 +13,31 @@ import org.eclipse.emf.ecore.EObject;
  * @param earlier the content of a file of the output folder, usually {@link OutputFolder#read};
  *     needed for protected areas to survive
  * @param properties what {@code getProperty('key')} gives in a template
+ * @param traced whether the result says where each line comes from
  */
 public record GenerationContext(
     Function<EObject, SourceLocation> locator,
     Function<String, Optional<byte[]>> earlier,
-    Map<String, String> properties) {
+    Map<String, String> properties,
+    boolean traced) {
 
   /** Nothing known but where elements stand: an empty output folder, no properties. */
   public static GenerationContext of(Function<EObject, SourceLocation> locator) {
-    return new GenerationContext(locator, name -> Optional.empty(), Map.of());
+    return new GenerationContext(locator, name -> Optional.empty(), Map.of(), false);
   }
 
   /** The same with the files of an output folder. */
   public GenerationContext withEarlier(Function<String, Optional<byte[]>> newEarlier) {
-    return new GenerationContext(locator, newEarlier, properties);
+    return new GenerationContext(locator, newEarlier, properties, traced);
   }
 
   /** The same with other properties. */
   public GenerationContext withProperties(Map<String, String> newProperties) {
-    return new GenerationContext(locator, earlier, Map.copyOf(newProperties));
+    return new GenerationContext(locator, earlier, Map.copyOf(newProperties), traced);
+  }
+
+  /** The same, and the result says which template lines and elements made which lines. */
+  public GenerationContext withTrace() {
+    return new GenerationContext(locator, earlier, properties, true);
   }
 }

@@ -13,8 +13,10 @@ import java.util.TreeMap;
  * @param files the content of each file, by its name relative to the output folder; sorted, and
  *     every name fit for {@link OutputFolder#write}
  * @param diagnostics what was found on the way, in the order of generation
+ * @param trace where the lines of the files come from, if the context asked for it
  */
-public record GenerationResult(SortedMap<String, byte[]> files, List<Diagnostic> diagnostics) {
+public record GenerationResult(
+    SortedMap<String, byte[]> files, List<Diagnostic> diagnostics, GenerationTrace trace) {
 
   /** Takes copies. */
   public GenerationResult {

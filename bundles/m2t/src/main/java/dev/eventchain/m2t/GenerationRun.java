@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.ocl.Evaluation;
 import dev.eventchain.ocl.Expression;
 import dev.eventchain.ocl.Invalid;
+import dev.eventchain.ocl.OperationLibrary;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -48,13 +49,16 @@ final class GenerationRun {
   private final Deque<Object> selves = new ArrayDeque<>();
   private final Map<QueryCall, Object> cache = new HashMap<>();
   private final Map<String, TokenWalk> tokenWalks = new HashMap<>();
-  private OutputBuffer output = new OutputBuffer();
+  private final OutputBuffer output;
+  private final Tracing tracing;
   private Expression current;
   private boolean stopped;
 
   GenerationRun(Collection<? extends EObject> roots, GenerationContext context) {
     this.evaluation = Evaluation.over(roots).attach(this);
     this.context = context;
+    this.tracing = context.traced() ? new Tracing(context.locator()) : null;
+    this.output = new OutputBuffer(context.traced());
     this.findings = new Findings();
     this.files = new GeneratedFiles(this, context.earlier());
     this.objects = new ObjectQueries(evaluation);
@@ -85,7 +89,13 @@ final class GenerationRun {
   }
 
   GenerationResult result() {
-    return new GenerationResult(files.contents(), findings.all());
+    GenerationTrace trace = tracing == null ? GenerationTrace.NONE : tracing.result();
+    return new GenerationResult(files.contents(), findings.all(), trace);
+  }
+
+  /** Where the lines of files are noted; nowhere (null) if nobody wants to know. */
+  Tracing tracing() {
+    return tracing;
   }
 
   boolean isStopped() {
@@ -96,10 +106,22 @@ final class GenerationRun {
 
   /** The value of an expression; an invalid one has been reported. */
   Object evaluate(Expression expression) {
+    return evaluate(expression, null);
+  }
+
+  /** {@link Expression#evaluateCalls}; an invalid value has been reported. */
+  Object evaluateCalls(Expression expression, OperationLibrary.Implementation receiver) {
+    return evaluate(expression, receiver);
+  }
+
+  private Object evaluate(Expression expression, OperationLibrary.Implementation receiver) {
     Expression outer = current;
     current = expression;
     try {
-      Object value = expression.evaluate(evaluation);
+      Object value =
+          receiver == null
+              ? expression.evaluate(evaluation)
+              : expression.evaluateCalls(evaluation, receiver);
       if (value instanceof Invalid invalid) {
         if (stopped) {
           throw new StoppedException();
@@ -184,28 +206,53 @@ final class GenerationRun {
 
   // --- output
 
-  void append(String text) {
-    output.append(text);
+  OutputBuffer output() {
+    return output;
   }
 
-  void appendIndented(String text) {
-    output.appendIndented(text);
-  }
-
-  /** The text that something writes, which does not go to the output. */
-  String textOf(Runnable writer) {
-    return output.capture(writer);
-  }
-
-  /** The text that something writes, which does not even continue the current line. */
-  String separateTextOf(Runnable writer) {
-    OutputBuffer outer = output;
-    output = new OutputBuffer();
-    try {
-      return output.capture(writer);
-    } finally {
-      output = outer;
+  /** Appends what the expression of a tag gives. */
+  void append(String text, Place tag) {
+    if (tracing == null) {
+      output.append(text);
+    } else if (!text.isEmpty()) {
+      output.append(text, tracing.origin(tag.location(), 0, origin()));
     }
+  }
+
+  /** Appends what an expression gives. */
+  void append(String text, Expression expression) {
+    if (tracing == null) {
+      output.append(text);
+    } else if (!text.isEmpty()) {
+      output.append(text, tracing.origin(expression, origin()));
+    }
+  }
+
+  /** Appends what the expression at work gives, with some indentation behind each line break. */
+  void appendIndented(String text, String indentation) {
+    OutputBuffer.Part part = output.beginIndented(indentation);
+    append(text, current);
+    output.end(part);
+  }
+
+  /** Appends text as a template has it. */
+  void appendLiteral(String text, Place start) {
+    if (tracing == null) {
+      output.append(text);
+      return;
+    }
+    SourceLocation place = start.location();
+    int line = 0;
+    for (int from = 0; from < text.length(); line++) {
+      int lineBreak = text.indexOf('\n', from);
+      int end = lineBreak < 0 ? text.length() : lineBreak + 1;
+      output.append(text.substring(from, end), tracing.origin(place, line, origin()));
+      from = end;
+    }
+  }
+
+  private EObject origin() {
+    return element().orElse(null);
   }
 
   // --- findings

@@ -30,7 +30,7 @@ final class ModuleParser {
   private ModuleParser(Problems problems, List<Token> tokens) {
     this.problems = problems;
     this.tokens = tokens;
-    List<String> texts = WhiteSpace.normalise(problems.source().text(), tokens);
+    List<Syntax.Text> texts = WhiteSpace.normalise(problems.source().text(), tokens);
     this.blocks = new BlockParser(problems, tokens, texts);
   }
 

@@ -1,54 +1,154 @@
 package dev.eventchain.m2t;
 
-/** Text in the making, which knows the indentation of its last line. */
-final class OutputBuffer {
-  private final StringBuilder text = new StringBuilder();
-  private int floor;
+import java.util.Optional;
 
-  void append(String more) {
-    text.append(more);
+/**
+ * The text that a run writes. It grows at one end only: what a called template writes goes where it
+ * belongs at once, with the indentation of its caller behind every line break; what a file block
+ * writes, or a template whose text is wanted as a value, is cut off again.
+ */
+final class OutputBuffer {
+
+  /** Where a part of the text starts, and how things were before it. */
+  record Part(int start, String indentation, int lineStart, int lastBreak) {}
+
+  private final StringBuilder text = new StringBuilder(1 << 12);
+
+  /** What stands behind every line break that is written. */
+  private String indentation = "";
+
+  /** Where the current line starts, behind that indentation. */
+  private int lineStart;
+
+  /** The end of the last line break in the current part, if there is one behind its start. */
+  private int lastBreak;
+
+  private final OriginMarks marks;
+
+  /**
+   * Starts empty.
+   *
+   * @param marked whether to note where text comes from
+   */
+  OutputBuffer(boolean marked) {
+    this.marks = marked ? new OriginMarks() : null;
   }
 
-  /** Appends, with the white space that the current line starts with after every line break. */
-  void appendIndented(String more) {
-    int lineBreak = more.indexOf('\n');
-    String indentation = lineBreak < 0 ? "" : indentation();
-    if (indentation.isEmpty()) {
+  /** Appends, with the indentation behind every line break. */
+  void append(String more) {
+    int lineBreak = more.lastIndexOf('\n');
+    if (lineBreak < 0) {
       text.append(more);
-      return;
+    } else if (indentation.isEmpty()) {
+      text.append(more);
+      lastBreak = text.length() - (more.length() - lineBreak - 1);
+      lineStart = lastBreak;
+    } else {
+      appendLines(more, OriginMarks.NONE);
     }
+  }
+
+  /** The same for text of an origin. */
+  void append(String more, int origin) {
+    marks.add(text.length(), origin);
+    if (indentation.isEmpty()) {
+      append(more);
+    } else {
+      appendLines(more, origin);
+    }
+  }
+
+  /** The same for text whose origins were noted when it was written elsewhere. */
+  void append(String more, OriginMarks origins) {
+    for (int i = 0; i < origins.size(); i++) {
+      int end = i + 1 < origins.size() ? origins.start(i + 1) : more.length();
+      append(more.substring(origins.start(i), end), origins.origin(i));
+    }
+  }
+
+  private void appendLines(String more, int origin) {
     int from = 0;
-    while (lineBreak >= 0) {
-      text.append(more, from, lineBreak + 1).append(indentation);
-      from = lineBreak + 1;
-      lineBreak = more.indexOf('\n', from);
+    for (int at = more.indexOf('\n'); at >= 0; at = more.indexOf('\n', from)) {
+      text.append(more, from, at + 1);
+      lastBreak = text.length();
+      if (marks != null) {
+        marks.add(text.length(), OriginMarks.NONE);
+      }
+      text.append(indentation);
+      lineStart = text.length();
+      if (marks != null) {
+        marks.add(text.length(), origin);
+      }
+      from = at + 1;
     }
     text.append(more, from, more.length());
   }
 
-  /** Takes away again what something writes, and returns it. Its first line starts a new text. */
-  String capture(Runnable writer) {
-    int outerFloor = floor;
-    int start = text.length();
-    floor = start;
-    try {
-      writer.run();
-      return text.substring(start);
-    } finally {
-      text.setLength(start);
-      floor = outerFloor;
-    }
-  }
-
-  private String indentation() {
-    int start = text.length();
-    while (start > floor && text.charAt(start - 1) != '\n') {
-      start--;
-    }
-    int end = start;
+  /** The white space that the current line starts with. */
+  String currentIndentation() {
+    int end = lineStart;
     while (end < text.length() && (text.charAt(end) == ' ' || text.charAt(end) == '\t')) {
       end++;
     }
-    return text.substring(start, end);
+    return end == lineStart ? "" : text.substring(lineStart, end);
+  }
+
+  /** Starts a part that stays where it is, its lines after the first indented by so much more. */
+  Part beginIndented(String more) {
+    Part part = begin();
+    if (!more.isEmpty()) {
+      indentation = indentation.concat(more);
+    }
+    return part;
+  }
+
+  /** Ends a part that stays. */
+  void end(Part part) {
+    indentation = part.indentation();
+    if (lastBreak > part.start()) {
+      lineStart = lastBreak + indentation.length();
+    } else {
+      lineStart = part.lineStart();
+      lastBreak = part.lastBreak();
+    }
+  }
+
+  /** Starts a part that is a text of its own, without any indentation from outside. */
+  Part beginText() {
+    Part part = begin();
+    indentation = "";
+    return part;
+  }
+
+  private Part begin() {
+    Part part = mark();
+    lineStart = text.length();
+    return part;
+  }
+
+  /** Marks the end of the text, to cut off from there what is written next. */
+  Part mark() {
+    return new Part(text.length(), indentation, lineStart, lastBreak);
+  }
+
+  /** The text since the start of a part. */
+  String textOf(Part part) {
+    return text.substring(part.start());
+  }
+
+  /** The origins of the text since the start of a part; empty if origins are not noted. */
+  Optional<OriginMarks> marksOf(Part part) {
+    return marks == null ? Optional.empty() : Optional.of(marks.since(part.start()));
+  }
+
+  /** Takes away what was written since the start of a part. */
+  void cut(Part part) {
+    text.setLength(part.start());
+    indentation = part.indentation();
+    lineStart = part.lineStart();
+    lastBreak = part.lastBreak();
+    if (marks != null) {
+      marks.cut(part.start());
+    }
   }
 }

@@ -35,9 +35,12 @@ final class Query extends Callable {
 
   @Override
   Object call(List<Object> arguments, GenerationRun run) {
-    return arguments.stream().anyMatch(argument -> argument instanceof Collection<?>)
-        ? evaluate(arguments, run)
-        : run.cached(this, arguments, () -> evaluate(arguments, run));
+    for (Object argument : arguments) {
+      if (argument instanceof Collection<?>) {
+        return evaluate(arguments, run);
+      }
+    }
+    return run.cached(this, arguments, () -> evaluate(arguments, run));
   }
 
   private Object evaluate(List<Object> arguments, GenerationRun run) {

@@ -13,53 +13,81 @@ final class Steps {
   private Steps() {}
 
   /** Literal text. */
-  record Text(String text) implements Step {
+  record Text(String text, Place place) implements Step {
     @Override
     public void write(GenerationRun run) {
-      run.append(text);
+      run.appendLiteral(text, place);
     }
   }
 
-  /** The value of an expression; the text of a called template is indented like its caller. */
-  record Output(Expression value, boolean callsTemplate) implements Step {
+  /** The value of an expression. */
+  record Output(Expression value, Place place) implements Step {
+    @Override
+    public void write(GenerationRun run) {
+      Object result = run.evaluate(value);
+      if (!(result instanceof Invalid)) {
+        run.append(Texts.of(result), place);
+      }
+    }
+  }
+
+  /** The value of an expression, whose elements are decorated like those of a loop. */
+  record DecoratedOutput(Expression value, Decoration decoration, Place place) implements Step {
     @Override
     public void write(GenerationRun run) {
       Object result = run.evaluate(value);
       if (result instanceof Invalid) {
         return;
       }
-      if (callsTemplate) {
-        run.appendIndented(Texts.of(result));
-      } else {
-        run.append(Texts.of(result));
+      boolean first = true;
+      for (Object item : elements(result)) {
+        decoration.writeAhead(first, run);
+        run.append(Texts.of(item), place);
+        first = false;
+      }
+      decoration.writeBehind(first, run);
+    }
+  }
+
+  /** The text of a called template, or of one for each element, indented like the caller. */
+  record CallOutput(Expression value, CallLibrary.Call call) implements Step {
+    @Override
+    public void write(GenerationRun run) {
+      OutputBuffer output = run.output();
+      OutputBuffer.Part before = output.mark();
+      String indentation = output.currentIndentation();
+      Object result =
+          run.evaluateCalls(
+              value,
+              (source, arguments, evaluation) ->
+                  call.write(source, arguments, run, indentation));
+      if (result instanceof Invalid) {
+        output.cut(before);
       }
     }
   }
 
-  /** A call whose results are decorated like those of a loop. */
-  record DecoratedOutput(Expression value, boolean callsTemplate, Decoration decoration)
+  /** Calls whose texts are decorated like those of a loop. */
+  record DecoratedCallOutput(Expression value, CallLibrary.Call call, Decoration decoration)
       implements Step {
     @Override
     public void write(GenerationRun run) {
-      Object result = run.evaluate(value);
+      OutputBuffer output = run.output();
+      OutputBuffer.Part before = output.mark();
+      boolean[] first = {true};
+      Object result =
+          run.evaluateCalls(
+              value,
+              (source, arguments, evaluation) -> {
+                decoration.writeAhead(first[0], run);
+                first[0] = false;
+                return call.write(source, arguments, run, output.currentIndentation());
+              });
       if (result instanceof Invalid) {
-        return;
+        output.cut(before);
+      } else {
+        decoration.writeBehind(first[0], run);
       }
-      Collection<?> items = elements(result);
-      decoration.write(
-          run,
-          items,
-          (item, separator) -> {
-            if (separator) {
-              decoration.writeSeparator(run);
-            }
-            if (callsTemplate) {
-              run.appendIndented(Texts.of(item));
-            } else {
-              run.append(Texts.of(item));
-            }
-            return true;
-          });
     }
   }
 
@@ -68,7 +96,7 @@ final class Steps {
     @Override
     public void write(GenerationRun run) {
       Template overridden = template.overridden().orElseThrow();
-      run.appendIndented(Texts.of(overridden.callExactly(run.arguments(), run)));
+      overridden.writeExactly(run.arguments(), run, run.output().currentIndentation());
     }
   }
 
@@ -76,33 +104,24 @@ final class Steps {
   record Decoration(
       Optional<Expression> before, Optional<Expression> separator, Optional<Expression> after) {
 
-    /** Writes an item, with a separator ahead if told; says whether it wrote anything. */
-    interface Item {
-      boolean write(Object item, boolean separator);
+    /** Writes what stands before the first item, or between two. */
+    void writeAhead(boolean first, GenerationRun run) {
+      writeText(first ? before : separator, run);
     }
 
-    void write(GenerationRun run, Collection<?> items, Item writer) {
-      if (items.isEmpty()) {
-        return;
+    /** Writes what stands after the last item, if there was any. */
+    void writeBehind(boolean none, GenerationRun run) {
+      if (!none) {
+        writeText(after, run);
       }
-      writeText(before, run);
-      boolean first = true;
-      for (Object item : items) {
-        if (writer.write(item, !first)) {
-          first = false;
-        }
-      }
-      writeText(after, run);
-    }
-
-    void writeSeparator(GenerationRun run) {
-      writeText(separator, run);
     }
 
     private static void writeText(Optional<Expression> text, GenerationRun run) {
       if (text.isPresent()) {
         Object value = run.evaluate(text.get());
-        run.append(value instanceof Invalid ? "" : Texts.of(value));
+        if (!(value instanceof Invalid)) {
+          run.append(Texts.of(value), text.get());
+        }
       }
     }
   }
@@ -124,9 +143,19 @@ final class Steps {
       if (value instanceof Invalid) {
         return;
       }
-      int[] index = {0};
-      decoration.write(
-          run, elements(value), (item, separator) -> item(item, ++index[0], separator, run));
+      Collection<?> all = elements(value);
+      if (all.isEmpty()) {
+        return;
+      }
+      Decoration.writeText(decoration.before(), run);
+      int index = 0;
+      boolean first = true;
+      for (Object item : all) {
+        if (item(item, ++index, !first, run)) {
+          first = false;
+        }
+      }
+      Decoration.writeText(decoration.after(), run);
     }
 
     private boolean item(Object item, int index, boolean separator, GenerationRun run) {
@@ -150,7 +179,7 @@ final class Steps {
           return false;
         }
         if (separator) {
-          decoration.writeSeparator(run);
+          Decoration.writeText(decoration.separator(), run);
         }
         Step.withVariables(variables, run, body);
         return true;
@@ -235,7 +264,7 @@ final class Steps {
               Texts.of(fileName),
               actual,
               charsetName == null ? "" : Texts.of(charsetName),
-              () -> body.write(run));
+              body);
     }
   }
 
@@ -261,15 +290,15 @@ final class Steps {
         return;
       }
       Decoration.writeText(startPrefix, run);
-      run.append(ProtectedAreas.START + marker);
+      run.append(ProtectedAreas.START + marker, id);
       Optional<String> kept = run.files().keptArea(marker);
       if (kept.isPresent()) {
-        run.append(kept.get());
+        run.append(kept.get(), id);
       } else {
         body.write(run);
         Decoration.writeText(endPrefix, run);
       }
-      run.append(ProtectedAreas.END);
+      run.append(ProtectedAreas.END, id);
     }
   }
 

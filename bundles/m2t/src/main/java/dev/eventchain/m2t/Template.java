@@ -88,33 +88,74 @@ final class Template extends Callable {
 
   @Override
   Object call(List<Object> arguments, GenerationRun run) {
-    for (Template other : overriddenBy) {
-      if (other.accepts(arguments, run)) {
-        return other.call(arguments, run);
-      }
+    OutputBuffer output = run.output();
+    OutputBuffer.Part part = output.beginText();
+    try {
+      write(arguments, run, "");
+      return output.textOf(part);
+    } finally {
+      output.cut(part);
     }
-    return callExactly(arguments, run);
   }
 
-  /** Calls this template even if another one overrides it. */
-  Object callExactly(List<Object> arguments, GenerationRun run) {
+  /**
+   * Writes the text of a call, or of the call of a template that overrides this one.
+   *
+   * @param indentation what goes behind each of its line breaks
+   */
+  void write(List<Object> arguments, GenerationRun run, String indentation) {
+    for (Template other : overriddenBy) {
+      if (other.accepts(arguments, run)) {
+        other.write(arguments, run, indentation);
+        return;
+      }
+    }
+    writeExactly(arguments, run, indentation);
+  }
+
+  /** Writes this template's text even if another one overrides it. */
+  void writeExactly(List<Object> arguments, GenerationRun run, String indentation) {
     run.enter(this, arguments);
     bind(arguments, run.evaluation());
+    OutputBuffer.Part part = run.output().beginIndented(indentation);
     try {
-      String text =
-          run.textOf(() -> Step.withVariables(definition.variables(), run, definition.body()));
-      return definition.post().isEmpty() ? text : post(text, run);
+      if (definition.post().isEmpty()) {
+        Step.withVariables(definition.variables(), run, definition.body());
+      } else {
+        writePost(definition.post().get(), run);
+      }
     } finally {
+      run.output().end(part);
       unbind(run.evaluation());
       run.leave();
     }
   }
 
-  private Object post(String text, GenerationRun run) {
+  private void writePost(Expression post, GenerationRun run) {
+    OutputBuffer output = run.output();
+    OutputBuffer.Part part = output.beginText();
+    String text;
+    Optional<OriginMarks> origins;
+    try {
+      Step.withVariables(definition.variables(), run, definition.body());
+      text = output.textOf(part);
+      origins = output.marksOf(part);
+    } finally {
+      output.cut(part);
+    }
     run.evaluation().bind("self", text);
-    Object result = run.evaluate(definition.post().get());
+    Object result = run.evaluate(post);
     run.evaluation().unbind("self");
-    return result instanceof Invalid ? "" : Texts.of(result);
+    if (result instanceof Invalid) {
+      return;
+    }
+    String changed = Texts.of(result);
+    int from = origins.isPresent() ? text.indexOf(changed) : -1;
+    if (from < 0) {
+      run.append(changed, post);
+    } else {
+      output.append(changed, origins.get().between(from, from + changed.length()));
+    }
   }
 
   private void bind(List<Object> arguments, Evaluation evaluation) {

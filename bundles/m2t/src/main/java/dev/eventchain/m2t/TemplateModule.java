@@ -91,10 +91,12 @@ public final class TemplateModule {
       // The reason is among the findings; files that were complete stay.
       return run.result();
     }
-    if (run.result().files().isEmpty() && !Diagnostic.anyError(run.result().diagnostics())) {
+    GenerationResult result = run.result();
+    if (result.files().isEmpty() && !Diagnostic.anyError(result.diagnostics())) {
       nothingGenerated(run);
+      return run.result();
     }
-    return run.result();
+    return result;
   }
 
   /** As {@link #generate(Collection, GenerationContext)} without earlier files or properties. */
@@ -118,7 +120,7 @@ public final class TemplateModule {
       EObject object = objects.next();
       List<Object> arguments = List.of(object);
       if (main.parameters().get(0).accepts().test(object) && main.accepts(arguments, run)) {
-        run.textOf(() -> run.append((String) main.call(arguments, run)));
+        main.call(arguments, run);
       }
     }
   }

@@ -37,19 +37,20 @@ final class WhiteSpace {
   }
 
   /**
-   * The output of each token that is text.
+   * The output of each token that is text, and where it starts.
    *
    * @param tokens balanced tokens
    * @return for each token its text; empty for tags
    */
-  static List<String> normalise(String text, List<Token> tokens) {
+  static List<Syntax.Text> normalise(String text, List<Token> tokens) {
     WhiteSpace whiteSpace = new WhiteSpace(text, tokens);
     whiteSpace.walkLines();
-    List<String> texts = new ArrayList<>(tokens.size());
+    List<Syntax.Text> texts = new ArrayList<>(tokens.size());
     for (int i = 0; i < tokens.size(); i++) {
       boolean keeps =
           tokens.get(i).kind() == Kind.TEXT && whiteSpace.starts[i] < whiteSpace.ends[i];
-      texts.add(keeps ? text.substring(whiteSpace.starts[i], whiteSpace.ends[i]) : "");
+      int start = whiteSpace.starts[i];
+      texts.add(new Syntax.Text(start, keeps ? text.substring(start, whiteSpace.ends[i]) : ""));
     }
     return texts;
   }

@@ -1,7 +1,7 @@
 package dev.eventchain.ocl;
 
 import java.util.Arrays;
-import java.util.List;
+import org.eclipse.ocl.EvaluationHaltedException;
 
 /** Calls of definitions and of libraries. */
 final class DefinitionNodes {
@@ -14,6 +14,18 @@ final class DefinitionNodes {
       values[i] = nodes[i].evaluate(frame);
     }
     return values;
+  }
+
+  /** Evaluates what gives its outermost calls of a library to a receiver; null, or invalid. */
+  static Object evaluateCalls(
+      Node root, OperationLibrary.Implementation receiver, Frame frame) {
+    if (root instanceof LibraryCall call) {
+      return call.give(receiver, frame);
+    } else if (root instanceof LoopNodes.Collect loop
+        && loop.body() instanceof LibraryCall call) {
+      return loop.give(call, receiver, frame);
+    }
+    throw new IllegalStateException("the outermost part is no call of a library's operation");
   }
 
   /** Calls a definition: an operation, or a property, which has no arguments. */
@@ -79,6 +91,23 @@ final class DefinitionNodes {
 
     @Override
     Object compute(Frame frame) {
+      Object result = call(implementation, frame);
+      return result instanceof Invalid ? INVALID : CollectionOperations.conform(result, type);
+    }
+
+    /** Calls a receiver in place of the library; null, or invalid. */
+    Object give(OperationLibrary.Implementation receiver, Frame frame) {
+      try {
+        Object result = call(receiver, frame);
+        return result == INVALID || result instanceof Invalid ? INVALID : null;
+      } catch (EvaluationHaltedException e) {
+        throw e;
+      } catch (RuntimeException e) {
+        return INVALID;
+      }
+    }
+
+    private Object call(OperationLibrary.Implementation called, Frame frame) {
       Object object = source.evaluate(frame);
       if (object == INVALID) {
         return INVALID;
@@ -90,9 +119,7 @@ final class DefinitionNodes {
           return INVALID;
         }
       }
-      List<Object> given = Arrays.asList(values);
-      Object result = frame.calls().call(call, implementation, object, given, frame.run);
-      return result instanceof Invalid ? INVALID : CollectionOperations.conform(result, type);
+      return frame.calls().call(call, called, object, Arrays.asList(values), frame.run);
     }
   }
 }

@@ -63,11 +63,32 @@ public final class Expression {
    *     {@link EClassifier}
    */
   public Object evaluate(Evaluation run) {
+    return evaluate(run, null);
+  }
+
+  /**
+   * Evaluates, but gives the outermost call to a receiver in place of the library: for {@code x.f()}
+   * one call, for {@code xs.f()} one for each element. What the receiver answers goes nowhere, so
+   * that a call which makes a large value can put it where it belongs at once.
+   *
+   * @return an {@link Invalid} if the expression has no value, which may be known only after some
+   *     calls; otherwise {@code null}
+   * @throws IllegalStateException if there is no {@link #outermostCall}
+   */
+  public Object evaluateCalls(Evaluation run, OperationLibrary.Implementation receiver) {
+    return evaluate(run, receiver);
+  }
+
+  private Object evaluate(Evaluation run, OperationLibrary.Implementation receiver) {
     int height = run.values().size();
     boolean outermost = run.begin();
     try {
       Frame frame = lowered().frame(run);
-      Object value = lowered.root().evaluate(frame);
+      Node root = lowered().root();
+      Object value =
+          receiver == null
+              ? root.evaluate(frame)
+              : DefinitionNodes.evaluateCalls(root, receiver, frame);
       return value == Node.INVALID ? explain(frame) : value;
     } catch (EvaluationHaltedException e) {
       return new Invalid(e.getMessage(), location(), true);

@@ -38,6 +38,27 @@ final class LoopNodes {
 
     abstract Object loop(Collection<?> elements, Frame frame);
 
+    final Node body() {
+      return body;
+    }
+
+    /** Gives the calls that the body is to a receiver; null, or invalid. */
+    final Object give(
+        DefinitionNodes.LibraryCall call, OperationLibrary.Implementation receiver, Frame frame) {
+      Collection<?> elements = source.elements(frame);
+      if (elements == null) {
+        return INVALID;
+      }
+      for (Object element : elements) {
+        frame.run.step();
+        frame.slots[slot] = element;
+        if (call.give(receiver, frame) == INVALID) {
+          return INVALID;
+        }
+      }
+      return null;
+    }
+
     /** The value of the body for an element. */
     final Object body(Object element, Frame frame) {
       frame.run.step();
