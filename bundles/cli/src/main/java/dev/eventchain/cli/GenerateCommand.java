@@ -35,6 +35,13 @@ final class GenerateCommand extends ProjectCommand {
   @Option(names = "--template", paramLabel = "FILE", description = "The template's main module.")
   private Path template;
 
+  @Option(
+      names = "--trace",
+      description =
+          "With --template: write trace.json, which names the template lines and model elements"
+              + " behind each line. Projects always have it.")
+  private boolean trace;
+
   GenerateCommand(Console console) {
     super(console);
   }
@@ -52,7 +59,8 @@ final class GenerateCommand extends ProjectCommand {
     if (folder == null) {
       throw wrongUsage("say where to write: -o FOLDER");
     }
-    List<Diagnostic> found = AnyModel.generate(metamodels, template, input, folder, overwrite());
+    List<Diagnostic> found =
+        AnyModel.generate(metamodels, template, input, folder, overwrite(), trace);
     return Outcome.of(Coverage.NONE, found, suppressions());
   }
 }

@@ -62,8 +62,7 @@ final class GeneratedFiles {
   }
 
   /** Makes a file of what something writes. */
-  void write(
-      SourceLocation place, String name, FileMode mode, String charsetName, Step body) {
+  void write(SourceLocation place, String name, FileMode mode, String charsetName, Step body) {
     OutputPath path = OutputPath.of(name);
     Optional<Charset> charset = charset(place, charsetName);
     if (path.refused()) {

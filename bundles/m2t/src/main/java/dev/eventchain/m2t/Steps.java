@@ -59,8 +59,7 @@ final class Steps {
       Object result =
           run.evaluateCalls(
               value,
-              (source, arguments, evaluation) ->
-                  call.write(source, arguments, run, indentation));
+              (source, arguments, evaluation) -> call.write(source, arguments, run, indentation));
       if (result instanceof Invalid) {
         output.cut(before);
       }

@@ -44,8 +44,8 @@ final class Tracing {
   private final Function<EObject, SourceLocation> locator;
   private final Map<Key, Integer> numbers = new HashMap<>();
   private final List<Origin> origins = new ArrayList<>();
-  private final Map<EObject, SourceLocation> elements = new IdentityHashMap<>();
-  private final Map<Expression, SourceLocation> expressions = new IdentityHashMap<>();
+  private final IdentityHashMap<EObject, SourceLocation> elements = new IdentityHashMap<>();
+  private final IdentityHashMap<Expression, SourceLocation> expressions = new IdentityHashMap<>();
   private final SortedMap<String, Lines> files = new TreeMap<>();
 
   Tracing(Function<EObject, SourceLocation> locator) {
@@ -70,9 +70,7 @@ final class Tracing {
   }
 
   private SourceLocation locate(EObject element) {
-    return element == null
-        ? SourceLocation.NONE
-        : elements.computeIfAbsent(element, locator::apply);
+    return element == null ? SourceLocation.NONE : elements.computeIfAbsent(element, locator);
   }
 
   /** Notes the lines of a file, or of what is appended to one. */

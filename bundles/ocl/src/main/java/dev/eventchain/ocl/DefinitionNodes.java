@@ -17,12 +17,10 @@ final class DefinitionNodes {
   }
 
   /** Evaluates what gives its outermost calls of a library to a receiver; null, or invalid. */
-  static Object evaluateCalls(
-      Node root, OperationLibrary.Implementation receiver, Frame frame) {
+  static Object evaluateCalls(Node root, OperationLibrary.Implementation receiver, Frame frame) {
     if (root instanceof LibraryCall call) {
       return call.give(receiver, frame);
-    } else if (root instanceof LoopNodes.Collect loop
-        && loop.body() instanceof LibraryCall call) {
+    } else if (root instanceof LoopNodes.Collect loop && loop.body() instanceof LibraryCall call) {
       return loop.give(call, receiver, frame);
     }
     throw new IllegalStateException("the outermost part is no call of a library's operation");

@@ -67,9 +67,9 @@ public final class Expression {
   }
 
   /**
-   * Evaluates, but gives the outermost call to a receiver in place of the library: for {@code x.f()}
-   * one call, for {@code xs.f()} one for each element. What the receiver answers goes nowhere, so
-   * that a call which makes a large value can put it where it belongs at once.
+   * Evaluates, but gives the outermost call to a receiver in place of the library: for {@code
+   * x.f()} one call, for {@code xs.f()} one for each element. What the receiver answers goes
+   * nowhere, so that a call which makes a large value can put it where it belongs at once.
    *
    * @return an {@link Invalid} if the expression has no value, which may be known only after some
    *     calls; otherwise {@code null}

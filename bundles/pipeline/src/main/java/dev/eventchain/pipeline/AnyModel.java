@@ -108,19 +108,28 @@ public final class AnyModel {
    *
    * @param template the main module
    * @param overwrite whether files that a person has edited are replaced
+   * @param trace whether {@code trace.json} is written, too, which says where each line comes from
    * @return what was found; nothing was written if one of it is an error
    * @throws DiagnosticException INPUT if a file cannot be read, or the output not written
    */
   public static List<Diagnostic> generate(
-      List<Path> metamodels, Path template, Path model, Path folder, boolean overwrite) {
+      List<Path> metamodels,
+      Path template,
+      Path model,
+      Path folder,
+      boolean overwrite,
+      boolean trace) {
     AnyModel any = new AnyModel(metamodels, List.of(model));
     TemplateModule module = TemplateModule.compile(template, any.packages);
     try (OutputFolder output = OutputFolder.open(folder)) {
-      GenerationResult result =
-          module.generate(
-              any.roots, GenerationContext.of(any.origins::locate).withEarlier(output::read));
+      GenerationContext context =
+          GenerationContext.of(any.origins::locate).withEarlier(output::read);
+      GenerationResult result = module.generate(any.roots, trace ? context.withTrace() : context);
       List<Diagnostic> found = new ArrayList<>(module.warnings());
       found.addAll(result.diagnostics());
+      if (trace && result.files().containsKey(TraceFile.NAME)) {
+        found.add(traceTaken());
+      }
       if (!Diagnostic.anyError(found)) {
         OutputFolder.OnEdit onEdit =
             overwrite ? OutputFolder.OnEdit.OVERWRITE : OutputFolder.OnEdit.KEEP;
@@ -129,9 +138,21 @@ public final class AnyModel {
             .forEach(
                 (name, content) ->
                     output.write(name, content, onEdit).finding().ifPresent(found::add));
+        if (trace) {
+          byte[] content = TraceFile.content(result.trace(), "", List.of());
+          output.write(TraceFile.NAME, content, OutputFolder.OnEdit.OVERWRITE);
+        }
       }
       return found;
     }
+  }
+
+  private static Diagnostic traceTaken() {
+    return Diagnostic.error(
+            "m2t.file.duplicate",
+            "A template writes the file '" + TraceFile.NAME + "', which the trace goes into.",
+            SourceLocation.of(TraceFile.NAME))
+        .withHint("Give the file another name, or leave out --trace.");
   }
 
   /** References may go between the files that the command names, and what lies below them. */

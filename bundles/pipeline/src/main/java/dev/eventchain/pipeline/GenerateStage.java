@@ -57,7 +57,8 @@ final class GenerateStage implements StageWork {
         module.generate(
             List.of(model.chain()),
             GenerationContext.of(ChainOrigins.of(run, model)::locate)
-                .withEarlier(name -> run.output().read(FOLDER + "/" + name)));
+                .withEarlier(name -> run.output().read(FOLDER + "/" + name))
+                .withTrace());
     List<Diagnostic> found = new ArrayList<>(module.warnings());
     found.addAll(generated.diagnostics());
     if (Diagnostic.anyError(found)) {
@@ -69,9 +70,13 @@ final class GenerateStage implements StageWork {
     generated.files().forEach((name, content) -> files.put(FOLDER + "/" + name, content));
     components(run, model.chain(), files);
     files.forEach(run::write);
+    run.writeResult(
+        TraceFile.NAME, TraceFile.content(generated.trace(), FOLDER + "/", run.baseFolders()));
     found.addAll(run.output().removeOthers(FOLDER, files.keySet()));
     String details = files.size() + " files in " + FOLDER + "/" + packageName(model.chain());
-    return StageResult.of(details, List.copyOf(files.keySet()), found);
+    List<String> outputs = new ArrayList<>(files.keySet());
+    outputs.add(TraceFile.NAME);
+    return StageResult.of(details, outputs, found);
   }
 
   /** The name of the generated package, as the templates derive it. */

@@ -110,6 +110,11 @@ final class RunContext {
             "project.model", "The model's root is no EventChain.", SourceLocation.of(model)));
   }
 
+  /** The folders that files of a run are in, inner ones first. */
+  List<Path> baseFolders() {
+    return List.of(options.output(), project.folder());
+  }
+
   /** The functional requirements. */
   Requirements requirements() {
     if (requirements == null) {

@@ -115,6 +115,23 @@ class AnyMetamodelTest {
   }
 
   @Test
+  void aTraceNamesTheTemplateLineAndTheElementOfEachLine() throws IOException {
+    Path template = Files.writeString(folder.resolve("main.mtl"), TEMPLATE);
+    Path out = folder.resolve("traced");
+    new Program()
+        .run("generate", "--metamodel", ecore, "--template", template, model, "-o", out, "--trace")
+        .expect(0);
+    JsonNode trace = new ObjectMapper().readTree(out.resolve("trace.json").toFile());
+    JsonNode line = trace.at("/files/0/lines/0");
+    assertEquals("bad.txt", trace.at("/files/0/file").asText());
+    assertEquals(1, line.get("first").asInt());
+    assertEquals(1, line.get("last").asInt());
+    assertEquals(6, line.at("/from/0/line").asInt());
+    assertEquals("Library/books[1]", line.at("/from/0/element").asText());
+    assertEquals(4, line.at("/from/0/modelLine").asInt());
+  }
+
+  @Test
   void sarifListsExactlyTheViolations() throws IOException {
     Path ocl = ocl("context Book inv HasPages: self.pages > 0\n");
     Program.Ended ended =
