@@ -21,11 +21,13 @@ from pathlib import Path
 from typing import Any, BinaryIO
 
 from eventchain_ros2 import context
-from eventchain_ros2.clock import Duration
+from eventchain_ros2.clock import NANOSECONDS_PER_SECOND, Duration
 from eventchain_ros2.component_checks import check_component
-from eventchain_ros2.endpoints import Publisher, Subscription
+from eventchain_ros2.dds import DomainParticipant
+from eventchain_ros2.endpoints import Publisher, Subscription, Timer
 from eventchain_ros2.failures import HostError, StepTimeout, describe
 from eventchain_ros2.messages import Messages
+from eventchain_ros2.node import Node
 from eventchain_ros2.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
 from eventchain_ros2.simulation import Process, Sample, Simulation
 
@@ -154,9 +156,18 @@ class Scenario:
                 raise HostError(
                     "node.class.missing", f"there is no class {configuration['class']}", module.__file__ or ""
                 )
-            node = node_class()
+            node = node_class() if _is_rclpy(node_class) else self._start_plain_node(node_class, process)
         self._objects.append(node)
         check_component(node, name, configuration.get("outputs"))
+
+    def _start_plain_node(self, node_class: Any, process: Process) -> Any:
+        """Make a node that is a class around DDS readers and writers, and execute it with its period."""
+        node = node_class(DomainParticipant())
+        period = int(float(node.period) * NANOSECONDS_PER_SECOND)
+        if period <= 0:
+            raise ValueError(f"a node needs a period of at least a nanosecond, not {node.period} s")
+        self._objects.append(Timer(self.simulation, process, period, node.execute))
+        return node
 
     def ready(self) -> dict[str, Any]:
         """Content of the READY frame."""
@@ -207,6 +218,11 @@ class Scenario:
             if any(place.startswith(folders) for place in places):
                 del sys.modules[name]
         importlib.invalidate_caches()
+
+
+def _is_rclpy(node_class: Any) -> bool:
+    """Whether a node makes its own timers, as rclpy has it; one on plain DDS states its period."""
+    return not hasattr(node_class, "period") or (isinstance(node_class, type) and issubclass(node_class, Node))
 
 
 def _owner(process: Process) -> str:

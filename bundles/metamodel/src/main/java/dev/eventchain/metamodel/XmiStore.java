@@ -171,6 +171,11 @@ public final class XmiStore {
     return resource("metamodel/eventchain.ecore");
   }
 
+  /** The text of the metamodel of message definitions. */
+  public static String messagesEcore() {
+    return resource("metamodel/messages.ecore");
+  }
+
   /** The standard rules of event chains, in Complete OCL. */
   public static SourceText standardConstraints() {
     String name = "metamodel/eventchain.ocl";

@@ -23,7 +23,7 @@ import java.util.regex.Pattern;
 /**
  * What {@code eventchain.yaml} says.
  *
- * @param name the chain's name, after which the ROS 2 package is called
+ * @param name the chain's name, after which the generated package is called
  * @param title what people call the project; the name if not given
  * @param frequency Hz, for components whose description gives none
  * @param llm how answers are had when the command line does not say: {@code replay} or {@code

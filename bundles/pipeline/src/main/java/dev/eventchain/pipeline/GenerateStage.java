@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.m2t.GenerationContext;
 import dev.eventchain.m2t.GenerationResult;
 import dev.eventchain.m2t.TemplateModule;
+import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.metamodel.eventchain.ComponentImplementation;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
@@ -21,10 +22,12 @@ import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
 
-/** The model to a ROS 2 package: the nodes by templates, and the components beside them. */
+/**
+ * The model to a package for the middleware: the nodes by templates, and the components beside
+ * them.
+ */
 final class GenerateStage implements StageWork {
 
-  static final String FOLDER = "ros2";
   private static final String COMPONENTS = "components/";
 
   @Override
@@ -52,12 +55,16 @@ final class GenerateStage implements StageWork {
     // A generator must not turn an invalid model into software.
     ChainChecks.Outcome checked =
         ChainChecks.of(run).require(run, model.chain(), ChainOrigins.of(run, model)::locate);
-    TemplateModule module = Templates.compile(run.project(), List.of(EventchainPackage.eINSTANCE));
+    String folder = Templates.folder(run.project());
+    TemplateModule module =
+        Templates.compile(
+            run.project(), List.of(EventchainPackage.eINSTANCE, MessageModel.metamodel()));
+    MessageCatalog messages = MessageCatalog.of(run.project().messageFolders());
     GenerationResult generated =
         module.generate(
-            List.of(model.chain()),
+            List.of(model.chain(), MessageModel.of(model.chain(), messages)),
             GenerationContext.of(ChainOrigins.of(run, model)::locate)
-                .withEarlier(name -> run.output().read(FOLDER + "/" + name))
+                .withEarlier(name -> run.output().read(folder + "/" + name))
                 .withTrace());
     List<Diagnostic> found = new ArrayList<>(module.warnings());
     found.addAll(generated.diagnostics());
@@ -67,13 +74,13 @@ final class GenerateStage implements StageWork {
     // Errors are among them only if they are suppressed, for as long as that holds.
     found.addAll(checked.diagnostics());
     SortedMap<String, byte[]> files = new TreeMap<>();
-    generated.files().forEach((name, content) -> files.put(FOLDER + "/" + name, content));
-    components(run, model.chain(), files);
+    generated.files().forEach((name, content) -> files.put(folder + "/" + name, content));
+    components(run, model.chain(), folder, files);
     files.forEach(run::write);
     run.writeResult(
-        TraceFile.NAME, TraceFile.content(generated.trace(), FOLDER + "/", run.baseFolders()));
-    found.addAll(run.output().removeOthers(FOLDER, files.keySet()));
-    String details = files.size() + " files in " + FOLDER + "/" + packageName(model.chain());
+        TraceFile.NAME, TraceFile.content(generated.trace(), folder + "/", run.baseFolders()));
+    found.addAll(run.output().removeOthers(folder, files.keySet()));
+    String details = files.size() + " files in " + folder + "/" + packageName(model.chain());
     List<String> outputs = new ArrayList<>(files.keySet());
     outputs.add(TraceFile.NAME);
     return StageResult.of(details, outputs, found);
@@ -85,8 +92,8 @@ final class GenerateStage implements StageWork {
   }
 
   private static void components(
-      RunContext run, EventChain chain, SortedMap<String, byte[]> files) {
-    String folder = FOLDER + "/" + packageName(chain) + "/" + packageName(chain) + "/" + COMPONENTS;
+      RunContext run, EventChain chain, String output, SortedMap<String, byte[]> files) {
+    String folder = output + "/" + packageName(chain) + "/" + packageName(chain) + "/" + COMPONENTS;
     for (SoftwareNode node : chain.getSoftware()) {
       if (node.getImplementation() == ComponentImplementation.COMPONENT) {
         String text = SourceText.read(componentFile(run, node)).text();

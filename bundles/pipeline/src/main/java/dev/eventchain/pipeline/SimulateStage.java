@@ -160,10 +160,11 @@ final class SimulateStage implements StageWork {
     return found;
   }
 
-  /** The folder of the generated ROS 2 package, which holds the Python package of the same name. */
+  /** The folder of the generated package, which holds the Python package of the same name. */
   private static Path packageFolder(RunContext run, EventChain chain) {
     String name = GenerateStage.packageName(chain);
-    run.required(GenerateStage.FOLDER + "/" + name + "/" + name + "/__init__.py", Stage.GENERATE);
-    return run.file(GenerateStage.FOLDER + "/" + name);
+    String folder = Templates.folder(run.project()) + "/" + name;
+    run.required(folder + "/" + name + "/__init__.py", Stage.GENERATE);
+    return run.file(folder);
   }
 }

@@ -11,13 +11,20 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Collection;
+import java.util.Map;
 import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import org.eclipse.emf.ecore.EPackage;
 
 /** The templates of a project: its own, or a set that ships with the program. */
 final class Templates {
 
   private static final String MAIN = "main";
+
+  /** The sets, and the folder of the output that each writes into. */
+  private static final SortedMap<String, String> FOLDERS =
+      new TreeMap<>(Map.of("ros2-python", "ros2", "cyclonedds-python", "cyclonedds"));
 
   /** The folder of what several sets share. */
   private static final String SHARED = "python";
@@ -28,6 +35,11 @@ final class Templates {
   static Optional<Path> own(Project project) {
     String name = project.configuration().template();
     return name.endsWith(".mtl") ? Optional.of(project.folder().resolve(name)) : Optional.empty();
+  }
+
+  /** The folder of the output that a project's templates write into, one for each middleware. */
+  static String folder(Project project) {
+    return FOLDERS.getOrDefault(project.configuration().template(), "ros2");
   }
 
   /**
@@ -51,7 +63,10 @@ final class Templates {
                                 "project.configuration",
                                 "There is no template set '" + set + "'.",
                                 SourceLocation.of(project.configurationFile()))
-                            .withHint("Use ros2-python, or name a file *.mtl of the project.")));
+                            .withHint(
+                                "Use "
+                                    + String.join(" or ", FOLDERS.keySet())
+                                    + ", or name a file *.mtl of the project.")));
     return compile(set, main, packages);
   }
 

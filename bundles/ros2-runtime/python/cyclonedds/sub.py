@@ -1,0 +1,5 @@
+"""As `cyclonedds.sub`."""
+
+from eventchain_ros2.dds import DataReader
+
+__all__ = ["DataReader"]
