@@ -1,7 +1,7 @@
 """Message classes as `cyclonedds.idl` has them, on the codecs of this runtime.
 
-A subclass of `IdlStruct` is a dataclass whose annotations say what is on the wire. What a class means is looked up when it
-is first used with a topic: only then it is a dataclass, and only then the classes that it contains are known.
+A subclass of `IdlStruct` is a dataclass whose annotations say what is on the wire. What a class means is looked up when
+it is first used with a topic: only then it is a dataclass, and only then the classes that it contains are known.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ class sequence:  # noqa: N801 - the name in cyclonedds
 
     def __class_getitem__(cls, parameters: Any) -> Any:
         subtype, size = parameters if isinstance(parameters, tuple) else (parameters, 0)
-        return Annotated[Sequence[subtype], Bounds(subtype, "sequence", size)]
+        return Annotated[Sequence[Any], Bounds(subtype, "sequence", size)]
 
 
 class array:  # noqa: N801 - the name in cyclonedds
@@ -38,7 +38,7 @@ class array:  # noqa: N801 - the name in cyclonedds
 
     def __class_getitem__(cls, parameters: Any) -> Any:
         subtype, size = parameters
-        return Annotated[Sequence[subtype], Bounds(subtype, "array", size)]
+        return Annotated[Sequence[Any], Bounds(subtype, "array", size)]
 
 
 class bounded_str:  # noqa: N801 - the name in cyclonedds

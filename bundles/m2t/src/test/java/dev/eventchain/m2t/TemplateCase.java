@@ -9,6 +9,7 @@ import java.io.Reader;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -31,7 +32,7 @@ import org.eclipse.emf.ecore.xmi.impl.XMIResourceFactoryImpl;
  * A template, a metamodel ({@code *.ecore}) and a model ({@code model.xmi}) in a folder; what it
  * lacks of the last two is looked for in the folders around it. Instead of a template there may be
  * a {@code links.properties} that says where in the repository the {@code template} and the {@code
- * metamodel} are. Files of an earlier run may stand in {@code earlier/}.
+ * metamodel}s are, with commas between them. Files of an earlier run may stand in {@code earlier/}.
  */
 record TemplateCase(Path folder) {
   /** What came of it: files, and findings one a line. */
@@ -63,23 +64,25 @@ record TemplateCase(Path folder) {
   }
 
   private TemplateModule compile(List<EPackage> packages) throws IOException {
-    Optional<Path> linked = linked("template");
-    return linked.isPresent()
-        ? TemplateModule.compile(linked.get(), packages)
+    List<Path> linked = linked("template");
+    return !linked.isEmpty()
+        ? TemplateModule.compile(linked.get(0), packages)
         : TemplateModule.compile(source("template"), this::find, packages);
   }
 
-  /** A file elsewhere in the repository. */
-  private Optional<Path> linked(String what) throws IOException {
+  /** Files elsewhere in the repository. */
+  private List<Path> linked(String what) throws IOException {
     Path links = folder.resolve("links.properties");
     if (!Files.exists(links)) {
-      return Optional.empty();
+      return List.of();
     }
     Properties properties = new Properties();
     try (Reader reader = Files.newBufferedReader(links)) {
       properties.load(reader);
     }
-    return Optional.of(Path.of("../..").resolve(properties.getProperty(what)));
+    return Arrays.stream(properties.getProperty(what).split(" *, *"))
+        .map(name -> Path.of("../..").resolve(name))
+        .toList();
   }
 
   private GenerationContext context() {
@@ -102,9 +105,9 @@ record TemplateCase(Path folder) {
   }
 
   private List<EPackage> metamodels(ResourceSet resources) throws IOException {
-    Optional<Path> linked = linked("metamodel");
-    if (linked.isPresent()) {
-      return List.of(metamodel(resources, linked.get()));
+    List<Path> linked = linked("metamodel");
+    if (!linked.isEmpty()) {
+      return linked.stream().map(file -> metamodel(resources, file)).toList();
     }
     for (Path place = folder; place != null; place = place.getParent()) {
       try (var files = Files.list(place)) {

@@ -1,13 +1,14 @@
 """Make sure that Eventchain's own Python environment exists, and say where it is.
 
-    python3 environment.py [--development] [--print-executable | --run ARGUMENT...]
+    python3 environment.py [--development] [--cyclonedds] [--print-executable | --run ARGUMENT...]
 
 The environment is a virtual environment in ``${XDG_CACHE_HOME:-~/.cache}/eventchain/python-<key>``. The key covers the
 pinned requirements beside this file and the Python that runs, so a change of either builds a new one and leaves the old
 one to its users. Two first runs at once build it once: the builder holds a lock, and the completion marker is written
 last, so a half-made environment is never used and is rebuilt.
 
-``--development`` adds the tools of the build (ruff, mypy, pytest), in an environment of its own.
+``--development`` adds the tools of the build (ruff, mypy, pytest), and ``--cyclonedds`` Eclipse Cyclone DDS, for nodes
+that talk to others outside of the simulation; each in an environment of its own.
 ``--run ARGUMENT...`` replaces this process by the environment's Python with these arguments.
 ``EVENTCHAIN_PYTHON`` names the Python to build on; without it this one is used, or a newer one of the PATH if this one
 is too old.
@@ -62,7 +63,7 @@ def main(arguments: list[str]) -> int:
     options = parse(arguments)
     try:
         use_suitable_python(arguments)
-        executable = ensure(options.development)
+        executable = ensure(options.development, options.cyclonedds)
     except UnavailableError as problem:
         print("error: %s" % problem, file=sys.stderr)
         print("hint: %s" % problem.hint, file=sys.stderr)
@@ -78,6 +79,7 @@ def parse(arguments: list[str]) -> argparse.Namespace:
     """Read the command line."""
     parser = argparse.ArgumentParser(description="Create Eventchain's Python environment if it is not there yet.")
     parser.add_argument("--development", action="store_true", help="with ruff, mypy and pytest")
+    parser.add_argument("--cyclonedds", action="store_true", help="with Eclipse Cyclone DDS")
     parser.add_argument("--print-executable", action="store_true", help="print the path of its Python")
     parser.add_argument("--run", nargs=argparse.REMAINDER, help="run its Python with these arguments")
     return parser.parse_args(arguments)
@@ -123,11 +125,13 @@ def replace_process(executable: str, arguments: list[str]) -> NoReturn:
         ) from problem
 
 
-def ensure(development: bool) -> Path:
+def ensure(development: bool, cyclonedds: bool = False) -> Path:
     """Return the Python of the environment, which is created first if it is not there."""
     requirements = [HERE / "requirements.txt"]
     if development:
         requirements.append(HERE / "requirements-development.txt")
+    if cyclonedds:
+        requirements.append(HERE / "requirements-cyclonedds.txt")
     folder = cache_folder() / ("python-" + key(requirements))
     if not is_complete(folder):
         create_once(folder, requirements)
