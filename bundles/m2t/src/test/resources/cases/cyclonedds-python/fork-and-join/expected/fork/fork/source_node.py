@@ -50,7 +50,7 @@ class Source_node:
         message.single = float(output["single"])  # m
         message.three = array.array("h", output["three"])
         message.covariance = array.array("d", output["covariance"])
-        message.class_ = output["word"]
+        message.text = output["word"]
         message.pair = output["pair"]
         message.part = output["part"]
         message.two = output["two"]

@@ -53,7 +53,7 @@ def test_the_component_is_executed():
     assert message.single == 1.5
     assert list(message.three) == [1] * 3
     assert list(message.covariance) == [1.5] * 36
-    assert message.class_ == "a"
+    assert message.text == "a"
     assert list(message.pair) == ["a"] * 2
     assert message.part == messages.odd_msgs__Part()
     assert message.two == [messages.odd_msgs__Part()] * 2

@@ -1,0 +1,240 @@
+package dev.eventchain.endtoend;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * The example on plain Cyclone DDS: the same verdict in simulated time, and values that cross the
+ * middleware between processes.
+ */
+class CycloneDdsTest {
+
+  private static final Path RESOURCES = Path.of("src/test/resources/cyclonedds").toAbsolutePath();
+  private static final Path ENVIRONMENT =
+      Program.ROOT.resolve(
+          "bundles/python/src/main/resources/dev/eventchain/python/environment.py");
+  private static final Path FORK_AND_JOIN =
+      Program.ROOT.resolve(
+          "bundles/m2t/src/test/resources/cases/cyclonedds-python/fork-and-join/expected/fork");
+
+  /** Loopback often has no multicast: all participants are on this machine and found by unicast. */
+  private static final String LOOPBACK =
+      "<CycloneDDS><Domain><General><Interfaces><NetworkInterface address=\"127.0.0.1\"/>"
+          + "</Interfaces><AllowMulticast>false</AllowMulticast></General><Discovery><Peers>"
+          + "<Peer address=\"127.0.0.1\"/></Peers><ParticipantIndex>auto</ParticipantIndex>"
+          + "<MaxAutoParticipantIndex>30</MaxAutoParticipantIndex></Discovery></Domain></CycloneDDS>";
+
+  @TempDir static Path folder;
+
+  private static Path ros;
+  private static Path dds;
+  private static Path generated;
+
+  @BeforeAll
+  static void runBoth() throws IOException {
+    ros = Program.exampleIn(folder.resolve("ros"));
+    new Program().run("run", ros).expect(0);
+    dds = Program.exampleIn(folder.resolve("dds"));
+    Files.writeString(
+        dds.resolve("eventchain.yaml"),
+        "\ntemplate: cyclonedds-python\n",
+        StandardOpenOption.APPEND);
+    for (String name :
+        List.of(
+            "chain.xmi",
+            "generated.ocl",
+            "components/TTC_Calculation.py",
+            "components/Braking_Decision.py")) {
+      Path copy = dds.resolve("out").resolve(name);
+      Files.createDirectories(copy.getParent());
+      Files.copy(ros.resolve("out").resolve(name), copy);
+    }
+    new Program()
+        .run("run", dds, "--from", "generate")
+        .expect(0)
+        .says("PASSED: 10 of 10 scenarios passed");
+    generated = dds.resolve("out/cyclonedds/aeb");
+  }
+
+  @Test
+  void theSimulationMeasuresTheSameAsOfTheNodesOfRos() throws IOException {
+    for (String name : List.of("verdict.json", "chain.measured.xmi")) {
+      assertArrayEquals(
+          Files.readAllBytes(ros.resolve("out").resolve(name)),
+          Files.readAllBytes(dds.resolve("out").resolve(name)),
+          name);
+    }
+    assertEquals(measurements(ros), measurements(dds));
+  }
+
+  private static JsonNode measurements(Path project) throws IOException {
+    JsonNode json =
+        new ObjectMapper().readTree(project.resolve("out/measurements.json").toFile());
+    return ((ObjectNode) json).without("host");
+  }
+
+  @Test
+  void thereIsNoCodeOfRosInThePackage() throws IOException {
+    try (Stream<Path> files = Files.walk(generated)) {
+      for (Path file : files.filter(Files::isRegularFile).toList()) {
+        assertTrue(!Files.readString(file).contains("rclpy"), file.toString());
+      }
+    }
+    assertTrue(Files.notExists(dds.resolve("out/ros2")));
+  }
+
+  @Test
+  void thePackagePassesItsOwnTests() throws IOException {
+    python(generated, "-m", "pytest", "-q", "-p", "no:cacheprovider").expect(0).says("10 passed");
+  }
+
+  @Test
+  void aForkAndAJoinPassTheirOwnTests() throws IOException {
+    forkAndJoin("fork");
+    python(folder.resolve("fork"), "-m", "pytest", "-q", "-p", "no:cacheprovider")
+        .expect(0)
+        .says("9 passed");
+  }
+
+  @Test
+  void thePackagesAreFreeOfLint() throws IOException {
+    forkAndJoin("lint");
+    for (Path each : List.of(generated, folder.resolve("lint"))) {
+      // N999: components are called as the model calls them.
+      python(each, "-m", "ruff", "check", "--isolated", "--no-cache", "--ignore", "N999", ".")
+          .expect(0);
+    }
+  }
+
+  @Test
+  void bytesOnTheWireAreThoseOfRos() throws IOException {
+    forkAndJoin("wire");
+    Path runtime = Program.ROOT.resolve("bundles/ros2-runtime/python");
+    python(folder.resolve("wire"), RESOURCES.resolve("wire.py"), runtime, RESOURCES.resolve("msg"))
+        .expect(0)
+        .says("10 messages are the same");
+  }
+
+  @Test
+  void aValueCrossesTwoProcessesAndComesOutAsExpected() throws Exception {
+    String domain = Long.toString(1 + ProcessHandle.current().pid() % 90);
+    List<Process> nodes = new ArrayList<>();
+    List<Path> logs = new ArrayList<>();
+    try {
+      for (String module : List.of("aeb.ttc_calculation_node", "aeb.braking_decision_node")) {
+        Path log = folder.resolve(module + ".log");
+        logs.add(log);
+        nodes.add(
+            builder(generated, domain, "-m", module)
+                .redirectErrorStream(true)
+                .redirectOutput(log.toFile())
+                .start());
+      }
+      // 6 m at 8 m/s is 0.75 s, and below 1 s the vehicle brakes as hard as it can.
+      ended(builder(generated, domain, RESOURCES.resolve("peer.py")))
+          .expect(0)
+          .says("brake_force=1.0 time_to_collision=0.75");
+      for (Process node : nodes) {
+        assertTrue(node.isAlive(), logs::toString);
+        node.destroy();
+        assertTrue(node.waitFor(20, TimeUnit.SECONDS), "the node ends when it is told to");
+        assertEquals(0, node.exitValue(), Files.readString(logs.get(nodes.indexOf(node))));
+      }
+      assertTrue(Files.readString(logs.get(0)).contains("waiting for "), "inputs come later");
+    } finally {
+      nodes.forEach(Process::destroyForcibly);
+    }
+  }
+
+  /** The package of the case with the fork, with components that nothing is asked of. */
+  private static void forkAndJoin(String name) throws IOException {
+    Path copy = folder.resolve(name);
+    try (Stream<Path> files = Files.walk(FORK_AND_JOIN)) {
+      for (Path file : files.filter(Files::isRegularFile).toList()) {
+        Path target = copy.resolve(FORK_AND_JOIN.relativize(file).toString());
+        Files.createDirectories(target.getParent());
+        Files.copy(file, target);
+      }
+    }
+    for (String component : List.of("Source", "Left", "Right", "Join")) {
+      Files.writeString(
+          copy.resolve("fork/components").resolve(component + ".py"),
+          "class " + component + ":\n    pass\n");
+    }
+  }
+
+  private static Program.Ended python(Path package_, Object... arguments) throws IOException {
+    return ended(builder(package_, "0", arguments));
+  }
+
+  private static ProcessBuilder builder(Path package_, String domain, Object... arguments)
+      throws IOException {
+    List<String> command = new ArrayList<>(List.of(Environment.executable()));
+    Stream.of(arguments).map(String::valueOf).forEach(command::add);
+    ProcessBuilder builder = new ProcessBuilder(command).directory(package_.toFile());
+    builder.environment().put("PYTHONPATH", package_.toString());
+    builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");
+    builder.environment().put("CYCLONEDDS_URI", LOOPBACK);
+    builder.environment().put("ROS_DOMAIN_ID", domain);
+    return builder;
+  }
+
+  private static Program.Ended ended(ProcessBuilder builder) throws IOException {
+    Path out = Files.createTempFile(folder, "python", ".out");
+    Path err = Files.createTempFile(folder, "python", ".err");
+    Process process = builder.redirectOutput(out.toFile()).redirectError(err.toFile()).start();
+    try {
+      if (!process.waitFor(120, TimeUnit.SECONDS)) {
+        throw new AssertionError("still running: " + Files.readString(err, UTF_8));
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new IllegalStateException(e);
+    } finally {
+      process.destroyForcibly();
+    }
+    return new Program.Ended(process.exitValue(), Files.readString(out), Files.readString(err));
+  }
+
+  /** The environment with Cyclone DDS, made when the first test needs it. */
+  private static final class Environment {
+    private static final Program.Ended FOUND = make();
+
+    private static String executable() {
+      assumeTrue(FOUND.code() != 3, () -> "Cyclone DDS cannot be installed: " + FOUND.err());
+      return FOUND.expect(0).out().strip();
+    }
+
+    private static Program.Ended make() {
+      try {
+        return ended(
+            new ProcessBuilder(
+                "python3",
+                ENVIRONMENT.toString(),
+                "--development",
+                "--cyclonedds",
+                "--print-executable"));
+      } catch (IOException e) {
+        throw new java.io.UncheckedIOException(e);
+      }
+    }
+  }
+}
