@@ -11,19 +11,21 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.Stream;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
-/** What {@code templates/ros2-python} writes is Python, whatever the model says. */
+/** What the template sets for Python write is Python, whatever the model says. */
 class GeneratedPythonTest {
-  private static final Path CASES = Path.of("src/test/resources/cases/ros2-python");
+  private static final Path CASES = Path.of("src/test/resources/cases");
 
   @TempDir Path temporary;
 
-  @Test
-  void everyGeneratedModuleCompiles() throws Exception {
+  @ParameterizedTest
+  @ValueSource(strings = {"ros2-python", "cyclonedds-python"})
+  void everyGeneratedModuleCompiles(String set) throws Exception {
     List<String> command = new ArrayList<>(List.of("python3", "-W", "error", "-m", "py_compile"));
-    try (Stream<Path> all = Files.list(CASES)) {
+    try (Stream<Path> all = Files.list(CASES.resolve(set))) {
       for (Path folder : all.sorted().toList()) {
         command.addAll(write(folder));
       }

@@ -86,8 +86,7 @@ class CycloneDdsTest {
   }
 
   private static JsonNode measurements(Path project) throws IOException {
-    JsonNode json =
-        new ObjectMapper().readTree(project.resolve("out/measurements.json").toFile());
+    JsonNode json = new ObjectMapper().readTree(project.resolve("out/measurements.json").toFile());
     return ((ObjectNode) json).without("host");
   }
 
