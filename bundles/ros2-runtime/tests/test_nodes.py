@@ -373,7 +373,7 @@ def test_what_is_missing_is_refused_by_name(simulation: Simulation) -> None:
     with pytest.raises(NotImplementedError, match="lock-step host"):
         rclpy.spin(node)
     with pytest.raises(NotImplementedError, match="lock-step host"):
-        SingleThreadedExecutor()
+        SingleThreadedExecutor().spin()
     with pytest.raises(ImportError, match="actions are not part"):
         from rclpy.action import ActionServer  # noqa: F401
     with pytest.raises(AttributeError, match="no attribute 'create_nothing'"):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from eventchain_ros2 import context
 from eventchain_ros2.clock import NANOSECONDS_PER_SECOND, Clock
@@ -12,6 +12,9 @@ from eventchain_ros2.endpoints import Publisher, Subscription, Timer
 from eventchain_ros2.logger import Logger
 from eventchain_ros2.parameters import Parameter, Parameters
 from eventchain_ros2.qos import QoSProfile, as_profile
+
+if TYPE_CHECKING:
+    from eventchain_ros2.simulation import Process
 
 _NODE_NAME = re.compile(r"[A-Za-z_]\w*$", re.ASCII)
 _TOPIC_NAME = re.compile(r"(~/|/)?[A-Za-z_]\w*(/[A-Za-z_]\w*)*$", re.ASCII)
@@ -58,6 +61,11 @@ class Node:
 
     def __now(self) -> int:
         return self.__simulation.now
+
+    @property
+    def _eventchain_process(self) -> Process:
+        """The process whose callbacks are this node's, for executors."""
+        return self.__process
 
     def get_name(self) -> str:
         """The name without the namespace."""
@@ -168,13 +176,13 @@ class Node:
     def declare_parameter(
         self, name: str, value: Any = None, descriptor: object = None, ignore_override: bool = False
     ) -> Parameter:
-        """Declare a parameter with its default value."""
-        return self.__parameters.declare(name, value)
+        """Declare a parameter with its default value; ranges and `read_only` of the descriptor are kept to."""
+        return self.__parameters.declare(name, value, descriptor, ignore_override=ignore_override)
 
     def declare_parameters(self, namespace: str, parameters: list[tuple[Any, ...]]) -> list[Parameter]:
-        """Declare several parameters, given as `(name, value)`."""
+        """Declare several parameters, given as `(name, value, descriptor)`, also without the last ones."""
         prefix = f"{namespace}." if namespace else ""
-        return [self.__parameters.declare(prefix + name, *rest[:1] or [None]) for name, *rest in parameters]
+        return [self.__parameters.declare(prefix + name, *rest or [None]) for name, *rest in parameters]
 
     def has_parameter(self, name: str) -> bool:
         """Whether the parameter is declared."""
@@ -192,9 +200,12 @@ class Node:
         """Set declared parameters; a `rcl_interfaces/msg/SetParametersResult` for each."""
         from rcl_interfaces.msg import SetParametersResult  # type: ignore[import-not-found]
 
-        for parameter in parameters:
-            self.__parameters.set(parameter)
-        return [SetParametersResult(successful=True) for _ in parameters]
+        reasons = [self.__parameters.set(parameter) for parameter in parameters]
+        return [SetParametersResult(successful=not reason, reason=reason) for reason in reasons]
+
+    def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
+        """The full name of a topic that this node calls so."""
+        return self.__topic_name(topic)
 
     def __topic_name(self, topic: str) -> str:
         if not _TOPIC_NAME.match(topic) or "__" in topic:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from array import array
 from enum import IntEnum
+from math import isclose
 from typing import Any
 
 
@@ -79,38 +80,105 @@ class InvalidParameterTypeException(Exception):  # noqa: N818 - rclpy's name
     """A parameter is set to a value of another type than it was declared with."""
 
 
+class InvalidParameterValueException(Exception):  # noqa: N818 - rclpy's name
+    """A parameter starts with a value that its descriptor does not allow."""
+
+    def __init__(self, parameter: Parameter, reason: str) -> None:
+        text = f"Invalid parameter value ({parameter.value}) for parameter '{parameter.name}'. Reason: {reason}"
+        super().__init__(text)
+
+
+class ParameterUninitializedException(Exception):  # noqa: N818 - rclpy's name
+    """A parameter that was declared without a value is read before it is given one."""
+
+
 class Parameters:
     """The declared parameters of a node."""
 
     def __init__(self, overrides: list[Parameter]) -> None:
         self._overrides = {parameter.name: parameter for parameter in overrides}
         self._declared: dict[str, Parameter] = {}
+        self._descriptors: dict[str, Any] = {}
 
-    def declare(self, name: str, value: Any) -> Parameter:
-        """Declare a parameter; `value` is its default, or only its type."""
+    def declare(self, name: str, value: Any, descriptor: Any = None, *, ignore_override: bool = False) -> Parameter:
+        """Declare a parameter.
+
+        Args:
+            name: its name.
+            value: its default, or only its type.
+            descriptor: a `rcl_interfaces/msg/ParameterDescriptor`; ranges and `read_only` are kept to.
+            ignore_override: whether it starts with the default whatever the node was started with.
+
+        """
         if name in self._declared:
             raise ParameterAlreadyDeclaredException(f"Parameter(s) already declared: ['{name}']")
         is_type = isinstance(value, ParameterType)
-        self._declared[name] = Parameter(name, value) if is_type else Parameter(name, value=value)
-        if name in self._overrides:
-            self.set(self._overrides[name])
-        return self._declared[name]
+        first = Parameter(name, value) if is_type else Parameter(name, value=value)
+        if name in self._overrides and not ignore_override:
+            _require_type(first, self._overrides[name])
+            first = self._overrides[name]
+        reason = _outside(first, descriptor)
+        if reason:
+            raise InvalidParameterValueException(first, reason)
+        self._declared[name] = first
+        self._descriptors[name] = descriptor
+        return first
 
     def get(self, name: str) -> Parameter:
-        """The parameter of this name."""
+        """The parameter of this name.
+
+        Raises:
+            ParameterNotDeclaredException: there is none.
+            ParameterUninitializedException: it was declared by its type only, and has no value yet.
+
+        """
         if name not in self._declared:
             raise ParameterNotDeclaredException(f"The following parameters are not declared: {name}")
-        return self._declared[name]
+        parameter = self._declared[name]
+        if parameter.value is None and parameter.type_ != ParameterType.NOT_SET:
+            raise ParameterUninitializedException(f"The parameter '{name}' is not initialized")
+        return parameter
 
-    def set(self, parameter: Parameter) -> None:
-        """Give a declared parameter a new value of its type."""
-        current = self.get(parameter.name)
-        if current.type_ not in (ParameterType.NOT_SET, parameter.type_):
-            raise InvalidParameterTypeException(
-                f"Trying to set parameter '{parameter.name}' to '{parameter.value}' of type '{parameter.type_.name}', "
-                f"expecting type '{current.type_.name}'"
-            )
-        self._declared[parameter.name] = parameter
+    def set(self, parameter: Parameter) -> str:
+        """Give a declared parameter a new value of its type; the reason if its descriptor does not allow that."""
+        name = parameter.name
+        if name not in self._declared:
+            raise ParameterNotDeclaredException(f"The following parameters are not declared: {name}")
+        _require_type(self._declared[name], parameter)
+        if getattr(self._descriptors[name], "read_only", False):
+            return f"Trying to set a read-only parameter: {name}."
+        reason = _outside(parameter, self._descriptors[name])
+        if not reason:
+            self._declared[name] = parameter
+        return reason
 
     def __contains__(self, name: str) -> bool:
         return name in self._declared
+
+
+def _require_type(current: Parameter, parameter: Parameter) -> None:
+    if current.type_ not in (ParameterType.NOT_SET, parameter.type_):
+        raise InvalidParameterTypeException(
+            f"Trying to set parameter '{parameter.name}' to '{parameter.value}' of type '{parameter.type_.name}', "
+            f"expecting type '{current.type_.name}'"
+        )
+
+
+def _outside(parameter: Parameter, descriptor: Any) -> str:
+    """Why a descriptor's range does not allow a value; NaN is in no range. Its ends always are."""
+    kind = {ParameterType.DOUBLE: "floating_point_range", ParameterType.INTEGER: "integer_range"}.get(parameter.type_)
+    if descriptor is None or kind is None or parameter.value is None:
+        return ""
+    for limits in getattr(descriptor, kind):
+        low, high = sorted((limits.from_value, limits.to_value))
+        if any(isclose(parameter.value, end) for end in (low, high)):
+            continue
+        if not low < parameter.value < high:
+            return f"Parameter {parameter.name} doesn't comply with {kind.replace('_', ' ')}."
+        if limits.step and not _on_step(parameter.value - limits.from_value, limits.step):
+            return f"The parameter value for {parameter.name} is not a valid step."
+    return ""
+
+
+def _on_step(distance: float, step: float) -> bool:
+    return isclose(distance / step, round(distance / step))

@@ -72,6 +72,7 @@ class Process:
         self.phase = phase
         self.timers = 0
         self.busy_until = 0
+        self.paused = False  # while an executor runs that has other nodes
         self.inbox: list[tuple[Subscription, Sample]] = []
         self.latest: dict[str, int] = {}
         self.writes: list[tuple[str, int]] | None = None  # of the callback that runs
@@ -193,6 +194,55 @@ class Simulation:
             action(argument)
         self.now, self.current = until, None
 
+    def spin_once(self, processes: set[Process], timeout: int | None) -> bool:
+        """Let time pass until a callback of one of these processes has run, and nobody else's.
+
+        Samples for the others wait, as far as their histories reach, and so do their timers.
+
+        Args:
+            processes: those whose callbacks may run.
+            timeout: the longest time to pass, in ns; what is due exactly then happens. None: no limit.
+
+        Returns:
+            Whether a callback ran.
+
+        Raises:
+            RuntimeError: there is no limit, and nothing will ever happen.
+
+        """
+        limit = None if timeout is None else self.now + timeout
+        for process in self.processes:
+            process.paused = process not in processes
+            if process.inbox and not process.paused:
+                self._schedule(max(self.now, process.busy_until), self._wake, process)
+        late: list[tuple[int, int, int, int, int, Callable[[Any], None], Any]] = []
+        try:
+            return self._run_until_callback(limit, late)
+        finally:
+            for process in self.processes:
+                process.paused = False
+            for event in late:
+                heappush(self._events, event)
+
+    def _run_until_callback(
+        self, limit: int | None, late: list[tuple[int, int, int, int, int, Callable[[Any], None], Any]]
+    ) -> bool:
+        """Run events up to the limit or the first callback; timers of processes that are paused become late."""
+        events = self._events
+        while self.running and events and (limit is None or events[0][0] <= limit):
+            event = heappop(events)
+            if event[1] == _TIMER and event[6][0].process.paused:
+                late.append(event)
+                continue
+            self.now, self.current = max(self.now, event[0]), None
+            event[5](event[6])
+            if self.current is not None:
+                return True
+        if limit is None and self.running:
+            raise RuntimeError("nothing will ever happen: there is neither a sample nor a timer to wait for")
+        self.now = self.now if limit is None else max(self.now, limit)
+        return False
+
     def _schedule(self, time: int, action: Callable[[Any], None], argument: object) -> None:
         self._count += 1
         heappush(self._events, (time, _SAMPLE, self._count, 0, 0, action, argument))
@@ -207,7 +257,7 @@ class Simulation:
     def _hand_over(self, received: tuple[Subscription, Sample]) -> None:
         subscription, sample = received
         process = subscription.process
-        if process.inbox:
+        if process.inbox or process.paused:
             process.keep(subscription, sample)
         elif self.now < process.busy_until:
             process.keep(subscription, sample)
@@ -216,10 +266,10 @@ class Simulation:
             self._receive(process, subscription, sample)
 
     def _wake(self, process: Process) -> None:
-        while process.inbox and self.now >= process.busy_until:
+        while process.inbox and self.now >= process.busy_until and not process.paused:
             subscription, sample = process.inbox.pop(0)
             self._receive(process, subscription, sample)
-        if process.inbox:
+        if process.inbox and not process.paused:
             self._schedule(process.busy_until, self._wake, process)
 
     def _receive(self, process: Process, subscription: Subscription, sample: Sample) -> None:

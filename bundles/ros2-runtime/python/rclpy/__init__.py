@@ -1,6 +1,7 @@
 """The API of ROS 2's `rclpy`, as far as Eventchain's runtime has it; everything comes from `eventchain_ros2`.
 
-This package stands on `sys.path` only within the lock-step host. Nodes that use it run unchanged under ROS 2.
+This package stands on `sys.path` only within the lock-step host and where tests ask for it. Nodes that use it run
+unchanged under ROS 2.
 """
 
 from __future__ import annotations
@@ -8,6 +9,7 @@ from __future__ import annotations
 from typing import Any, NoReturn
 
 from eventchain_ros2 import context as _context
+from eventchain_ros2.executors import Executor as _Executor
 from eventchain_ros2.node import Node as _Node
 
 
@@ -42,9 +44,15 @@ def spin(node: _Node, executor: Any = None) -> NoReturn:
     raise NotImplementedError(_context.NO_EXECUTOR)
 
 
-def spin_once(node: _Node, *, executor: Any = None, timeout_sec: float | None = None) -> NoReturn:
-    """Refuse: the lock-step host runs the nodes."""
-    raise NotImplementedError(_context.NO_EXECUTOR)
+def spin_once(node: _Node, *, executor: _Executor | None = None, timeout_sec: float | None = None) -> None:
+    """Let simulated time pass until a callback of the node has run, or for this many seconds."""
+    runner = executor or _Executor()
+    added = runner.add_node(node)
+    try:
+        runner.spin_once(timeout_sec)
+    finally:
+        if added:
+            runner.remove_node(node)
 
 
 def spin_until_future_complete(

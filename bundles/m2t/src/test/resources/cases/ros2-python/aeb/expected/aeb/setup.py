@@ -6,13 +6,23 @@ from setuptools import setup
 setup(
     name="aeb",
     version="0.1.0",
-    packages=["aeb", "aeb.components"],
+    packages=[
+        "aeb",
+        "aeb.components",
+    ],
     data_files=[
         ("share/ament_index/resource_index/packages", ["resource/aeb"]),
         ("share/aeb", ["package.xml"]),
+        ("share/aeb/config", ["config/aeb.yaml"]),
+        ("share/aeb/launch", ["launch/aeb.launch.py"]),
     ],
     install_requires=["setuptools"],
+    extras_require={"test": ["pytest"]},
     zip_safe=True,
+    maintainer="Eventchain user",
+    maintainer_email="maintainer@example.com",
+    description="Brakes when the time to collision with a vehicle ahead gets short.",
+    license="Proprietary",
     entry_points={
         "console_scripts": [
             "ttc_calculation_node = aeb.ttc_calculation_node:main",

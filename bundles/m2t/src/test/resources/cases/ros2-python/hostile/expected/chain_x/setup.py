@@ -6,13 +6,23 @@ from setuptools import setup
 setup(
     name="chain_x",
     version="0.1.0",
-    packages=["chain_x", "chain_x.components"],
+    packages=[
+        "chain_x",
+        "chain_x.components",
+    ],
     data_files=[
         ("share/ament_index/resource_index/packages", ["resource/chain_x"]),
         ("share/chain_x", ["package.xml"]),
+        ("share/chain_x/config", ["config/chain_x.yaml"]),
+        ("share/chain_x/launch", ["launch/chain_x.launch.py"]),
     ],
     install_requires=["setuptools"],
+    extras_require={"test": ["pytest"]},
     zip_safe=True,
+    maintainer="Eventchain user",
+    maintainer_email="maintainer@example.com",
+    description='</description>""" --> & more',
+    license="Proprietary",
     entry_points={
         "console_scripts": [
             "a___node = chain_x.a___node:main",

@@ -6,13 +6,23 @@ from setuptools import setup
 setup(
     name="fusion",
     version="0.1.0",
-    packages=["fusion", "fusion.components"],
+    packages=[
+        "fusion",
+        "fusion.components",
+    ],
     data_files=[
         ("share/ament_index/resource_index/packages", ["resource/fusion"]),
         ("share/fusion", ["package.xml"]),
+        ("share/fusion/config", ["config/fusion.yaml"]),
+        ("share/fusion/launch", ["launch/fusion.launch.py"]),
     ],
     install_requires=["setuptools"],
+    extras_require={"test": ["pytest"]},
     zip_safe=True,
+    maintainer="Eventchain user",
+    maintainer_email="maintainer@example.com",
+    description="The nodes of the event chain fusion.",
+    license="Proprietary",
     entry_points={
         "console_scripts": [
             "laserscan_node = fusion.laserscan_node:main",

@@ -2,6 +2,7 @@
 """The ROS 2 node of the component Carla_Vehicle_Control."""
 
 import carla_msgs.msg
+import rcl_interfaces.msg
 import rclpy
 import rclpy.executors
 import rclpy.node
@@ -12,13 +13,29 @@ from aeb.components.Carla_Vehicle_Control import Carla_Vehicle_Control
 
 
 class Carla_Vehicle_Control_node(rclpy.node.Node):
-    """Runs the component."""
+    """Runs the component Carla_Vehicle_Control."""
 
-    def __init__(self):
-        super().__init__("Carla_Vehicle_Control")
+    def __init__(self, **options):
+        super().__init__("Carla_Vehicle_Control", **options)
+        self.declare_parameter(
+            "frequency",
+            20.0,
+            rcl_interfaces.msg.ParameterDescriptor(
+                description="Executions of the component in a second (Hz)",
+                read_only=True,
+                floating_point_range=[
+                    rcl_interfaces.msg.FloatingPointRange(
+                        from_value=0.000001,
+                        to_value=1000000.0,
+                    ),
+                ],
+            ),
+        )
         self.component = Carla_Vehicle_Control()
         self.received = {}
-        self.awaited = ["brake_force"]
+        self.awaited = [
+            "brake_force",
+        ]
         self.create_subscription(
             std_msgs.msg.Float32,
             "/vehicle/brake_force",
@@ -40,7 +57,8 @@ class Carla_Vehicle_Control_node(rclpy.node.Node):
                 depth=10,
             ),
         )
-        self.timer = self.create_timer(1.0 / 20.0, self.execute)
+        frequency = self.get_parameter("frequency").value
+        self.timer = self.create_timer(1.0 / frequency, self.execute)
 
     def on_vehicle_brake_force(self, message):
         """Keep what arrived on the topic until the next execution."""

@@ -2,6 +2,7 @@
 """The ROS 2 node of the component a__."""
 
 import other_msgs.msg
+import rcl_interfaces.msg
 import rclpy
 import rclpy.executors
 import rclpy.node
@@ -13,13 +14,34 @@ from chain_x.components.a__ import a__
 
 
 class a___node(rclpy.node.Node):
-    """''' import os os.system('true') /"""
+    """Runs the component a__.
 
-    def __init__(self):
-        super().__init__("a__")
+    ''' import os os.system('true') /
+    """
+
+    def __init__(self, **options):
+        super().__init__("a__", **options)
+        self.declare_parameter(
+            "frequency",
+            20.0,
+            rcl_interfaces.msg.ParameterDescriptor(
+                description="Executions of the component in a second (Hz)",
+                read_only=True,
+                floating_point_range=[
+                    rcl_interfaces.msg.FloatingPointRange(
+                        from_value=0.000001,
+                        to_value=1000000.0,
+                    ),
+                ],
+            ),
+        )
         self.component = a__()
         self.received = {}
-        self.awaited = ["class_", "a__", "self_"]
+        self.awaited = [
+            "class_",
+            "a__",
+            "self_",
+        ]
         self.create_subscription(
             sensor_msgs.msg.Image,
             "/a/b",
@@ -73,7 +95,8 @@ class a___node(rclpy.node.Node):
                 depth=10,
             ),
         )
-        self.timer = self.create_timer(1.0 / 20.0, self.execute)
+        frequency = self.get_parameter("frequency").value
+        self.timer = self.create_timer(1.0 / frequency, self.execute)
 
     def on_a_b_1(self, message):
         """Keep what arrived on the topic until the next execution."""

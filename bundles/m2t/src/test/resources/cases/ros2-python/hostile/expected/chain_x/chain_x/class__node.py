@@ -2,6 +2,7 @@
 """The ROS 2 node of the component class_."""
 
 import _.msg
+import rcl_interfaces.msg
 import rclpy
 import rclpy.executors
 import rclpy.node
@@ -12,13 +13,30 @@ from chain_x.components.class_ import class_
 
 
 class class__node(rclpy.node.Node):
-    """Runs the component."""
+    """Runs the component class_."""
 
-    def __init__(self):
-        super().__init__("class_")
+    def __init__(self, **options):
+        super().__init__("class_", **options)
+        self.declare_parameter(
+            "frequency",
+            1.0e-4,
+            rcl_interfaces.msg.ParameterDescriptor(
+                description="Executions of the component in a second (Hz)",
+                read_only=True,
+                floating_point_range=[
+                    rcl_interfaces.msg.FloatingPointRange(
+                        from_value=0.000001,
+                        to_value=1000000.0,
+                    ),
+                ],
+            ),
+        )
         self.component = class_()
         self.received = {}
-        self.awaited = ["_", "_2fast"]
+        self.awaited = [
+            "_",
+            "_2fast",
+        ]
         self.create_subscription(
             std_msgs.msg._,
             "",
@@ -51,7 +69,8 @@ class class__node(rclpy.node.Node):
                 depth=10,
             ),
         )
-        self.timer = self.create_timer(1.0 / 1.0e-4, self.execute)
+        frequency = self.get_parameter("frequency").value
+        self.timer = self.create_timer(1.0 / frequency, self.execute)
 
     def on___1(self, message):
         """Keep what arrived on the topic until the next execution."""

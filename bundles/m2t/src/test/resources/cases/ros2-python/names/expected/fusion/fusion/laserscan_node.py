@@ -4,6 +4,7 @@
 import geometry_msgs.msg
 import nav_msgs.msg
 import radar_msgs.msg
+import rcl_interfaces.msg
 import rclpy
 import rclpy.executors
 import rclpy.node
@@ -14,13 +15,32 @@ from fusion.components.LaserScan import LaserScan
 
 
 class LaserScan_node(rclpy.node.Node):
-    """Runs the component."""
+    """Runs the component LaserScan."""
 
-    def __init__(self):
-        super().__init__("LaserScan")
+    def __init__(self, **options):
+        super().__init__("LaserScan", **options)
+        self.declare_parameter(
+            "frequency",
+            10.0,
+            rcl_interfaces.msg.ParameterDescriptor(
+                description="Executions of the component in a second (Hz)",
+                read_only=True,
+                floating_point_range=[
+                    rcl_interfaces.msg.FloatingPointRange(
+                        from_value=0.000001,
+                        to_value=1000000.0,
+                    ),
+                ],
+            ),
+        )
         self.component = LaserScan()
         self.received = {}
-        self.awaited = ["front", "rear", "speed", "yaw_rate"]
+        self.awaited = [
+            "front",
+            "rear",
+            "speed",
+            "yaw_rate",
+        ]
         self.create_subscription(
             sensor_msgs.msg.LaserScan,
             "/front",
@@ -64,7 +84,8 @@ class LaserScan_node(rclpy.node.Node):
                 depth=10,
             ),
         )
-        self.timer = self.create_timer(1.0 / 10.0, self.execute)
+        frequency = self.get_parameter("frequency").value
+        self.timer = self.create_timer(1.0 / frequency, self.execute)
 
     def on_front(self, message):
         """Keep what arrived on the topic until the next execution."""

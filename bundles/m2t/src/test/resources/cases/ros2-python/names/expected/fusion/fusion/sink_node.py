@@ -2,22 +2,40 @@
 """The ROS 2 node of the component Sink."""
 
 import geometry_msgs.msg
+import rcl_interfaces.msg
 import rclpy
 import rclpy.executors
 import rclpy.node
+import rclpy.parameter
 import rclpy.qos
 
 from fusion.components.Sink import Sink
 
 
 class Sink_node(rclpy.node.Node):
-    """Runs the component."""
+    """Runs the component Sink."""
 
-    def __init__(self):
-        super().__init__("Sink")
+    def __init__(self, **options):
+        super().__init__("Sink", **options)
+        self.declare_parameter(
+            "frequency",
+            rclpy.parameter.Parameter.Type.DOUBLE,  # the model states no value
+            rcl_interfaces.msg.ParameterDescriptor(
+                description="Executions of the component in a second (Hz)",
+                read_only=True,
+                floating_point_range=[
+                    rcl_interfaces.msg.FloatingPointRange(
+                        from_value=0.000001,
+                        to_value=1000000.0,
+                    ),
+                ],
+            ),
+        )
         self.component = Sink()
         self.received = {}
-        self.awaited = ["forward"]
+        self.awaited = [
+            "forward",
+        ]
         self.create_subscription(
             geometry_msgs.msg.TwistStamped,
             "/command",
@@ -29,7 +47,8 @@ class Sink_node(rclpy.node.Node):
                 depth=10,
             ),
         )
-        raise ValueError("the model states no frequency for this component")
+        frequency = self.get_parameter("frequency").value
+        self.timer = self.create_timer(1.0 / frequency, self.execute)
 
     def on_command(self, message):
         """Keep what arrived on the topic until the next execution."""

@@ -1,0 +1,205 @@
+package dev.eventchain.m2t;
+
+import static java.nio.charset.StandardCharsets.UTF_8;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * What {@code templates/ros2-python} writes is a package that works: executed with the tools and
+ * the runtime of the project, since ROS 2 itself is not needed here.
+ */
+class GeneratedPackageTest {
+  private static final Path ROOT = Path.of("../..").toAbsolutePath().normalize();
+  private static final Path RESOURCES = Path.of("src/test/resources").toAbsolutePath();
+  private static final Path RUNTIME = ROOT.resolve("bundles/ros2-runtime");
+  private static final String ENVIRONMENT =
+      "bundles/python/src/main/resources/dev/eventchain/python/environment.py";
+
+  private static final Map<String, Map<String, byte[]>> GENERATED = new HashMap<>();
+
+  @TempDir Path temporary;
+
+  /** How a command ended. */
+  private record Ended(int code, String output) {
+    String expect(int expected) {
+      assertEquals(expected, code, output);
+      return output;
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"aeb", "fork-and-join", "hostile", "names"})
+  void theLinterFindsNothing(String name) throws Exception {
+    Path folder = write(name);
+    for (List<String> settings :
+        List.of(List.of("--isolated"), List.of("--config", ROOT.resolve("ruff.toml").toString()))) {
+      python(folder, ruff("check", settings)).expect(0);
+      List<String> format = ruff("format", settings);
+      format.addAll(List.of("--check", "--diff"));
+      python(folder, format).expect(0);
+    }
+  }
+
+  private static List<String> ruff(String command, List<String> settings) {
+    List<String> words = new ArrayList<>(List.of("-m", "ruff", command, "--no-cache"));
+    words.addAll(settings);
+    words.add(".");
+    return words;
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"aeb", "fork-and-join"})
+  void itsOwnTestsPass(String name) throws Exception {
+    Path folder = writeComplete(name);
+    String output = test(folder).expect(0);
+    assertTrue(output.matches("(?s).*\\b(29|39) passed.*"), output);
+    assertTrue(output.contains("test_chain.py"), output);
+  }
+
+  /** A wrong node, constructed or connected as no model says, is what the tests are there for. */
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          ttc_calculation | "/scan" | "/scam" | test_ttc
+          ttc_calculation | message.velocity | message.control.gear | test_ttc
+          ttc_calculation | message.header.stamp.sec | message.header.stamp.nanosec | test_ttc
+          ttc_calculation | received["ranges"] = message | received["ego_speed"] = message | test_ttc
+          ttc_calculation | std_msgs.msg.Float32 | std_msgs.msg.Float64 | test_ttc
+          ttc_calculation | float(output["ttc"]) | float(output["ttc"]) + 1.0 | test_ttc
+          ttc_calculation | ReliabilityPolicy.BEST_EFFORT | ReliabilityPolicy.RELIABLE | test_ttc
+          ttc_calculation | depth=1 | depth=2 | test_ttc
+          ttc_calculation | from_value=0.000001 | from_value=-2.0 | test_ttc
+          ttc_calculation | 1.0 / frequency | 1.0 / 20.0 | test_ttc
+          ttc_calculation | < 3 | < 2 | test_ttc
+          braking_decision | ReliabilityPolicy.RELIABLE | ReliabilityPolicy.BEST_EFFORT | test_chain
+          braking_decision | std_msgs.msg.Float32 | std_msgs.msg.Float64 | test_chain
+          """)
+  void itsTestsNoticeAMistake(String node, String right, String wrong, String noticedBy)
+      throws Exception {
+    Path folder = writeComplete("aeb");
+    Path module = folder.resolve("aeb").resolve(node + "_node.py");
+    String text = Files.readString(module);
+    assertTrue(text.contains(right), right);
+    Files.writeString(module, text.replace(right, wrong));
+    Ended ended = test(folder, "-k", noticedBy);
+    assertEquals(1, ended.code(), ended.output());
+    assertTrue(ended.output().matches("(?s).*\\d+ failed.*"), ended.output());
+  }
+
+  @Test
+  void theLaunchFileStartsEveryNodeWithTheParameters() throws Exception {
+    Path folder = write("fork-and-join");
+    String recorded =
+        python(
+                folder,
+                List.of(
+                    RESOURCES.resolve("packages/launch_recorder.py").toString(),
+                    "launch/lane_fusion.launch.py"))
+            .expect(0);
+    for (String name : List.of("Camera", "Lane_Detection", "Vehicle_Detection", "Steering")) {
+      assertTrue(recorded.contains("\"name\": \"" + name + "\""), recorded);
+      assertTrue(
+          recorded.contains(
+              "\"package\": \"lane_fusion\", \"executable\": \"" + name.toLowerCase() + "_node\""),
+          recorded);
+    }
+    assertEquals(5, recorded.split("\\{\"class\": \"Node\"", -1).length, recorded);
+    assertEquals(5, recorded.split("\\{\"use_sim_time\": ", -1).length, recorded);
+  }
+
+  @Test
+  void aValueTravelsThroughBothBranchesToTheJoin() throws Exception {
+    Path folder = write("fork-and-join");
+    components("fork-and-join", folder.resolve("lane_fusion/components"));
+    String travel = RESOURCES.resolve("packages/fork-and-join/travel.py").toString();
+    String output = python(folder, List.of(travel, folder.toString())).expect(0);
+    // 8 m: 2 * 8 + 1 by the lane, 0.25 * 20 by the vehicle and 100 since it is urgent; 4 m: 9 + 2.5.
+    String last = output.lines().filter(line -> line.startsWith("{")).findFirst().orElseThrow();
+    assertEquals("{\"warnings\": [], \"angles\": [122.0, 11.5]}", last, output);
+  }
+
+  private static void components(String name, Path target) throws IOException {
+    try (Stream<Path> all = Files.list(RESOURCES.resolve("packages/" + name + "/components"))) {
+      for (Path file : all.toList()) {
+        Files.write(target.resolve(file.getFileName()), Files.readAllBytes(file));
+      }
+    }
+  }
+
+  /** Writes the package of a case; its folder. */
+  private Path write(String name) throws IOException {
+    String packageFolder = "";
+    for (Map.Entry<String, byte[]> file : generated(name).entrySet()) {
+      Path target = temporary.resolve(file.getKey());
+      Files.createDirectories(target.getParent());
+      Files.write(target, file.getValue());
+      packageFolder = file.getKey().substring(0, file.getKey().indexOf('/'));
+    }
+    assertNotEquals("", packageFolder);
+    return temporary.resolve(packageFolder);
+  }
+
+  /** Generates a case once: compiling the templates takes longer than all else. */
+  private static Map<String, byte[]> generated(String name) throws IOException {
+    if (!GENERATED.containsKey(name)) {
+      Path folder = RESOURCES.resolve("cases/ros2-python").resolve(name);
+      GENERATED.put(name, new TemplateCase(folder).run().files());
+    }
+    return GENERATED.get(name);
+  }
+
+  /** Writes the package of a case with components that do nothing; its folder. */
+  private Path writeComplete(String name) throws IOException {
+    Path folder = write(name);
+    Path modules = folder.resolve(folder.getFileName());
+    try (Stream<Path> all = Files.list(modules)) {
+      for (Path node : all.filter(f -> f.toString().endsWith("_node.py")).toList()) {
+        String component =
+            Files.readString(node).replaceAll("(?s).*components\\.\\w+ import (\\w+).*", "$1");
+        String text = "\"\"\"Does nothing.\"\"\"\n\n\nclass " + component + ":\n    pass\n";
+        Files.writeString(modules.resolve("components/" + component + ".py"), text);
+      }
+    }
+    return folder;
+  }
+
+  private Ended test(Path folder, String... arguments) throws Exception {
+    List<String> words =
+        new ArrayList<>(
+            List.of("-m", "pytest", "-p", "no:cacheprovider", "-p", "eventchain_ros2.pytest_plugin"));
+    words.add("--messages=" + ROOT.resolve("examples/aeb/software-base/msg"));
+    words.addAll(Arrays.asList(arguments));
+    return python(folder, words);
+  }
+
+  private static Ended python(Path folder, List<String> arguments) throws Exception {
+    List<String> command =
+        new ArrayList<>(
+            List.of("python3", ROOT.resolve(ENVIRONMENT).toString(), "--development", "--run"));
+    command.addAll(arguments);
+    ProcessBuilder builder = new ProcessBuilder(command).directory(folder.toFile());
+    builder.environment().put("PYTHONPATH", RUNTIME + "/python:" + RUNTIME + "/tests");
+    builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");
+    Process process = builder.redirectErrorStream(true).start();
+    String output = new String(process.getInputStream().readAllBytes(), UTF_8);
+    return new Ended(process.waitFor(), output);
+  }
+}

@@ -1,0 +1,73 @@
+"""Executors in simulated time, as far as `rclpy.executors` has them for one callback after the other."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from eventchain_ros2 import context
+from eventchain_ros2.clock import NANOSECONDS_PER_SECOND
+from eventchain_ros2.node import Node
+
+
+class ExternalShutdownException(Exception):  # noqa: N818 - rclpy's name
+    """The context was shut down from outside, for example by a signal."""
+
+
+class Executor:
+    """Runs the callbacks of its nodes, one after the other. Timeouts count simulated time, which waits for nobody."""
+
+    def __init__(self, *, context: Any = None) -> None:
+        self._nodes: list[Node] = []
+        self._is_shutdown = False
+
+    def add_node(self, node: Node) -> bool:
+        """Run the callbacks of this node, too; whether it is a new one."""
+        if node in self._nodes:
+            return False
+        self._nodes.append(node)
+        return True
+
+    def remove_node(self, node: Node) -> None:
+        """Run the callbacks of this node no more."""
+        if node in self._nodes:
+            self._nodes.remove(node)
+
+    def get_nodes(self) -> list[Node]:
+        """The nodes whose callbacks are run."""
+        return list(self._nodes)
+
+    def spin_once(self, timeout_sec: float | None = None) -> None:
+        """Let time pass until a callback has run, or for this many seconds of simulated time.
+
+        If several nodes get the same sample, or waiting ones, all of their callbacks run.
+
+        Raises:
+            ExternalShutdownException: the context or this executor was shut down.
+            RuntimeError: there is no limit, and nothing will ever happen.
+
+        """
+        if self._is_shutdown or not context.ok():
+            raise ExternalShutdownException
+        wait = None if timeout_sec is None or timeout_sec < 0 else int(timeout_sec * NANOSECONDS_PER_SECOND)
+        context.current().spin_once({node._eventchain_process for node in self._nodes}, wait)
+
+    def spin(self) -> None:
+        """Refuse: simulated time would run without end."""
+        raise NotImplementedError(context.NO_EXECUTOR)
+
+    def shutdown(self, timeout_sec: float | None = None) -> bool:
+        """Run no callback any more."""
+        self._is_shutdown = True
+        self._nodes.clear()
+        return True
+
+
+class SingleThreadedExecutor(Executor):
+    """One callback at a time."""
+
+
+class MultiThreadedExecutor(Executor):
+    """One callback at a time, too: in simulated time there is nothing to be won by threads."""
+
+    def __init__(self, num_threads: int | None = None, *, context: Any = None) -> None:
+        super().__init__(context=context)

@@ -1,0 +1,27 @@
+"""Lets pytest run the tests of a ROS 2 package on this runtime, in simulated time.
+
+    PYTHONPATH=FOLDER python -m pytest -p eventchain_ros2.pytest_plugin [--messages MESSAGES]... test
+
+FOLDER holds this package, and each MESSAGES is a folder with `<package>/msg/*.msg`. The plugin makes the message
+packages importable; the rest is `rclpy` of this runtime. With a sourced ROS 2, leave it out.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from eventchain_ros2.messages import Messages
+
+if TYPE_CHECKING:
+    import pytest
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    """Add the option that names folders of messages."""
+    parser.addoption("--messages", action="append", default=[], help="folder with <package>/msg/*.msg; repeatable")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Serve the imports of message packages, before any test is imported."""
+    Messages(Path(folder) for folder in config.getoption("messages")).install()

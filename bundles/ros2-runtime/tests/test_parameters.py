@@ -1,0 +1,93 @@
+"""Parameters with descriptors, as nodes declare them to be set from files and command lines."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+from eventchain_ros2.simulation import Simulation
+from rclpy.exceptions import (
+    InvalidParameterTypeException,
+    InvalidParameterValueException,
+    ParameterUninitializedException,
+)
+from rclpy.node import Node
+from rclpy.parameter import Parameter
+
+
+def node(**overrides: Any) -> Node:
+    return Node("node", parameter_overrides=[Parameter(name, value=value) for name, value in overrides.items()])
+
+
+def limits(low: float, high: float, step: float = 0.0, **options: Any) -> Any:
+    from rcl_interfaces.msg import FloatingPointRange, ParameterDescriptor
+
+    span = FloatingPointRange(from_value=low, to_value=high, step=step)
+    return ParameterDescriptor(floating_point_range=[span], **options)
+
+
+@pytest.mark.parametrize("value", [0.5, 7.0, 10.0])
+def test_values_of_a_range_with_its_ends_are_taken(simulation: Simulation, value: float) -> None:
+    assert node(rate=value).declare_parameter("rate", 1.0, limits(0.5, 10.0)).value == value
+
+
+@pytest.mark.parametrize("value", [0.0, -1.0, 10.5, float("nan"), float("inf")])
+def test_values_outside_of_a_range_are_refused(simulation: Simulation, value: float) -> None:
+    started = node(rate=value)
+    with pytest.raises(InvalidParameterValueException, match="rate doesn't comply with floating point range"):
+        started.declare_parameter("rate", 1.0, limits(0.5, 10.0))
+    assert not started.has_parameter("rate")
+    running = node()
+    running.declare_parameter("rate", 1.0, limits(0.5, 10.0))
+    (result,) = running.set_parameters([Parameter("rate", value=value)])
+    assert not result.successful
+    assert "comply" in result.reason
+    assert running.get_parameter("rate").value == 1.0
+
+
+def test_values_between_steps_are_refused(simulation: Simulation) -> None:
+    started = node()
+    started.declare_parameter("rate", 1.0, limits(0.0, 10.0, 0.5))
+    results = started.set_parameters([Parameter("rate", value=value) for value in (1.5, 1.6, 10.0)])
+    assert [result.successful for result in results] == [True, False, True]
+
+
+def test_integers_have_ranges_too(simulation: Simulation) -> None:
+    from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
+
+    span = IntegerRange(from_value=1, to_value=9, step=2)
+    started = node(count=4)
+    with pytest.raises(InvalidParameterValueException, match="step"):
+        started.declare_parameter("count", 1, ParameterDescriptor(integer_range=[span]))
+    assert node(count=5).declare_parameter("count", 1, ParameterDescriptor(integer_range=[span])).value == 5
+
+
+def test_what_is_read_only_keeps_what_the_node_started_with(simulation: Simulation) -> None:
+    started = node(rate=2.0)
+    started.declare_parameters("", [("rate", 1.0, limits(0.5, 10.0, read_only=True))])
+    (result,) = started.set_parameters([Parameter("rate", value=3.0)])
+    assert not result.successful
+    assert "read-only" in result.reason
+    assert started.get_parameter("rate").value == 2.0
+
+
+def test_a_parameter_without_a_value_cannot_be_read(simulation: Simulation) -> None:
+    started = node()
+    started.declare_parameter("rate", Parameter.Type.DOUBLE)
+    with pytest.raises(ParameterUninitializedException, match="'rate' is not initialized"):
+        started.get_parameter("rate")
+    started.set_parameters([Parameter("rate", value=2.0)])
+    assert started.get_parameter("rate").value == 2.0
+
+
+def test_an_override_of_another_type_is_refused_or_ignored(simulation: Simulation) -> None:
+    with pytest.raises(InvalidParameterTypeException):
+        node(rate=2).declare_parameter("rate", 1.0)
+    assert node(rate=2.0).declare_parameter("rate", 1.0, ignore_override=True).value == 1.0
+    assert node(use_sim_time=False).get_parameter("use_sim_time").value is False
+
+
+def test_topics_are_resolved_as_the_node_calls_them(simulation: Simulation) -> None:
+    named = Node("node", namespace="front")
+    names = [named.resolve_topic_name(topic) for topic in ("scan", "/scan", "~/scan")]
+    assert names == ["/front/scan", "/scan", "/front/node/scan"]
