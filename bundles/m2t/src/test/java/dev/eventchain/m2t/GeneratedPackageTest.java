@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -76,22 +77,21 @@ class GeneratedPackageTest {
   @ParameterizedTest
   @CsvSource(
       delimiter = '|',
-      textBlock =
-          """
-          ttc_calculation | "/scan" | "/scam" | test_ttc
-          ttc_calculation | message.velocity | message.control.gear | test_ttc
-          ttc_calculation | message.header.stamp.sec | message.header.stamp.nanosec | test_ttc
-          ttc_calculation | received["ranges"] = message | received["ego_speed"] = message | test_ttc
-          ttc_calculation | std_msgs.msg.Float32 | std_msgs.msg.Float64 | test_ttc
-          ttc_calculation | float(output["ttc"]) | float(output["ttc"]) + 1.0 | test_ttc
-          ttc_calculation | ReliabilityPolicy.BEST_EFFORT | ReliabilityPolicy.RELIABLE | test_ttc
-          ttc_calculation | depth=1 | depth=2 | test_ttc
-          ttc_calculation | from_value=0.000001 | from_value=-2.0 | test_ttc
-          ttc_calculation | 1.0 / frequency | 1.0 / 20.0 | test_ttc
-          ttc_calculation | < 3 | < 2 | test_ttc
-          braking_decision | ReliabilityPolicy.RELIABLE | ReliabilityPolicy.BEST_EFFORT | test_chain
-          braking_decision | std_msgs.msg.Float32 | std_msgs.msg.Float64 | test_chain
-          """)
+      value = {
+        "ttc_calculation | \"/scan\" | \"/scam\" | test_ttc",
+        "ttc_calculation | message.velocity | message.control.gear | test_ttc",
+        "ttc_calculation | message.header.stamp.sec | message.header.stamp.nanosec | test_ttc",
+        "ttc_calculation | received[\"ranges\"] = message | received[\"ego_speed\"] = message | test_ttc",
+        "ttc_calculation | std_msgs.msg.Float32 | std_msgs.msg.Float64 | test_ttc",
+        "ttc_calculation | float(output[\"ttc\"]) | float(output[\"ttc\"]) + 1.0 | test_ttc",
+        "ttc_calculation | ReliabilityPolicy.BEST_EFFORT | ReliabilityPolicy.RELIABLE | test_ttc",
+        "ttc_calculation | depth=1 | depth=2 | test_ttc",
+        "ttc_calculation | from_value=0.000001 | from_value=-2.0 | test_ttc",
+        "ttc_calculation | 1.0 / frequency | 1.0 / 20.0 | test_ttc",
+        "ttc_calculation | < 3 | < 2 | test_ttc",
+        "braking_decision | ReliabilityPolicy.RELIABLE | ReliabilityPolicy.BEST_EFFORT | test_chain",
+        "braking_decision | std_msgs.msg.Float32 | std_msgs.msg.Float64 | test_chain"
+      })
   void itsTestsNoticeAMistake(String node, String right, String wrong, String noticedBy)
       throws Exception {
     Path folder = writeComplete("aeb");
@@ -118,7 +118,9 @@ class GeneratedPackageTest {
       assertTrue(recorded.contains("\"name\": \"" + name + "\""), recorded);
       assertTrue(
           recorded.contains(
-              "\"package\": \"lane_fusion\", \"executable\": \"" + name.toLowerCase() + "_node\""),
+              "\"package\": \"lane_fusion\", \"executable\": \""
+                  + name.toLowerCase(Locale.ROOT)
+                  + "_node\""),
           recorded);
     }
     assertEquals(5, recorded.split("\\{\"class\": \"Node\"", -1).length, recorded);
@@ -131,7 +133,8 @@ class GeneratedPackageTest {
     components("fork-and-join", folder.resolve("lane_fusion/components"));
     String travel = RESOURCES.resolve("packages/fork-and-join/travel.py").toString();
     String output = python(folder, List.of(travel, folder.toString())).expect(0);
-    // 8 m: 2 * 8 + 1 by the lane, 0.25 * 20 by the vehicle and 100 since it is urgent; 4 m: 9 + 2.5.
+    // 8 m: 2 * 8 + 1 by the lane, 0.25 * 20 by the vehicle and 100 since it is urgent; 4 m: 9 +
+    // 2.5.
     String last = output.lines().filter(line -> line.startsWith("{")).findFirst().orElseThrow();
     assertEquals("{\"warnings\": [], \"angles\": [122.0, 11.5]}", last, output);
   }
@@ -184,7 +187,8 @@ class GeneratedPackageTest {
   private Ended test(Path folder, String... arguments) throws Exception {
     List<String> words =
         new ArrayList<>(
-            List.of("-m", "pytest", "-p", "no:cacheprovider", "-p", "eventchain_ros2.pytest_plugin"));
+            List.of(
+                "-m", "pytest", "-p", "no:cacheprovider", "-p", "eventchain_ros2.pytest_plugin"));
     words.add("--messages=" + ROOT.resolve("examples/aeb/software-base/msg"));
     words.addAll(Arrays.asList(arguments));
     return python(folder, words);

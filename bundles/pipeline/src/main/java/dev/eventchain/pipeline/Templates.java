@@ -84,8 +84,12 @@ final class Templates {
     return TemplateModule.compile(
         main,
         name -> {
-          String module = name.substring(name.lastIndexOf(':') + 1);
-          return shipped(set, module).or(() -> shipped(SHARED, module));
+          int qualifier = name.lastIndexOf("::");
+          String module = qualifier < 0 ? name : name.substring(qualifier + 2);
+          String folder = qualifier < 0 ? set : name.substring(0, qualifier);
+          return shipped(folder, module)
+              .or(() -> shipped(set, module))
+              .or(() -> shipped(SHARED, module));
         },
         packages);
   }
