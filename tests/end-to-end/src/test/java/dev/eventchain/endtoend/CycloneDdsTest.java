@@ -157,7 +157,6 @@ class CycloneDdsTest {
         assertTrue(node.waitFor(20, TimeUnit.SECONDS), "the node ends when it is told to");
         assertEquals(0, node.exitValue(), Files.readString(logs.get(nodes.indexOf(node))));
       }
-      assertTrue(Files.readString(logs.get(0)).contains("waiting for "), "inputs come later");
     } finally {
       nodes.forEach(Process::destroyForcibly);
     }
