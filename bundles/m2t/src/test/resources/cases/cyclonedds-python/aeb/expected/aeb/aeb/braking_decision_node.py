@@ -21,7 +21,9 @@ class Braking_Decision_node:
     def __init__(self, participant):
         self.component = Component()
         self.received = {}
-        self.awaited = ["ttc"]
+        self.awaited = [
+            "ttc",
+        ]
         self.reader_aeb_ttc = DataReader(
             participant,
             Topic(participant, "rt/aeb/ttc", messages.std_msgs__Float32),

@@ -21,7 +21,9 @@ class Carla_Vehicle_Control_node:
     def __init__(self, participant):
         self.component = Component()
         self.received = {}
-        self.awaited = ["brake_force"]
+        self.awaited = [
+            "brake_force",
+        ]
         self.reader_vehicle_brake_force = DataReader(
             participant,
             Topic(participant, "rt/vehicle/brake_force", messages.std_msgs__Float32),

@@ -24,7 +24,11 @@ class TTC_Calculation_node:
     def __init__(self, participant):
         self.component = Component()
         self.received = {}
-        self.awaited = ["ranges", "scan_stamp_sec", "ego_speed"]
+        self.awaited = [
+            "ranges",
+            "scan_stamp_sec",
+            "ego_speed",
+        ]
         self.reader_scan = DataReader(
             participant,
             Topic(participant, "rt/scan", messages.sensor_msgs__LaserScan),

@@ -39,11 +39,16 @@ def test_a_message_of_each_topic_executes_the_component():
     """It is given every input, and what it returns is written."""
     component = StandIn()
     node = node_with(component)
-    writer_for(node.reader_aeb_ttc).write(messages.std_msgs__Float32())
+    message = messages.std_msgs__Float32()
+    message.data = 1.5
+    writer_for(node.reader_aeb_ttc).write(message)
     reader_vehicle_brake_force = reader_for(node.writer_vehicle_brake_force)
     wait_until(lambda: node.execute() or component.given)
     message = next_message(reader_vehicle_brake_force)
     assert message.data == 1.5
-    assert component.given[0].keys() == {
+    given = component.given[0]
+    assert given.keys() == {
         "ttc",
     }
+
+    assert given["ttc"] == 1.5

@@ -18,7 +18,7 @@ class StandIn:
         self.given.append(inputs)
         return {
             "throttle": 1.5,
-            "brake": 1.5,
+            "brake": 2.5,
             "manual_gear_shift": True,
         }
 
@@ -41,13 +41,18 @@ def test_a_message_of_each_topic_executes_the_component():
     """It is given every input, and what it returns is written."""
     component = StandIn()
     node = node_with(component)
-    writer_for(node.reader_vehicle_brake_force).write(messages.std_msgs__Float32())
+    message = messages.std_msgs__Float32()
+    message.data = 1.5
+    writer_for(node.reader_vehicle_brake_force).write(message)
     reader_carla_ego_vehicle_vehicle_control_cmd = reader_for(node.writer_carla_ego_vehicle_vehicle_control_cmd)
     wait_until(lambda: node.execute() or component.given)
     message = next_message(reader_carla_ego_vehicle_vehicle_control_cmd)
     assert message.throttle == 1.5
-    assert message.brake == 1.5
+    assert message.brake == 2.5
     assert message.manual_gear_shift is True
-    assert component.given[0].keys() == {
+    given = component.given[0]
+    assert given.keys() == {
         "brake_force",
     }
+
+    assert given["brake_force"] == 1.5

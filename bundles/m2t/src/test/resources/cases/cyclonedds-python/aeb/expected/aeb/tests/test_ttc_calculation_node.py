@@ -39,14 +39,24 @@ def test_a_message_of_each_topic_executes_the_component():
     """It is given every input, and what it returns is written."""
     component = StandIn()
     node = node_with(component)
-    writer_for(node.reader_scan).write(messages.sensor_msgs__LaserScan())
-    writer_for(node.reader_carla_ego_vehicle_vehicle_status).write(messages.carla_msgs__CarlaEgoVehicleStatus())
+    message = messages.sensor_msgs__LaserScan()
+    message.ranges = [1.5]
+    message.header.stamp.sec = 2
+    writer_for(node.reader_scan).write(message)
+    message = messages.carla_msgs__CarlaEgoVehicleStatus()
+    message.velocity = 3.5
+    writer_for(node.reader_carla_ego_vehicle_vehicle_status).write(message)
     reader_aeb_ttc = reader_for(node.writer_aeb_ttc)
     wait_until(lambda: node.execute() or component.given)
     message = next_message(reader_aeb_ttc)
     assert message.data == 1.5
-    assert component.given[0].keys() == {
+    given = component.given[0]
+    assert given.keys() == {
         "ranges",
         "scan_stamp_sec",
         "ego_speed",
     }
+
+    assert list(given["ranges"]) == [1.5]
+    assert given["scan_stamp_sec"] == 2
+    assert given["ego_speed"] == 3.5

@@ -22,8 +22,11 @@ class Join_node:
     def __init__(self, participant):
         self.component = Component()
         self.received = {}
-        self.awaited = ["left", "right"]
-        self.reader_Left_left = DataReader(
+        self.awaited = [
+            "left",
+            "right",
+        ]
+        self.reader_left_left = DataReader(
             participant,
             Topic(participant, "rt/Left/left", messages.std_msgs__Float32),
             qos=Qos(
@@ -66,7 +69,7 @@ class Join_node:
 
     def receive(self):
         """Keep what has arrived since the last execution."""
-        message = runner.newest(self.reader_Left_left)
+        message = runner.newest(self.reader_left_left)
         if message is not None:
             self.received["left"] = message.data
         message = runner.newest(self.reader_right)

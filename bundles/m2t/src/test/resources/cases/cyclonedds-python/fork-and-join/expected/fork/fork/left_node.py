@@ -23,7 +23,18 @@ class Left_node:
     def __init__(self, participant):
         self.component = Component()
         self.received = {}
-        self.awaited = ["yes", "octet", "octets", "letters", "blob", "three", "covariance", "words", "part_name", "flags"]
+        self.awaited = [
+            "yes",
+            "octet",
+            "octets",
+            "letters",
+            "blob",
+            "three",
+            "covariance",
+            "words",
+            "part_name",
+            "flags",
+        ]
         self.reader_everything = DataReader(
             participant,
             Topic(participant, "rt/everything", messages.odd_msgs__Everything),

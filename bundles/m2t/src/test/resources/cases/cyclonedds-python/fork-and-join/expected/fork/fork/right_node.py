@@ -21,7 +21,10 @@ class Right_node:
     def __init__(self, participant):
         self.component = Component()
         self.received = {}
-        self.awaited = ["all", "nothing"]
+        self.awaited = [
+            "all",
+            "nothing",
+        ]
         self.reader_everything = DataReader(
             participant,
             Topic(participant, "rt/everything", messages.odd_msgs__Everything),

@@ -40,8 +40,12 @@ def test_a_message_of_each_topic_executes_the_component():
     """It is given every input, and what it returns is written."""
     component = StandIn()
     node = node_with(component)
-    writer_for(node.reader_Left_left).write(messages.std_msgs__Float32())
-    writer_for(node.reader_right).write(messages.std_msgs__Int64())
+    message = messages.std_msgs__Float32()
+    message.data = 1.5
+    writer_for(node.reader_left_left).write(message)
+    message = messages.std_msgs__Int64()
+    message.data = 2
+    writer_for(node.reader_right).write(message)
     reader_joined = reader_for(node.writer_joined)
     reader_done = reader_for(node.writer_done)
     wait_until(lambda: node.execute() or component.given)
@@ -49,7 +53,11 @@ def test_a_message_of_each_topic_executes_the_component():
     assert list(message.data) == [1.5]
     message = next_message(reader_done)
     assert message.data is True
-    assert component.given[0].keys() == {
+    given = component.given[0]
+    assert given.keys() == {
         "left",
         "right",
     }
+
+    assert given["left"] == 1.5
+    assert given["right"] == 2

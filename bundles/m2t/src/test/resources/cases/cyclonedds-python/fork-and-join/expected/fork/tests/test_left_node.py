@@ -39,12 +39,24 @@ def test_a_message_of_each_topic_executes_the_component():
     """It is given every input, and what it returns is written."""
     component = StandIn()
     node = node_with(component)
-    writer_for(node.reader_everything).write(messages.odd_msgs__Everything())
+    message = messages.odd_msgs__Everything()
+    message.bool_ = True
+    message.octet = 2
+    message.octets = [3]
+    message.letters = [4]
+    message.blob = [5]
+    message.three = [6] * 3
+    message.covariance = [7.5] * 36
+    message.words = ["h"]
+    message.part.name = "i"
+    message.part.flags = [True] * 2
+    writer_for(node.reader_everything).write(message)
     reader__left = reader_for(node.writer__left)
     wait_until(lambda: node.execute() or component.given)
     message = next_message(reader__left)
     assert message.data == 1.5
-    assert component.given[0].keys() == {
+    given = component.given[0]
+    assert given.keys() == {
         "yes",
         "octet",
         "octets",
@@ -56,3 +68,14 @@ def test_a_message_of_each_topic_executes_the_component():
         "part_name",
         "flags",
     }
+
+    assert given["yes"] is True
+    assert given["octet"] == bytes((2,))
+    assert list(given["octets"]) == [bytes((3,))]
+    assert list(given["letters"]) == [4]
+    assert list(given["blob"]) == [5]
+    assert list(given["three"]) == [6] * 3
+    assert list(given["covariance"]) == [7.5] * 36
+    assert list(given["words"]) == ["h"]
+    assert given["part_name"] == "i"
+    assert list(given["flags"]) == [True] * 2

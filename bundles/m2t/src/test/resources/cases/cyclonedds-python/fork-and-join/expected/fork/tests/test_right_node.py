@@ -39,13 +39,16 @@ def test_a_message_of_each_topic_executes_the_component():
     """It is given every input, and what it returns is written."""
     component = StandIn()
     node = node_with(component)
-    writer_for(node.reader_everything).write(messages.odd_msgs__Everything())
-    writer_for(node.reader_nothing).write(messages.odd_msgs__Nothing())
+    message = messages.odd_msgs__Everything()
+    writer_for(node.reader_everything).write(message)
+    message = messages.odd_msgs__Nothing()
+    writer_for(node.reader_nothing).write(message)
     reader_right = reader_for(node.writer_right)
     wait_until(lambda: node.execute() or component.given)
     message = next_message(reader_right)
     assert message.data == 1
-    assert component.given[0].keys() == {
+    given = component.given[0]
+    assert given.keys() == {
         "all",
         "nothing",
     }

@@ -18,17 +18,17 @@ class StandIn:
         self.given.append(inputs)
         return {
             "yes": True,
-            "octet": b"1",
-            "octets": [b"1"],
-            "letters": [1],
-            "single": 1.5,
-            "three": [1] * 3,
-            "covariance": [1.5] * 36,
-            "word": "a",
-            "pair": ["a"] * 2,
+            "octet": bytes((2,)),
+            "octets": [bytes((3,))],
+            "letters": [4],
+            "single": 5.5,
+            "three": [6] * 3,
+            "covariance": [7.5] * 36,
+            "word": "h",
+            "pair": ["i"] * 2,
             "part": messages.odd_msgs__Part(),
             "two": [messages.odd_msgs__Part()] * 2,
-            "range": 1,
+            "range": 12,
         }
 
 
@@ -47,15 +47,14 @@ def test_the_component_is_executed():
     node.execute()
     message = next_message(reader_everything)
     assert message.bool_ is True
-    assert message.octet == 49
-    assert list(message.octets) == [49]
-    assert list(message.letters) == [1]
-    assert message.single == 1.5
-    assert list(message.three) == [1] * 3
-    assert list(message.covariance) == [1.5] * 36
-    assert message.text == "a"
-    assert list(message.pair) == ["a"] * 2
-    assert message.part == messages.odd_msgs__Part()
-    assert message.two == [messages.odd_msgs__Part()] * 2
-    assert message.range_ == 1
-    assert component.given[0].keys() == set()
+    assert message.octet == 2
+    assert list(message.octets) == [3]
+    assert list(message.letters) == [4]
+    assert message.single == 5.5
+    assert list(message.three) == [6] * 3
+    assert list(message.covariance) == [7.5] * 36
+    assert message.text == "h"
+    assert list(message.pair) == ["i"] * 2
+    assert message.range_ == 12
+    given = component.given[0]
+    assert given.keys() == set()

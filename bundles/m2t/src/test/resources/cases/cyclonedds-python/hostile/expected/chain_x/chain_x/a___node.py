@@ -19,10 +19,14 @@ class a___node:
     period = 1.0 / 20.0  # s
 
     def __init__(self, participant):
-        raise ValueError("there is no message type \"sensor_msgs/msg/Image\" with a field \"class\"")
+        raise ValueError('there is no message type "sensor_msgs/msg/Image" with a field "class"')
         self.component = Component()
         self.received = {}
-        self.awaited = ["class_", "a__", "self_"]
+        self.awaited = [
+            "class_",
+            "a__",
+            "self_",
+        ]
         self.reader_a_b_1 = DataReader(
             participant,
             Topic(participant, "rt/a/b", messages.sensor_msgs__Image),

@@ -19,10 +19,13 @@ class class__node:
     period = 1.0 / 1.0e-4  # s
 
     def __init__(self, participant):
-        raise ValueError("there is no message type \"\"")
+        raise ValueError('there is no message type ""')
         self.component = Component()
         self.received = {}
-        self.awaited = ["_", "_2fast"]
+        self.awaited = [
+            "_",
+            "_2fast",
+        ]
         self.reader___1 = DataReader(
             participant,
             Topic(participant, "rt/", messages.std_msgs___),

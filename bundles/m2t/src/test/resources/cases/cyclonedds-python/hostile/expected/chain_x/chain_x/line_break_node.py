@@ -21,7 +21,9 @@ class line_break_node:
         raise ValueError("the model states no frequency for this component")
         self.component = Component()
         self.received = {}
-        self.awaited = ["x"]
+        self.awaited = [
+            "x",
+        ]
         self.reader_x = DataReader(
             participant,
             Topic(participant, "rt/x", messages.std_msgs__String),

@@ -49,16 +49,16 @@ class std_msgs__String(IdlStruct, typename="std_msgs::msg::dds_::String_"):
 
 @dataclass
 @final
-class a____It_s(IdlStruct, typename="a\"]::msg::dds_::It\ns_"):
+class a____It_s(IdlStruct, typename='a"]::msg::dds_::It\ns_'):
     """bad'''/msg/It s."""
 
     class_: types.int8 = 0
     bool_: bool = False
-    str_: str = "\")\nimport os"
+    str_: str = '")\nimport os'
     x___1__import_os: types.float32 = 0.0
     wide: str = ""
     _: types.no_such = 0
 
     def __post_init__(self):
         """Refuse: middlewares do not agree on the form of such texts on the wire."""
-        raise NotImplementedError("bad\"\"\"/msg/It\ns has a wstring")
+        raise NotImplementedError('bad"""/msg/It\ns has a wstring')

@@ -21,7 +21,9 @@ class std_msgs_node:
     def __init__(self, participant):
         self.component = Component()
         self.received = {}
-        self.awaited = ["x"]
+        self.awaited = [
+            "x",
+        ]
         self.reader_x = DataReader(
             participant,
             Topic(participant, "rt/x", messages.std_msgs__String),

@@ -30,4 +30,5 @@ def test_the_component_is_executed():
     component = StandIn()
     node = node_with(component)
     node.execute()
-    assert component.given[0].keys() == set()
+    given = component.given[0]
+    assert given.keys() == set()

@@ -39,11 +39,16 @@ def test_a_message_of_each_topic_executes_the_component():
     """It is given every input, and what it returns is written."""
     component = StandIn()
     node = node_with(component)
-    writer_for(node.reader_x).write(messages.std_msgs__String())
+    message = messages.std_msgs__String()
+    message.data = "a"
+    writer_for(node.reader_x).write(message)
     reader_y = reader_for(node.writer_y)
     wait_until(lambda: node.execute() or component.given)
     message = next_message(reader_y)
     assert message.data == "a"
-    assert component.given[0].keys() == {
+    given = component.given[0]
+    assert given.keys() == {
         "x",
     }
+
+    assert given["x"] == "a"

@@ -22,7 +22,12 @@ class LaserScan_node:
     def __init__(self, participant):
         self.component = Component()
         self.received = {}
-        self.awaited = ["front", "rear", "speed", "yaw_rate"]
+        self.awaited = [
+            "front",
+            "rear",
+            "speed",
+            "yaw_rate",
+        ]
         self.reader_front = DataReader(
             participant,
             Topic(participant, "rt/front", messages.sensor_msgs__LaserScan),

@@ -21,7 +21,9 @@ class Sink_node:
         raise ValueError("the model states no frequency for this component")
         self.component = Component()
         self.received = {}
-        self.awaited = ["forward"]
+        self.awaited = [
+            "forward",
+        ]
         self.reader_command = DataReader(
             participant,
             Topic(participant, "rt/command", messages.geometry_msgs__TwistStamped),

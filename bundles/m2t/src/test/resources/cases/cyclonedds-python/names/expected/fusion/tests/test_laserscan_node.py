@@ -18,8 +18,8 @@ class StandIn:
         self.given.append(inputs)
         return {
             "forward": 1.5,
-            "turn": 1.5,
-            "frame": "a",
+            "turn": 2.5,
+            "frame": "c",
         }
 
 
@@ -41,18 +41,31 @@ def test_a_message_of_each_topic_executes_the_component():
     """It is given every input, and what it returns is written."""
     component = StandIn()
     node = node_with(component)
-    writer_for(node.reader_front).write(messages.sensor_msgs__LaserScan())
-    writer_for(node.reader_rear).write(messages.radar_msgs__LaserScan())
-    writer_for(node.reader_odometry).write(messages.nav_msgs__Odometry())
+    message = messages.sensor_msgs__LaserScan()
+    message.ranges = [1.5]
+    writer_for(node.reader_front).write(message)
+    message = messages.radar_msgs__LaserScan()
+    message.ranges = [2.5]
+    writer_for(node.reader_rear).write(message)
+    message = messages.nav_msgs__Odometry()
+    message.twist.twist.linear.x = 3.5
+    message.twist.twist.angular.z = 4.5
+    writer_for(node.reader_odometry).write(message)
     reader_command = reader_for(node.writer_command)
     wait_until(lambda: node.execute() or component.given)
     message = next_message(reader_command)
     assert message.twist.linear.x == 1.5
-    assert message.twist.angular.z == 1.5
-    assert message.header.frame_id == "a"
-    assert component.given[0].keys() == {
+    assert message.twist.angular.z == 2.5
+    assert message.header.frame_id == "c"
+    given = component.given[0]
+    assert given.keys() == {
         "front",
         "rear",
         "speed",
         "yaw_rate",
     }
+
+    assert list(given["front"]) == [1.5]
+    assert list(given["rear"]) == [2.5]
+    assert given["speed"] == 3.5
+    assert given["yaw_rate"] == 4.5
