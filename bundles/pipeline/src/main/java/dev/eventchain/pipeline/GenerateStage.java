@@ -18,6 +18,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -65,6 +66,7 @@ final class GenerateStage implements StageWork {
             List.of(model.chain(), MessageModel.of(model.chain(), messages)),
             GenerationContext.of(ChainOrigins.of(run, model)::locate)
                 .withEarlier(name -> run.output().read(folder + "/" + name))
+                .withProperties(properties(run))
                 .withTrace());
     List<Diagnostic> found = new ArrayList<>(module.warnings());
     found.addAll(generated.diagnostics());
@@ -84,6 +86,17 @@ final class GenerateStage implements StageWork {
     List<String> outputs = new ArrayList<>(files.keySet());
     outputs.add(TraceFile.NAME);
     return StageResult.of(details, outputs, found);
+  }
+
+  /** What the first lines of generated files say. */
+  private static Map<String, String> properties(RunContext run) {
+    String version = GenerateStage.class.getPackage().getImplementationVersion();
+    Map<String, String> properties = new TreeMap<>();
+    properties.put("eventchain.model", run.model().getFileName().toString());
+    if (version != null) {
+      properties.put("eventchain.version", version);
+    }
+    return properties;
   }
 
   /** The name of the generated package, as the templates derive it. */
