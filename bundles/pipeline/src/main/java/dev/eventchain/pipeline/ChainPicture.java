@@ -5,11 +5,9 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.EventChain;
-import dev.eventchain.metamodel.eventchain.Requirement;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
-import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
@@ -53,32 +51,10 @@ final class ChainPicture {
   private static ObjectNode node(SoftwareNode node) {
     ObjectNode result = JsonNodeFactory.instance.objectNode();
     result.put("name", text(node.getName()));
-    result.put("description", text(node.getDescription()));
     if (node.isSetFrequency()) {
       result.put("frequency", node.getFrequency());
     }
     result.put("origin", node.getOrigin().getName());
-    result.set("inputs", data(node.getInput()));
-    result.set("outputs", data(node.getOutput()));
-    ArrayNode satisfies = result.putArray("satisfies");
-    for (Requirement requirement : node.getSatisfies()) {
-      satisfies.add(text(requirement.getId()));
-    }
-    return result;
-  }
-
-  private static ArrayNode data(List<Data> all) {
-    ArrayNode result = JsonNodeFactory.instance.arrayNode();
-    for (Data data : all) {
-      result
-          .addObject()
-          .put("name", text(data.getName()))
-          .put("topic", text(data.getTopicName()))
-          .put("messageType", text(data.getMessageType()))
-          .put("field", text(data.getFieldName()))
-          .put("unit", text(data.getUnit()))
-          .put("qos", data.getQos() == null ? "" : text(data.getQos().getName()));
-    }
     return result;
   }
 

@@ -161,8 +161,9 @@ final class Conclusion {
     progress.started(Stage.REPORT);
     long start = System.nanoTime();
     try {
-      ObjectNode data = new ReportData(run, outcomes).collect(verdict, summary, found);
-      run.writeResult("report.html", ReportPage.render(data));
+      ReportData collected = new ReportData(run, outcomes);
+      ObjectNode data = collected.collect(verdict, summary, found);
+      run.writeResult("report.html", ReportPage.render(collected.chain(), data));
       ended(Status.DONE, start, run.file("report.html").toString());
       return Optional.of(run.file("report.html"));
     } catch (DiagnosticException e) {

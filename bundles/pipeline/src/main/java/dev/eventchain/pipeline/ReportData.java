@@ -7,11 +7,14 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.EventchainFactory;
 import dev.eventchain.pipeline.RunResult.Verdict;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Supplier;
 
 /** Collects what the report shows, from the stages' results and the files of the run. */
 final class ReportData {
@@ -20,25 +23,36 @@ final class ReportData {
 
   private final RunContext run;
   private final Map<Stage, StageOutcome> outcomes;
+  private final Optional<RunContext.LoadedChain> model;
   private final ObjectNode data = JsonNodeFactory.instance.objectNode();
 
   ReportData(RunContext run, Map<Stage, StageOutcome> outcomes) {
     this.run = run;
     this.outcomes = outcomes;
+    this.model = load(run::model);
+  }
+
+  /** The model as this run measured it; the model where nothing was measured; else an empty one. */
+  EventChain chain() {
+    boolean measured = outcomes.get(Stage.SIMULATE).report().isPresent();
+    Optional<RunContext.LoadedChain> best =
+        measured ? load(() -> run.file(SimulateStage.MEASURED_MODEL)) : model;
+    return best.or(() -> model)
+        .map(RunContext.LoadedChain::chain)
+        .orElseGet(EventchainFactory.eINSTANCE::createEventChain);
   }
 
   ObjectNode collect(Verdict verdict, String summary, List<Diagnostic> found) {
     project(verdict, summary);
     provenance();
     stages();
-    Optional<EventChain> chain = chain();
-    chain.ifPresent(c -> data.set("chain", ChainPicture.of(c)));
+    model.ifPresent(m -> data.set("chain", ChainPicture.of(m.chain())));
     data.set("validation", validation());
     diagnostics(found);
     JsonNode simulated = report(Stage.SIMULATE);
     data.set("scenarios", arrayOf(simulated, "scenarios"));
     data.set("nodes", arrayOf(simulated, "nodes"));
-    data.set("requirements", new Traceability(run, chain, outcomes).table());
+    data.set("requirements", new Traceability(run, model, outcomes).table());
     return data;
   }
 
@@ -86,10 +100,10 @@ final class ReportData {
     }
   }
 
-  /** The chain as the model says it; nothing before there is a model that can be read. */
-  private Optional<EventChain> chain() {
+  /** Nothing where there is no model, or none that can be read: then that has been found before. */
+  private Optional<RunContext.LoadedChain> load(Supplier<Path> file) {
     try {
-      return Optional.of(run.loadChain(run.model()).chain());
+      return Optional.of(run.loadChain(file.get()));
     } catch (DiagnosticException e) {
       return Optional.empty();
     }

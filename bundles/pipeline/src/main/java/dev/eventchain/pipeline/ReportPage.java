@@ -6,6 +6,14 @@ import com.fasterxml.jackson.core.io.CharacterEscapes;
 import com.fasterxml.jackson.core.json.JsonWriteFeature;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.m2t.GenerationContext;
+import dev.eventchain.m2t.GenerationResult;
+import dev.eventchain.m2t.TemplateModule;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.EventchainPackage;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.StringWriter;
@@ -16,17 +24,18 @@ import java.security.NoSuchAlgorithmException;
 import java.util.Base64;
 import java.util.List;
 import java.util.Map;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
+import java.util.Set;
 import java.util.stream.Collectors;
 
 /**
  * The report of a run as one HTML file that needs nothing else: style, script and data are inside,
  * and its Content-Security-Policy lets only exactly this style and this script take effect.
  *
- * <p>The data is untrusted: models, LLMs and file names speak in it. It stands in the page as JSON
- * in which nothing can end the element or start another; the script turns it into text nodes only.
- * A viewer that runs no script shows title, verdict and summary.
+ * <p>The templates of templates/report make the page from the model; what they are told besides is
+ * text, which they escape. The data of the script is untrusted, too: it stands in the page as JSON
+ * in which nothing can end the element or start another, and the script turns it into text nodes
+ * only. A viewer that runs no script shows the verdict, the chain, the requirements and the
+ * measured values.
  */
 final class ReportPage {
 
@@ -34,36 +43,55 @@ final class ReportPage {
   private static final List<String> SCRIPTS =
       List.of("dom.js", "plots.js", "chain.js", "scenarios.js", "report.js");
 
-  private static final Pattern PLACE = Pattern.compile("\\{\\{(\\w+)}}");
+  private static final Set<String> VERDICTS = Set.of("passed", "failed", "incomplete");
+
+  private static final String FILE = "report.html";
 
   private ReportPage() {}
 
   /**
-   * The page in UTF-8. The same data, in the same order, gives the same bytes.
+   * The page in UTF-8. The same model and data, in the same order, give the same bytes.
    *
+   * @param chain the measured model; an empty one where there is none
    * @param data an object with what the run found out; every part of it may be absent
    */
-  static byte[] render(JsonNode data) {
+  static byte[] render(EventChain chain, JsonNode data) {
     String style = "\n" + resource("report.css");
     String script =
         SCRIPTS.stream()
             .map(ReportPage::resource)
             .collect(Collectors.joining("\n", "\n\"use strict\";\n", ""));
     JsonNode project = data.path("project");
-    String title = project.path("title").asText(project.path("name").asText());
-    Map<String, String> parts =
+    String name = project.path("name").asText();
+    String verdict = project.path("verdict").asText();
+    Map<String, String> properties =
         Map.of(
-            "policy", policy(style, script),
-            "title", escapeHtml("Eventchain report: " + title),
-            "verdict", escapeHtml(project.path("verdict").asText("incomplete")),
-            "summary", escapeHtml(project.path("summary").asText()),
-            "style", style,
-            "script", script,
-            "data", json(data));
-    return PLACE
-        .matcher(resource("report.html"))
-        .replaceAll(place -> Matcher.quoteReplacement(parts.get(place.group(1))))
-        .getBytes(StandardCharsets.UTF_8);
+            "report.name",
+            name,
+            "report.title",
+            project.path("title").asText(name),
+            "report.verdict",
+            VERDICTS.contains(verdict) ? verdict : "incomplete",
+            "report.summary",
+            project.path("summary").asText(),
+            "report.policy",
+            policy(style, script),
+            "report.style",
+            style,
+            "report.script",
+            script,
+            "report.data",
+            json(data));
+    TemplateModule module =
+        Templates.shipped("report", "report", List.of(EventchainPackage.eINSTANCE));
+    GenerationResult result =
+        module.generate(
+            List.of(chain),
+            GenerationContext.of(element -> SourceLocation.NONE).withProperties(properties));
+    if (Diagnostic.anyError(result.diagnostics())) {
+      throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, result.diagnostics());
+    }
+    return result.files().get(FILE);
   }
 
   private static String policy(String style, String script) {
@@ -93,13 +121,6 @@ final class ReportPage {
       throw new UncheckedIOException(e);
     }
     return text.toString();
-  }
-
-  private static String escapeHtml(String text) {
-    return text.replace("&", "&amp;")
-        .replace("<", "&lt;")
-        .replace(">", "&gt;")
-        .replace("\"", "&quot;");
   }
 
   private static String resource(String name) {

@@ -5,7 +5,6 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import dev.eventchain.modeler.Requirements;
 import java.util.ArrayList;
@@ -18,8 +17,9 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * From each requirement and design rule to what implements it and what proves it: scenarios that
- * name a requirement, and constraints whose comment names a design rule.
+ * From each requirement and design rule to what implements it, with the lines that were generated
+ * for it, and what proves it: scenarios that name a requirement, and constraints whose comment
+ * names a design rule.
  */
 final class Traceability {
 
@@ -29,12 +29,15 @@ final class Traceability {
   private static final Pattern INVARIANT = Pattern.compile("\\s*inv\\s+(\\w+)\\s*:.*");
 
   private final RunContext run;
-  private final Optional<EventChain> chain;
+  private final Optional<RunContext.LoadedChain> model;
+  private final GeneratedLines generated;
   private final Map<Stage, StageOutcome> outcomes;
 
-  Traceability(RunContext run, Optional<EventChain> chain, Map<Stage, StageOutcome> outcomes) {
+  Traceability(
+      RunContext run, Optional<RunContext.LoadedChain> model, Map<Stage, StageOutcome> outcomes) {
     this.run = run;
-    this.chain = chain;
+    this.model = model;
+    this.generated = GeneratedLines.of(run);
     this.outcomes = outcomes;
   }
 
@@ -58,11 +61,14 @@ final class Traceability {
     ObjectNode row = row(item);
     ArrayNode components = row.putArray("components");
     ArrayNode files = row.putArray("files");
-    if (chain.isPresent()) {
-      for (SoftwareNode node : chain.get().getSoftware()) {
+    ArrayNode lines = row.putArray("generated");
+    if (model.isPresent()) {
+      ChainOrigins origins = ChainOrigins.of(run, model.get());
+      for (SoftwareNode node : model.get().chain().getSoftware()) {
         if (node.getSatisfies().stream().anyMatch(r -> item.id().equals(r.getId()))) {
           components.add(node.getName());
           files.add(file(node));
+          lines.addAll(generated.madeFor(node, origins::locate));
         }
       }
     }

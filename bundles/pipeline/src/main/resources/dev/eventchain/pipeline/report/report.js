@@ -1,4 +1,4 @@
-// The page: verdict, scenarios, chain, requirements, validation, findings, times, origin.
+// What the page shows besides the model: reasons, scenarios, proofs, validation, findings, ranges, times, origin.
 
 const data = record(JSON.parse(document.getElementById("data").textContent));
 const scenarios = records(data.scenarios);
@@ -96,66 +96,35 @@ function keyFigures() {
   ]);
 }
 
-function head() {
-  const project = record(data.project);
-  const verdict = verdictOf(project);
-  const title = text(project.title) || text(project.name) || "Untitled project";
-  const words = { passed: "Passed", failed: "Failed", incomplete: "Incomplete: no verdict" };
-  document.title = `${words[verdict].split(":")[0]} \u00b7 ${title} \u00b7 Eventchain`;
-  return html("header", null,
-    html("p", { class: "kicker" }, "Eventchain report", text(project.name) ? [" \u00b7 ", text(project.name)] : null),
-    html("h1", null, title),
-    html("div", { class: "verdict " + verdict },
-      html("p", { class: "word" }, status({ passed: "good", failed: "bad", incomplete: "warn" }[verdict], words[verdict])),
-      html("p", { class: "summary" }, text(project.summary) || ownSummary()),
-      verdict === "passed" ? null : reasonList()),
-    keyFigures());
+/** Adds signs, reasons and key figures to the verdict. */
+function completeHead() {
+  const verdict = verdictOf(record(data.project));
+  const box = document.querySelector("div.verdict");
+  box.querySelector(".status").prepend(sign({ passed: "good", failed: "bad", incomplete: "warn" }[verdict]));
+  const summary = box.querySelector(".summary");
+  summary.textContent = summary.textContent || ownSummary();
+  box.append(...[verdict === "passed" ? null : reasonList()].filter(Boolean));
+  box.after(keyFigures());
 }
 
 // Event chain
 
-function dataList(entries) {
-  const topics = new Map();
-  records(entries).forEach((entry) => topics.set(text(entry.topic), [...(topics.get(text(entry.topic)) ?? []), entry]));
-  return topics.size === 0 ? null : html("ul", null, [...topics].map(([topic, fields]) => html("li", null, code(topic),
-    html("div", { class: "small muted" }, breakable([fields[0].messageType, fields[0].qos].map(text).filter(Boolean).join(" \u00b7 "))),
-    html("div", { class: "small" }, breakable(fields.map(fieldText).join(", "))))));
-}
-
-function fieldText(entry) {
-  const [name, field, unit] = [text(entry.name), text(entry.field), text(entry.unit)];
-  return name + (field && field !== name ? ` = ${field}` : "") + (unit && unit !== "1" ? ` (${unit})` : "");
-}
-
-function chainSection() {
-  const chain = record(data.chain);
-  const chainNodes = records(chain.nodes);
-  if (chainNodes.length === 0 && records(chain.edges).length === 0) {
-    return null;
+/** Draws the picture into its place. */
+function completeChain() {
+  const holder = document.querySelector("#chain .chain");
+  if (!holder) {
+    return;
   }
-  const holder = html("div", { class: "chain", tabindex: 0, role: "region", "aria-label": "Picture of the event chain" });
-  whenShown.push(() => {
-    let width = 0;
-    new ResizeObserver(() => {
-      if (holder.clientWidth !== width && holder.clientWidth > 0) {
-        width = holder.clientWidth;
-        drawChain(chain, holder);
-      }
-    }).observe(holder);
-    drawChain(chain, holder);
-  });
-  const generated = chainNodes.filter((node) => text(node.origin) === "GENERATED").length;
-  const columns = [{ name: "Node", row: true, width: "27%" }, { name: "Origin", width: "12%" },
-    { name: "Inputs", width: "26%" }, { name: "Outputs", width: "26%" }, { name: "Satisfies", width: "9%" }];
-  const rows = chainNodes.map((node) => ({ cells: [
-    [code(text(node.name)), text(node.description) ? html("div", { class: "small muted" }, text(node.description)) : null],
-    [html("span", { class: "nowrap" }, originOf(node)), number(node.frequency) === null ? null : [html("br"), figure(node.frequency, node.frequency % 1 ? 1 : 0, "Hz")]],
-    dataList(node.inputs), dataList(node.outputs),
-    list(node.satisfies).length === 0 ? null : html("ul", null, list(node.satisfies).map((name) => html("li", null, requirementLink(text(name))))),
-  ] }));
-  return section("chain", "Event chain",
-    [code(text(chain.name)), `: ${count(chainNodes.length, "node")}, ${generated} of them generated from the requirements.`],
-    holder, chainKey(), chainNodes.length > 0 ? table("Nodes of the event chain", columns, rows, { stack: true }) : null);
+  const chain = record(data.chain);
+  let width = 0;
+  new ResizeObserver(() => {
+    if (holder.clientWidth !== width && holder.clientWidth > 0) {
+      width = holder.clientWidth;
+      drawChain(chain, holder);
+    }
+  }).observe(holder);
+  drawChain(chain, holder);
+  holder.after(chainKey());
 }
 
 function chainKey() {
@@ -168,14 +137,57 @@ function chainKey() {
 
 // Requirements
 
-function requirementId(name) {
-  const index = requirements.findIndex((requirement) => text(requirement.id) === name);
-  return index < 0 ? null : "requirement-" + (index + 1);
+/** The row of a requirement: the model's, or a new one for what the model does not know. */
+function requirementRow(requirement, index, body) {
+  const name = text(requirement.id);
+  const known = [...body.rows].find((row) => row.dataset.requirement === name);
+  if (known) {
+    return known;
+  }
+  const row = body.insertRow();
+  fill(row, { role: "row", "data-requirement": name }, [
+    html("th", { scope: "row", role: "rowheader" }, html("span", { id: "rule-" + (index + 1) }, name), html("div", { class: "statement" }, text(requirement.text))),
+    ["Components", "Files", "Proved by"].map((label) => html("td", { role: "cell", "data-label": label }))]);
+  row.cells[1].append(codes(requirement.components));
+  return row;
 }
 
 function requirementLink(name) {
-  const id = requirementId(name);
-  return id ? html("a", { href: "#" + id }, name) : name;
+  const row = [...document.querySelectorAll("tr[data-requirement]")].find((one) => one.dataset.requirement === name);
+  return row ? html("a", { href: "#" + row.querySelector("[id]").id }, name) : name;
+}
+
+/** A link to a file beside this page, whatever its name says. */
+function fileLink(name, shown) {
+  return html("a", { href: "./" + name.split("/").map(encodeURIComponent).join("/") }, code(shown));
+}
+
+function rangeText(first, last) {
+  return first === last ? whole(first) : `${whole(first)}\u2013${whole(last)}`;
+}
+
+/** Lines one after the other become one range. */
+function rangesOf(lines) {
+  const ranges = [];
+  for (const line of lines) {
+    const last = ranges[ranges.length - 1];
+    if (last && number(line.first) <= last.last + 1) {
+      last.last = Math.max(last.last, number(line.last));
+    } else {
+      ranges.push({ first: number(line.first), last: number(line.last) });
+    }
+  }
+  return ranges;
+}
+
+/** A generated file, with the lines that a component made, and the line of the template behind each. */
+function generatedItem(file) {
+  const lines = records(file.lines).filter((line) => number(line.first) !== null && number(line.last) !== null);
+  const ranges = rangesOf(lines).map((range) => rangeText(range.first, range.last)).join(", ");
+  const title = `${count(lines.reduce((sum, line) => sum + line.last - line.first + 1, 0), "line")} for ${text(file.node)}`;
+  return html("li", { class: "generated" }, fileLink(text(file.file), text(file.file)),
+    html("details", { title }, html("summary", { class: "small" }, `${/^\d+$/.test(ranges) ? "line" : "lines"} ${ranges}`),
+      html("ol", { class: "small lines" }, lines.map((line) => html("li", null, html("span", { class: "muted" }, rangeText(line.first, line.last) + " "), code(text(line.from)))))));
 }
 
 function proofItem(proof) {
@@ -187,30 +199,26 @@ function proofItem(proof) {
     html("span", { class: "small muted" }, kind ? " " + kind : ""), passed ? null : html("strong", { class: "bad" }, " failed")));
 }
 
-function requirementSection() {
-  if (requirements.length === 0) {
-    return null;
-  }
-  const columns = [{ name: "Requirement", row: true, width: "34%" }, { name: "Components", width: "17%" },
-    { name: "Files", width: "21%" }, { name: "Proved by", width: "28%" }];
-  const rows = requirements.map((requirement, index) => {
+/** Adds files and proofs to the requirements of the model, and the design rules, which it does not hold. */
+function completeRequirements() {
+  const all = document.getElementById("requirements");
+  const body = all.querySelector("tbody");
+  requirements.forEach((requirement, index) => {
+    const row = requirementRow(requirement, index, body);
     const proved = requirement.proved === true;
     const proofs = records(requirement.proofs);
-    return { className: proved ? null : "unproved", cells: [
-      [html("span", { id: "requirement-" + (index + 1) }, text(requirement.id)), html("div", { class: "statement" }, text(requirement.text))],
-      codes(requirement.components), codes(requirement.files),
-      [proved ? null : status("warn", proofs.length === 0 ? "Not proved: nothing tests it" : "Not proved"),
-        html("ul", null, proofs.map(proofItem))],
-    ] };
+    row.classList.toggle("unproved", !proved);
+    row.cells[2].append(html("ul", null, list(requirement.files).map((file) => html("li", null, code(file))), records(requirement.generated).map(generatedItem)));
+    row.cells[3].append(...[proved ? null : status("warn", proofs.length === 0 ? "Not proved: nothing tests it" : "Not proved"),
+      html("ul", null, proofs.map(proofItem))].filter(Boolean));
   });
-  const notice = unproved.length === 0 ? null : html("p", { class: "notice" },
-    html("strong", null, `Not proved: ${count(unproved.length, "requirement")}. `),
-    unproved.flatMap((requirement, index) => [index > 0 ? ", " : "", requirementLink(text(requirement.id))]));
-  return section("requirements", "Requirements", "From each requirement to the components that meet it, their files, and what proves it.",
-    notice, table("Requirements and their proofs", columns, rows, { stack: true }));
+  all.hidden = body.rows.length === 0;
+  if (unproved.length > 0) {
+    body.closest("table").before(html("p", { class: "notice" },
+      html("strong", null, `Not proved: ${count(unproved.length, "requirement")}. `),
+      unproved.flatMap((requirement, index) => [index > 0 ? ", " : "", requirementLink(text(requirement.id))])));
+  }
 }
-
-// Validation and findings
 
 function validationSection() {
   if (validation.length === 0) {
@@ -265,45 +273,32 @@ function latencyRange(measured, limit, end) {
 
 const QUANTILES = [["minimum", "Minimum"], ["median", "Median"], ["percentile99", "99 %"], ["maximum", "Maximum"]];
 
-function latencyTable() {
-  const measured = scenarios.filter((scenario) => number(record(scenario.latency).maximum) !== null);
-  if (measured.length === 0) {
-    return null;
+/** Adds titles, ranges and limits to the latencies, and the time on this host, which is no part of the model, to the nodes. */
+function completeMeasurements() {
+  const rows = [...document.querySelectorAll("tr[data-scenario]")];
+  const end = 1.12 * most(scenarios.flatMap((scenario) => [record(scenario.latency).maximum, scenario.latencyLimit]), Math.max);
+  for (const row of rows) {
+    const scenario = scenarios.find((one) => text(one.name) === row.dataset.scenario);
+    const limit = scenario ? number(scenario.latencyLimit) : null;
+    if (scenario && number(record(scenario.latency).maximum) !== null) {
+      row.cells[0].replaceChildren(titleOf(scenario));
+      row.cells[1].append(latencyRange(scenario.latency, limit, end));
+      if (limit !== null && scenario.latency.maximum > limit) {
+        row.cells[5].replaceChildren(html("strong", { class: "bad" }, row.cells[5].textContent, unseen(" over the limit")));
+      }
+    }
+    row.cells[6].append(milliseconds(limit));
   }
-  const end = 1.12 * most(measured.flatMap((scenario) => [scenario.latency.maximum, scenario.latencyLimit]), Math.max);
-  const columns = [{ name: "Scenario", row: true }, { name: "Range, median and limit" }, ...QUANTILES.map(([, name]) => ({ name, number: true })),
-    { name: "Limit", number: true }, { name: "Count", number: true }];
-  const rows = measured.map((scenario) => {
-    const limit = number(scenario.latencyLimit);
-    const over = limit !== null && scenario.latency.maximum > limit;
-    return { cells: [titleOf(scenario), latencyRange(scenario.latency, limit, end),
-      ...QUANTILES.map(([key]) => (key === "maximum" && over
-        ? html("strong", { class: "bad" }, milliseconds(scenario.latency[key]), unseen(" over the limit")) : milliseconds(scenario.latency[key]))),
-      milliseconds(limit), whole(scenario.latency.count)] };
-  });
-  return [html("h3", null, "From the scan to the brake command, in ms"), table("Latency of the chain in ms", columns, rows)];
-}
-
-const QUANTITIES = [["period", "Period"], ["jitter", "Jitter"], ["executionTime", "Execution time, simulated"], ["hostExecutionTime", "Execution time, this host"]];
-
-function nodeTable() {
-  const rows = nodes.flatMap((node) => {
-    const known = QUANTITIES.filter(([key]) => number(record(node[key]).median) !== null || number(record(node[key]).maximum) !== null);
-    return (known.length > 0 ? known : [[null, "no measurement"]]).map(([key, name], index, all) => {
-      const values = record(node[key]);
-      const first = index === 0;
-      return { className: index < all.length - 1 ? "minor" : null, cells: [
-        first ? [code(text(node.name)), html("span", { class: "small muted" }, ` ${count(number(node.activations) ?? 0, "activation")}`)] : unseen(text(node.name)),
-        name, ...QUANTILES.map(([quantile]) => milliseconds(values[quantile])), whole(values.count)] };
-    });
-  });
-  const columns = [{ name: "Node", row: true }, { name: "Quantity" }, ...QUANTILES.map(([, name]) => ({ name, number: true })), { name: "Count", number: true }];
-  return nodes.length === 0 ? null : [html("h3", null, "Nodes, in ms"), table("Measurements of the nodes in ms", columns, rows)];
-}
-
-function measurementSection() {
-  const content = [latencyTable(), nodeTable()].filter(Boolean);
-  return content.length === 0 ? null : section("measurements", "Measurements", null, content);
+  for (const node of nodes) {
+    const last = [...document.querySelectorAll("tr[data-node]")].filter((row) => row.dataset.node === text(node.name)).pop();
+    const host = record(node.hostExecutionTime);
+    if (last && number(host.median) !== null) {
+      last.classList.add("minor");
+      last.after(html("tr", null, html("th", { scope: "row" }, unseen(text(node.name))), html("td", null, "Execution time, this host"),
+        ["minimum", "median", "percentile99", "maximum"].map((name) => html("td", { class: "number" }, milliseconds(host[name]))),
+        html("td", { class: "number" }, whole(host.count))));
+    }
+  }
 }
 
 function stageSection() {
@@ -342,16 +337,19 @@ function provenanceSection() {
 const whenShown = [];
 
 function page() {
+  const content = document.getElementById("content");
+  const made = (id) => document.getElementById(id);
+  const shown = (id) => (made(id).hidden ? null : made(id));
+  completeRequirements();
   const findings = diagnosticSection();
-  const sections = [errors.length > 0 ? findings : null, scenarioSection(), chainSection(), requirementSection(), validationSection(),
-    errors.length > 0 ? null : findings, measurementSection(), stageSection(), provenanceSection()].filter(Boolean);
+  const sections = [errors.length > 0 ? findings : null, scenarioSection(), made("chain"), shown("requirements"), validationSection(),
+    errors.length > 0 ? null : findings, made("measurements"), stageSection(), provenanceSection()].filter(Boolean);
   const links = sections.map((one) => html("li", null, html("a", { href: "#" + one.id }, one.querySelector("h2").textContent)));
-  document.body.prepend(
-    html("a", { class: "skip", href: "#content" }, "Skip to the content"),
-    head(),
-    html("nav", { class: "contents", "aria-label": "Contents" }, html("ul", null, links)),
-    html("main", { id: "content" }, sections),
-    html("footer", null, "Made by Eventchain. The file holds all it shows and loads nothing."));
+  document.querySelector("header").after(html("nav", { class: "contents", "aria-label": "Contents" }, html("ul", null, links)));
+  content.replaceChildren(...sections);
+  completeHead();
+  completeChain();
+  completeMeasurements();
   whenShown.forEach((action) => action());
 }
 
