@@ -134,7 +134,7 @@ public final class Diagrams {
     return GenerationContext.of(origins::locate)
         .withProperties(
             Map.of(
-                "eventchain.provenance",
+                "provenance",
                 "Made by Eventchain from " + from + " with templates/plantuml/" + kind + ".mtl"));
   }
 

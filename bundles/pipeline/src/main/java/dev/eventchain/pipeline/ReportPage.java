@@ -66,21 +66,21 @@ final class ReportPage {
     String verdict = project.path("verdict").asText();
     Map<String, String> properties =
         Map.of(
-            "report.name",
+            "name",
             name,
-            "report.title",
+            "title",
             project.path("title").asText(name),
-            "report.verdict",
+            "verdict",
             VERDICTS.contains(verdict) ? verdict : "incomplete",
-            "report.summary",
+            "summary",
             project.path("summary").asText(),
-            "report.policy",
+            "policy",
             policy(style, script),
-            "report.style",
+            "style",
             style,
-            "report.script",
+            "script",
             script,
-            "report.data",
+            "data",
             json(data));
     TemplateModule module =
         Templates.shipped("report", "report", List.of(EventchainPackage.eINSTANCE));
