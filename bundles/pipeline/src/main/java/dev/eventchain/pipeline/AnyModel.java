@@ -38,8 +38,12 @@ public final class AnyModel {
 
   private AnyModel(List<Path> metamodels, List<Path> models) {
     store = new XmiStore(folders(metamodels, models));
-    packages.add(EventchainPackage.eINSTANCE);
     metamodels.forEach(metamodel -> packages.addAll(store.loadMetamodel(metamodel)));
+    // Models are of the metamodel that was given, also where that is the file of the shipped one.
+    EPackage shipped = EventchainPackage.eINSTANCE;
+    if (packages.stream().noneMatch(given -> shipped.getNsURI().equals(given.getNsURI()))) {
+      packages.add(shipped);
+    }
     List<LoadedModel> loaded = store.loadAll(models);
     loaded.forEach(model -> roots.addAll(model.roots()));
     origins = loaded.get(0).origins();

@@ -84,6 +84,27 @@ class GeneratedPackageTest {
     assertEquals(before, times());
   }
 
+  /** The shipped metamodel given as a file is the metamodel of the templates, too. */
+  @Test
+  void theTemplatesRunWithoutAProject() throws IOException {
+    Path out = folder.resolve("without-project");
+    new Program()
+        .run(
+            "generate",
+            "--metamodel",
+            Program.ROOT.resolve("metamodel/eventchain.ecore"),
+            "--template",
+            Program.ROOT.resolve("templates/ros2-python/main.mtl"),
+            project.resolve("out/chain.xmi"),
+            "-o",
+            out)
+        .expect(0);
+    String node = "aeb/aeb/ttc_calculation_node.py";
+    assertEquals(
+        Files.readString(generated.getParent().resolve(node)).lines().skip(1).toList(),
+        Files.readString(out.resolve(node)).lines().skip(1).toList());
+  }
+
   private static Map<Path, FileTime> times() throws IOException {
     Map<Path, FileTime> times = new TreeMap<>();
     try (Stream<Path> files = Files.walk(generated)) {
