@@ -19,17 +19,20 @@ import picocli.CommandLine.Parameters;
     synopsisHeading = "Usage:%n",
     customSynopsis = {
       "eventchain generate DIR [OPTIONS]",
-      "eventchain generate --metamodel FILE.ecore --template FILE.mtl MODEL -o FOLDER"
+      "eventchain generate --metamodel FILE.ecore --template FILE.mtl MODEL... -o FOLDER"
     })
 final class GenerateCommand extends ProjectCommand {
 
-  @Parameters(paramLabel = "DIR|MODEL", description = "The project's folder, or a model file.")
-  private Path input;
+  @Parameters(
+      arity = "1..*",
+      paramLabel = "DIR|MODEL",
+      description = "The project's folder, or model files, which may refer to each other.")
+  private List<Path> inputs;
 
   @Option(
       names = "--metamodel",
       paramLabel = "FILE",
-      description = "An Ecore metamodel of the model; may be repeated.")
+      description = "An Ecore metamodel of the models; may be repeated.")
   private List<Path> metamodels = List.of();
 
   @Option(names = "--template", paramLabel = "FILE", description = "The template's main module.")
@@ -42,6 +45,12 @@ final class GenerateCommand extends ProjectCommand {
               + " behind each line. Projects always have it.")
   private boolean trace;
 
+  @Option(
+      names = "--services",
+      paramLabel = "JAR|FOLDER",
+      description = "Java classes that the template may call by invoke(...); may be repeated.")
+  private List<Path> services = List.of();
+
   GenerateCommand(Console console) {
     super(console);
   }
@@ -52,15 +61,26 @@ final class GenerateCommand extends ProjectCommand {
       if (!metamodels.isEmpty()) {
         throw wrongUsage("a model of a metamodel needs a template: --template FILE");
       }
+      if (!services.isEmpty()) {
+        throw wrongUsage("services are for a template: --template FILE");
+      }
+      if (inputs.size() > 1) {
+        throw wrongUsage("name one project, or a template for several models: --template FILE");
+      }
       return execute(
-          Project.open(input), Stage.GENERATE, Stage.GENERATE, true, new LlmOptions(), List.of());
+          Project.open(inputs.get(0)),
+          Stage.GENERATE,
+          Stage.GENERATE,
+          true,
+          new LlmOptions(),
+          List.of());
     }
     Path folder = output();
     if (folder == null) {
       throw wrongUsage("say where to write: -o FOLDER");
     }
     List<Diagnostic> found =
-        AnyModel.generate(metamodels, template, input, folder, overwrite(), trace);
+        AnyModel.generate(metamodels, template, services, inputs, folder, overwrite(), trace);
     return Outcome.of(Coverage.NONE, found, suppressions());
   }
 }

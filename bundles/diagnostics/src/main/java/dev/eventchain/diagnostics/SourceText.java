@@ -18,6 +18,10 @@ import java.util.Arrays;
 public final class SourceText {
 
   private static final long LARGEST = 256L << 20;
+
+  /** A longer line helps nobody, and would be kept once for each finding in it. */
+  private static final int LONGEST_LINE_SHOWN = 4096;
+
   private static final char BYTE_ORDER_MARK = '\uFEFF';
 
   /** What Java puts in place of bytes that are not UTF-8; a text may also hold it. */
@@ -178,7 +182,7 @@ public final class SourceText {
     while (end > start && (text.charAt(end - 1) == '\n' || text.charAt(end - 1) == '\r')) {
       end--;
     }
-    return text.substring(start, end);
+    return end - start > LONGEST_LINE_SHOWN ? "" : text.substring(start, end);
   }
 
   private static int[] lineStarts(String text) {

@@ -105,8 +105,8 @@ final class BlockParser {
                 token.start(),
                 "[" + token.keyword() + "] is not supported.",
                 "Remove the tags [" + token.keyword() + "] and [/" + token.keyword() + "].");
-            body();
-            yield Optional.empty();
+            // What stands inside is looked at all the same.
+            yield Optional.of(new Syntax.If(token.start(), List.of(), body()));
           }
         };
     next++;

@@ -76,6 +76,7 @@ final class BodyCompiler {
     if (value.isEmpty() || decoration.isEmpty()) {
       return NOTHING;
     }
+    Lints.order(value, "The expression", expressions.problems(), output.value().start());
     return output(value.get(), decoration.get(), place(output.start()));
   }
 
@@ -109,14 +110,14 @@ final class BodyCompiler {
 
   private Step forStep(Syntax.For loop, Scope scope) {
     Optional<Expression> items = expressions.parse(loop.items(), scope);
+    Lints.order(items, "The loop", expressions.problems(), loop.items().start());
     EClassifier elements =
         items
             .map(Expression::type)
             .map(t -> language.elementType(t).orElse(t))
             .orElse(language.any());
     Optional<Span> declared = loop.variable().flatMap(Syntax.Variable::type);
-    EClassifier type =
-        declared.isEmpty() ? elements : expressions.type(declared.get()).orElse(language.any());
+    EClassifier type = declared.flatMap(expressions::type).orElse(elements);
     Optional<String> variable = loop.variable().map(v -> v.name().text());
     Scope inside = scope.with("i", language.type("Integer")).with("self", type);
     if (variable.isPresent()) {
@@ -164,7 +165,8 @@ final class BodyCompiler {
               : expressions.type(binding.variable().type().get());
       String name = binding.variable().name().text();
       List<Step.Variable> variables = new ArrayList<>();
-      Scope inside = scope.with(name, type.orElse(language.any()));
+      Scope inside =
+          scope.with(name, type.or(() -> value.map(Expression::type)).orElse(language.any()));
       Scope withVariables = variables(binding.variables(), inside, variables);
       Step body = body(binding.body(), withVariables);
       if (value.isPresent() && type.isPresent()) {

@@ -6,6 +6,7 @@ import dev.eventchain.ocl.Invalid;
 import dev.eventchain.ocl.OperationLibrary;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
@@ -39,6 +40,11 @@ final class CallLibrary implements OperationLibrary {
         .map(Template.class::cast)
         .filter(template -> template.name().equals(name))
         .toList();
+  }
+
+  @Override
+  public Collection<String> names() {
+    return visible.stream().map(Callable::name).distinct().toList();
   }
 
   @Override
@@ -108,6 +114,10 @@ final class CallLibrary implements OperationLibrary {
       this.name = name;
       this.candidates = candidates.toArray(Callable[]::new);
       this.hasSource = hasSource;
+    }
+
+    List<Callable> candidates() {
+      return List.of(candidates);
     }
 
     boolean callsTemplates() {

@@ -15,8 +15,11 @@ import dev.eventchain.m2t.OperationTable.Types;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.ocl.util.ObjectUtil;
 
 /** Operations on collections. Positions count from 1; one that is not found is -1. */
 final class CollectionOperations {
@@ -95,21 +98,21 @@ final class CollectionOperations {
               List.of(kind),
               Types::integer,
               true,
-              (s, a, c) -> index(list(s).lastIndexOf(a.get(0)))));
+              (s, a, c) -> index(lastSlice(list(s), Collections.singletonList(a.get(0))))));
     }
     rows.add(
         row(
             "indexOfSlice",
             ORDERED,
             Types::integer,
-            (s, a, c) -> index(Collections.indexOfSubList(list(s), list(a.get(0)))),
+            (s, a, c) -> index(firstSlice(list(s), list(a.get(0)))),
             ORDERED));
     rows.add(
         row(
             "lastIndexOfSlice",
             ORDERED,
             Types::integer,
-            (s, a, c) -> index(Collections.lastIndexOfSubList(list(s), list(a.get(0)))),
+            (s, a, c) -> index(lastSlice(list(s), list(a.get(0)))),
             ORDERED));
   }
 
@@ -160,18 +163,53 @@ final class CollectionOperations {
   }
 
   private static List<Object> without(Object collection, Object others) {
+    Set<Object> removed = new HashSet<>();
+    ((Collection<?>) others).forEach(each -> removed.add(key(each)));
     List<Object> result = list(collection);
-    result.removeAll((Collection<?>) others);
+    result.removeIf(each -> removed.contains(key(each)));
     return result;
   }
 
+  /** What equal values of OCL have in common: 1 and 1.0 are equal. */
+  private static Object key(Object value) {
+    return value instanceof Number number ? Double.valueOf(number.doubleValue() + 0.0) : value;
+  }
+
+  private static int firstSlice(List<Object> elements, List<Object> slice) {
+    for (int i = 0; i + slice.size() <= elements.size(); i++) {
+      if (isSlice(elements, slice, i)) {
+        return i;
+      }
+    }
+    return -1;
+  }
+
+  private static int lastSlice(List<Object> elements, List<Object> slice) {
+    for (int i = elements.size() - slice.size(); i >= 0; i--) {
+      if (isSlice(elements, slice, i)) {
+        return i;
+      }
+    }
+    return -1;
+  }
+
+  private static boolean isSlice(List<Object> elements, List<Object> slice, int from) {
+    if (from < 0 || from + slice.size() > elements.size()) {
+      return false;
+    }
+    for (int i = 0; i < slice.size(); i++) {
+      if (!ObjectUtil.equal(elements.get(from + i), slice.get(i))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
   private static boolean starts(Object collection, Object part) {
-    return size(part) <= size(collection)
-        && list(collection).subList(0, size(part)).equals(list(part));
+    return isSlice(list(collection), list(part), 0);
   }
 
   private static boolean ends(Object collection, Object part) {
-    int from = size(collection) - size(part);
-    return from >= 0 && list(collection).subList(from, size(collection)).equals(list(part));
+    return isSlice(list(collection), list(part), size(collection) - size(part));
   }
 }

@@ -12,7 +12,7 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.ocl.types.AnyType;
 
 /** Parses and checks the expressions and types of one module. */
-record ExpressionCompiler(ExpressionLanguage language, Problems problems) {
+record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage usage) {
 
   String text() {
     return problems.source().text();
@@ -25,22 +25,33 @@ record ExpressionCompiler(ExpressionLanguage language, Problems problems) {
       problems.syntax(span.start(), "An expression is missing here.", "");
       return Optional.empty();
     }
-    String code = inside.in(text());
-    if (code.startsWith("invoke(") || code.contains(".invoke(")) {
-      problems.error(
-          "m2t.unsupported",
-          inside.start(),
-          "Java services (invoke) are not supported.",
-          "Write the operation as a [query].");
-      return Optional.empty();
-    }
     try {
-      return language.parse(
-          problems.source(), inside.start(), inside.end(), scope, problems.found());
+      Optional<Expression> parsed =
+          language.parse(problems.source(), inside.start(), inside.end(), scope, problems.found());
+      parsed.ifPresent(expression -> note(expression, inside.start()));
+      return parsed;
     } catch (StackOverflowError e) {
       problems.error(
           "m2t.nesting", inside.start(), "The expression is nested too deeply.", "Use [let].");
       return Optional.empty();
+    }
+  }
+
+  private void note(Expression expression, int start) {
+    usage.add(expression);
+    Lints.separators(expression, problems, start);
+    boolean withoutServices =
+        expression.libraryCalls().stream()
+            .anyMatch(
+                call ->
+                    call.implementation() instanceof ServiceLibrary.Call service
+                        && !service.services().exist());
+    if (withoutServices) {
+      problems.error(
+          "m2t.service",
+          start,
+          "The template calls a Java service, and no services were given.",
+          "Name them: --services JAR or --services FOLDER.");
     }
   }
 

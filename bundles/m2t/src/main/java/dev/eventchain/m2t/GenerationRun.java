@@ -283,11 +283,14 @@ final class GenerationRun {
     if (place.line() == 0) {
       place = expression.location();
     }
+    boolean service = invalid.reason().contains(Services.REASON);
     error(
-        "m2t.undefined",
+        service ? "m2t.service" : "m2t.undefined",
         place,
         "The value is undefined" + modelElement() + ": " + invalid.reason() + ".",
-        "Guard the expression with [if], or mend the model.");
+        service
+            ? "Mend the service, or what it is given."
+            : "Guard the expression with [if], or mend the model.");
   }
 
   private String modelElement() {

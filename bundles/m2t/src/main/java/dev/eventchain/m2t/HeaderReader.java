@@ -221,6 +221,7 @@ final class HeaderReader {
       type = Optional.of(until(stops));
       if (type.get().isEmpty()) {
         problems.syntax(position, "Here should be a type.", "");
+        position = limit;
         return Optional.empty();
       }
     }

@@ -1,9 +1,11 @@
 package dev.eventchain.m2t;
 
+import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.m2t.Callable.Parameter;
 import dev.eventchain.m2t.Syntax.Visibility;
 import dev.eventchain.ocl.Expression;
 import dev.eventchain.ocl.ExpressionLanguage;
+import dev.eventchain.ocl.NearestName;
 import dev.eventchain.ocl.Scope;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -37,30 +39,37 @@ final class Linker {
 
   private final Collection<EPackage> packages;
   private final Map<String, Unit> units = new LinkedHashMap<>();
+  private final Services services;
+  private final Usage usage = new Usage();
 
-  private Linker(Collection<EPackage> packages) {
+  private Linker(Collection<EPackage> packages, Services services) {
     this.packages = packages;
+    this.services = services;
   }
 
   /** The templates of the main module, which is the first. */
   static List<Template> link(
-      Map<String, ModuleLoader.Loaded> modules, Collection<EPackage> packages) {
-    Linker linker = new Linker(packages);
+      Map<String, ModuleLoader.Loaded> modules, Collection<EPackage> packages, Services services) {
+    Linker linker = new Linker(packages, services);
     modules.forEach((name, loaded) -> linker.units.put(name, linker.unit(loaded)));
     linker.units.values().forEach(linker::declare);
     linker.units.values().forEach(linker::connect);
     linker.units.values().forEach(linker::override);
     linker.units.values().forEach(linker::define);
+    linker.lint();
     return List.copyOf(linker.units.values().iterator().next().templates().values());
   }
 
   private Unit unit(ModuleLoader.Loaded loaded) {
     CallLibrary calls = new CallLibrary();
     OperationTable operations = new OperationTable();
-    ExpressionLanguage language = ExpressionLanguage.of(metamodels(loaded), calls, operations);
+    ServiceLibrary invoke = new ServiceLibrary(services);
+    ExpressionLanguage language =
+        ExpressionLanguage.of(metamodels(loaded), calls, operations, invoke);
     calls.use(language);
     operations.use(language);
-    ExpressionCompiler expressions = new ExpressionCompiler(language, loaded.problems());
+    invoke.use(language);
+    ExpressionCompiler expressions = new ExpressionCompiler(language, loaded.problems(), usage);
     return new Unit(loaded, calls, expressions, new LinkedHashMap<>(), new LinkedHashMap<>());
   }
 
@@ -82,13 +91,15 @@ final class Linker {
                       "m2t.metamodel.unknown",
                       span.start(),
                       "There is no metamodel '" + bare + "'.",
-                      "Known are: "
-                          + String.join(
-                              ", ", packages.stream().map(EPackage::getNsURI).sorted().toList())
-                          + "."));
+                      known()));
     }
     // An error says so already; with some types at hand the rest can be checked all the same.
     return found.isEmpty() ? List.copyOf(packages) : found;
+  }
+
+  private String known() {
+    List<String> uris = packages.stream().map(EPackage::getNsURI).sorted().toList();
+    return "Known are: " + String.join(", ", uris) + ".";
   }
 
   private void declare(Unit unit) {
@@ -224,9 +235,15 @@ final class Linker {
                                 "No extended module has a template '"
                                     + name.text()
                                     + "' with as many parameters.",
-                                "Name the module in [module ... extends other]."));
+                                overridable(name.text(), unit)));
               }
             });
+  }
+
+  private static String overridable(String name, Unit unit) {
+    List<String> names = unit.calls().names().stream().sorted().toList();
+    String meant = NearestName.question(name, names);
+    return meant.isEmpty() ? "Name the module in [module ... extends other]." : meant;
   }
 
   private void define(Unit unit) {
@@ -234,14 +251,16 @@ final class Linker {
     unit.templates().forEach((syntax, template) -> define(syntax, template, unit));
   }
 
-  private static void define(Syntax.Query syntax, Query query, Unit unit) {
+  private void define(Syntax.Query syntax, Query query, Unit unit) {
+    usage.enter(query);
     Scope scope = scope(query, unit);
     Optional<Expression> value = unit.expressions().parse(syntax.value(), scope);
     if (value.isEmpty()) {
       return;
     }
     ExpressionLanguage language = unit.expressions().language();
-    if (!language.conforms(value.get().type(), query.resultType())) {
+    boolean service = value.get().outermostCall().orElse(null) instanceof ServiceLibrary.Call;
+    if (!service && !language.conforms(value.get().type(), query.resultType())) {
       unit.loaded()
           .problems()
           .error(
@@ -255,10 +274,12 @@ final class Linker {
               "Mend the type after the colon, or the expression.");
       return;
     }
-    query.define(value.get());
+    query.define(
+        value.get(), service ? unit.expressions().instancesOf(query.resultType()) : result -> true);
   }
 
-  private static void define(Syntax.Template syntax, Template template, Unit unit) {
+  private void define(Syntax.Template syntax, Template template, Unit unit) {
+    usage.enter(template);
     Scope scope = scope(template, unit);
     BodyCompiler compiler = new BodyCompiler(unit.expressions(), template);
     Optional<Expression> guard = compiler.condition(syntax.guard(), scope);
@@ -269,6 +290,30 @@ final class Linker {
     Scope inside = compiler.variables(syntax.variables(), scope, variables);
     Step body = compiler.body(syntax.body(), inside);
     template.define(new Template.Definition(guard, post, List.copyOf(variables), body));
+  }
+
+  /** Warnings make no sense while there are errors. */
+  private void lint() {
+    Unit main = units.values().iterator().next();
+    if (Diagnostic.anyError(main.loaded().problems().found())) {
+      return;
+    }
+    List<Lints.Subject> subjects = new ArrayList<>();
+    for (Unit unit : units.values()) {
+      Problems problems = unit.loaded().problems();
+      boolean isMain = unit == main;
+      unit.templates()
+          .forEach(
+              (syntax, template) -> {
+                subjects.add(new Lints.Subject(template, syntax.parameters(), isMain, problems));
+                Brackets.check(syntax.body(), problems);
+              });
+      unit.queries()
+          .forEach(
+              (syntax, query) ->
+                  subjects.add(new Lints.Subject(query, syntax.parameters(), isMain, problems)));
+    }
+    Lints.check(subjects, usage);
   }
 
   /** The parameters, and the first of them as self. */

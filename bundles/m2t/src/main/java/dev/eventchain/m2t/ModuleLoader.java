@@ -1,7 +1,16 @@
 package dev.eventchain.m2t;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.Charset;
+import java.nio.charset.IllegalCharsetNameException;
+import java.nio.charset.StandardCharsets;
+import java.nio.charset.UnsupportedCharsetException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -9,12 +18,19 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /** Reads a module and all those that it imports or extends. */
 final class ModuleLoader {
   /** A module that was read. */
   record Loaded(Syntax.Module syntax, Problems problems) {}
+
+  private static final Pattern ENCODING =
+      Pattern.compile("\\s*\\[comment\\s+encoding\\s*=\\s*([^\\s/\\]]+)");
+
+  private static final int ENCODING_WITHIN = 1000;
 
   private final Function<String, Optional<SourceText>> sources;
   private final List<Diagnostic> found;
@@ -46,8 +62,51 @@ final class ModuleLoader {
       return Stream.of(folder.resolve(nested), flat, around)
           .filter(Files::exists)
           .findFirst()
-          .map(SourceText::read);
+          .map(ModuleLoader::read);
     };
+  }
+
+  /**
+   * Reads a file as UTF-8, or as what its first tag says: {@code [comment encoding = NAME /]}.
+   *
+   * @throws DiagnosticException INPUT if it cannot be read, is not in that encoding, or there is no
+   *     such encoding
+   */
+  static SourceText read(Path file) {
+    String name = encoding(file);
+    if (name.isEmpty() || name.equalsIgnoreCase("UTF-8")) {
+      return SourceText.read(file);
+    }
+    SourceLocation place = SourceLocation.of(file);
+    try {
+      return SourceText.of(place.file(), Files.readString(file, Charset.forName(name)));
+    } catch (IllegalCharsetNameException | UnsupportedCharsetException e) {
+      throw refused("m2t.charset", "There is no charset '" + name + "'.", place);
+    } catch (CharacterCodingException e) {
+      throw refused("file.encoding", "The file is not " + name + " text.", place);
+    } catch (IOException e) {
+      String message = "The file cannot be read: " + SourceText.reason(e) + ".";
+      throw refused("file.unreadable", message, place);
+    }
+  }
+
+  private static DiagnosticException refused(String id, String message, SourceLocation place) {
+    return new DiagnosticException(
+        DiagnosticException.Reason.INPUT, Diagnostic.error(id, message, place));
+  }
+
+  /** The encoding that a file says it has; nothing if it does not, or cannot be read. */
+  private static String encoding(Path file) {
+    if (!Files.isRegularFile(file)) {
+      return "";
+    }
+    try (InputStream stream = Files.newInputStream(file)) {
+      String start = new String(stream.readNBytes(ENCODING_WITHIN), StandardCharsets.ISO_8859_1);
+      Matcher matcher = ENCODING.matcher(start);
+      return matcher.lookingAt() ? matcher.group(1) : "";
+    } catch (IOException e) {
+      return "";
+    }
   }
 
   private void loadMain(SourceText source) {

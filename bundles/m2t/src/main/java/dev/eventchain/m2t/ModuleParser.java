@@ -6,6 +6,7 @@ import dev.eventchain.m2t.Syntax.Template;
 import dev.eventchain.m2t.Syntax.Variable;
 import dev.eventchain.m2t.Syntax.Visibility;
 import dev.eventchain.m2t.Token.Kind;
+import dev.eventchain.ocl.NearestName;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -15,6 +16,8 @@ import java.util.Optional;
 final class ModuleParser {
   private static final String HEADER_HINT =
       "A file starts with [module name('namespace of the metamodel')].";
+
+  private static final List<String> TOP_LEVEL = List.of("module", "import", "query", "comment");
 
   private final Problems problems;
   private final List<Token> tokens;
@@ -37,6 +40,10 @@ final class ModuleParser {
   /** The tree of a file: of all that could be understood, if there are problems. */
   static Syntax.Module parse(Problems problems) {
     warnOfMixedLineEnds(problems);
+    int nul = problems.source().text().indexOf('\0');
+    if (nul >= 0) {
+      problems.syntax(nul, "The file has a NUL character, which no text has.", "Remove it.");
+    }
     List<Token> tokens = Blocks.balanced(TemplateLexer.tokens(problems), problems);
     return new ModuleParser(problems, tokens).module();
   }
@@ -66,6 +73,7 @@ final class ModuleParser {
         case DECLARATION -> declaration(token);
         case COMMENT -> mainComment |= isMain(token);
         case OPEN -> i = template(i);
+        case EXPRESSION -> strayExpression(token);
         default -> {}
       }
     }
@@ -80,6 +88,16 @@ final class ModuleParser {
         List.copyOf(imports),
         List.copyOf(templates),
         List.copyOf(queries));
+  }
+
+  /** Text between templates is a remark, but a tag there was meant for something. */
+  private void strayExpression(Token token) {
+    String word = reader(token).name().map(Name::text).orElse("");
+    String meant = NearestName.question(word, TOP_LEVEL);
+    problems.syntax(
+        token.start(),
+        "This tag stands outside of any template.",
+        meant.isEmpty() ? "Put it between [template ...] and [/template]." : meant);
   }
 
   private void declaration(Token token) {

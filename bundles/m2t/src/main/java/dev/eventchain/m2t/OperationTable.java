@@ -4,6 +4,7 @@ import dev.eventchain.ocl.Evaluation;
 import dev.eventchain.ocl.ExpressionLanguage;
 import dev.eventchain.ocl.OperationLibrary;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
@@ -117,22 +118,35 @@ final class OperationTable implements OperationLibrary {
     for (Row row : rows) {
       if (row.name().equals(name) && suits(row, source, argumentTypes)) {
         EClassifier result = row.result().of(new Types(language, source, argumentTypes));
-        return Optional.of(new Operation(name, result, (s, a, run) -> call(row, s, a, run)));
+        return Optional.of(new Operation(name, result, new RowCall(row, language)));
       }
     }
     return Optional.empty();
   }
 
-  private Object call(Row row, Object source, List<Object> arguments, Evaluation run) {
-    if (!row.takesNull()) {
-      if (source == null) {
-        throw new IllegalArgumentException("it is applied to null");
-      }
-      if (arguments.stream().anyMatch(Objects::isNull)) {
-        throw new IllegalArgumentException("an argument is null");
-      }
+  @Override
+  public Collection<String> names() {
+    return rows.stream().map(Row::name).distinct().toList();
+  }
+
+  /** A call of an operation. */
+  record RowCall(Row row, ExpressionLanguage language) implements Implementation {
+    String name() {
+      return row.name();
     }
-    return row.body().call(source, arguments, new Call(language, run));
+
+    @Override
+    public Object call(Object source, List<Object> arguments, Evaluation run) {
+      if (!row.takesNull()) {
+        if (source == null) {
+          throw new IllegalArgumentException("it is applied to null");
+        }
+        if (arguments.stream().anyMatch(Objects::isNull)) {
+          throw new IllegalArgumentException("an argument is null");
+        }
+      }
+      return row.body().call(source, arguments, new Call(language, run));
+    }
   }
 
   private boolean suits(Row row, EClassifier source, List<EClassifier> argumentTypes) {

@@ -8,12 +8,25 @@ import java.util.List;
 record Problems(SourceText source, List<Diagnostic> found) {
   static final String SYNTAX = "m2t.syntax";
 
+  /** A file with more is no template. */
+  private static final int MOST = 1000;
+
   void syntax(int offset, String message, String hint) {
     error(SYNTAX, offset, message, hint);
   }
 
   void error(String id, int offset, String message, String hint) {
-    found.add(Diagnostic.error(id, message, source.at(offset)).withHint(hint));
+    if (found.size() < MOST) {
+      found.add(Diagnostic.error(id, message, source.at(offset)).withHint(hint));
+    } else if (found.size() == MOST) {
+      String more = "There are more than " + MOST + " problems; the others are not listed.";
+      found.add(Diagnostic.error(SYNTAX, more, source.at(offset)));
+    }
+  }
+
+  /** Whether no more problems are listed, so that looking for them is in vain. */
+  boolean areTooMany() {
+    return found.size() > MOST;
   }
 
   void warning(String id, int offset, String message, String hint) {

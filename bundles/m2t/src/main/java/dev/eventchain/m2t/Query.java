@@ -1,17 +1,20 @@
 package dev.eventchain.m2t;
 
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.m2t.Syntax.Visibility;
 import dev.eventchain.ocl.Evaluation;
 import dev.eventchain.ocl.Expression;
 import dev.eventchain.ocl.Invalid;
 import java.util.Collection;
 import java.util.List;
+import java.util.function.Predicate;
 import org.eclipse.emf.ecore.EClassifier;
 
 /** A query: an expression with a name, whose values are kept for the length of a run. */
 final class Query extends Callable {
   private final EClassifier resultType;
   private Expression value;
+  private Predicate<Object> accepts;
 
   Query(
       String name,
@@ -23,9 +26,10 @@ final class Query extends Callable {
     this.resultType = resultType;
   }
 
-  /** Completes the query, whose value may call any other callable. */
-  void define(Expression newValue) {
+  /** Completes the query, whose value may call any other callable; says what it may give. */
+  void define(Expression newValue, Predicate<Object> newAccepts) {
     value = newValue;
+    accepts = newAccepts;
   }
 
   @Override
@@ -43,6 +47,13 @@ final class Query extends Callable {
     return run.cached(this, arguments, () -> evaluate(arguments, run));
   }
 
+  /** The call stands elsewhere, so the reason says where in the query it failed. */
+  private Invalid located(Invalid invalid) {
+    boolean known = invalid.location().line() > 0;
+    SourceLocation place = known ? invalid.location() : value.location();
+    return new Invalid(invalid.reason() + ", at " + place, place, false);
+  }
+
   private Object evaluate(List<Object> arguments, GenerationRun run) {
     Evaluation evaluation = run.evaluation();
     run.enter(this, arguments);
@@ -54,7 +65,22 @@ final class Query extends Callable {
       if (result instanceof Invalid invalid && invalid.limit()) {
         throw run.stop(invalid.reason(), invalid.location());
       }
-      return result;
+      if (result instanceof Invalid invalid) {
+        return located(invalid);
+      }
+      boolean fits = result == null || accepts.test(result);
+      return fits
+          ? result
+          : new Invalid(
+              Services.REASON
+                  + "of the query '"
+                  + name()
+                  + "' gives "
+                  + ServiceValues.shown(result)
+                  + ", which is no "
+                  + resultType.getName(),
+              value.location(),
+              false);
     } finally {
       for (int i = arguments.size() - 1; i >= 0; i--) {
         evaluation.unbind(parameters().get(i).name());

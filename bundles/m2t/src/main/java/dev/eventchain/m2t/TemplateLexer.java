@@ -1,16 +1,25 @@
 package dev.eventchain.m2t;
 
 import dev.eventchain.m2t.Token.Kind;
+import dev.eventchain.ocl.NearestName;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 
 /** Splits a template file into text and tags. Knows which tag is which, not how they nest. */
 final class TemplateLexer {
-  private static final Set<String> BLOCKS =
-      Set.of("template", "for", "if", "let", "file", "protected", "trace", "macro");
-  private static final Set<String> MIDDLES = Set.of("elseif", "else", "elselet");
-  private static final Set<String> DECLARATIONS = Set.of("module", "import", "query");
+  private static final List<String> BLOCKS =
+      List.of("template", "for", "if", "let", "file", "protected", "trace", "macro");
+  private static final List<String> MIDDLES = List.of("elseif", "else", "elselet");
+  private static final List<String> DECLARATIONS = List.of("module", "import", "query");
+
+  /** All of these, of which equally near ones to a misspelt one are tried in this order. */
+  private static final List<String> KEYWORDS =
+      Stream.of(BLOCKS, MIDDLES, DECLARATIONS).flatMap(List::stream).toList();
 
   /** Keywords with which an OCL expression can start as well. */
   private static final Set<String> EXPRESSION_KEYWORDS = Set.of("if", "let");
@@ -20,6 +29,7 @@ final class TemplateLexer {
   private final String text;
   private final Problems problems;
   private final List<Token> tokens = new ArrayList<>();
+  private final Map<String, Integer> found = new HashMap<>();
 
   private TemplateLexer(Problems problems) {
     this.text = problems.source().text();
@@ -32,7 +42,7 @@ final class TemplateLexer {
 
   private List<Token> tokens() {
     int position = 0;
-    while (position < text.length()) {
+    while (position < text.length() && !problems.areTooMany()) {
       int bracket = text.indexOf('[', position);
       int textEnd = bracket < 0 ? text.length() : bracket;
       if (textEnd > position) {
@@ -118,10 +128,34 @@ final class TemplateLexer {
       return unclosed(start, end);
     }
     if (text.charAt(end.offset() - 1) != '/' || end.offset() - 1 < contentStart) {
+      Optional<Token> meant = misspelt(start, contentStart, end);
+      if (meant.isPresent()) {
+        return meant.get();
+      }
       problems.syntax(start, "An expression ends with '/]', this one with ']'.", BRACKET_HINT);
       return broken(start, end.offset() + 1);
     }
     return token(Kind.EXPRESSION, "", start, end, contentStart, end.offset() - 1);
+  }
+
+  /** The tag of a block whose keyword has a mistake, which is reported. */
+  private Optional<Token> misspelt(int start, int contentStart, TagEnd end) {
+    int nameStart = skipSpace(contentStart);
+    int nameEnd = endOfName(nameStart);
+    String name = text.substring(nameStart, nameEnd);
+    String meant = name.length() < 2 ? "" : NearestName.of(name, KEYWORDS);
+    if (meant.isEmpty() || " ([{]".indexOf(text.charAt(nameEnd)) < 0) {
+      return Optional.empty();
+    }
+    problems.syntax(
+        start,
+        "There is no block '" + name + "'.",
+        "Did you mean '" + meant + "'? " + BRACKET_HINT);
+    Kind kind =
+        DECLARATIONS.contains(meant)
+            ? Kind.DECLARATION
+            : MIDDLES.contains(meant) ? Kind.MIDDLE : Kind.OPEN;
+    return Optional.of(token(kind, meant, start, end, nameEnd, end.offset()));
   }
 
   private Token closing(int start, int nameStart) {
@@ -131,19 +165,24 @@ final class TemplateLexer {
     if (end < text.length() && text.charAt(end) == ']' && BLOCKS.contains(name)) {
       return new Token(Kind.CLOSE, name, start, end + 1, nameEnd, end);
     }
+    boolean tagged = end < text.length() && text.charAt(end) == ']';
+    String meant = tagged ? NearestName.of(name, BLOCKS) : "";
     String message =
         name.isEmpty() || BLOCKS.contains(name)
             ? "This closing tag is incomplete."
             : "There is no block '" + name + "' to close.";
+    if (!meant.isEmpty()) {
+      problems.syntax(start, message, "Did you mean [/" + meant + "]?");
+      return new Token(Kind.CLOSE, meant, start, end + 1, nameEnd, end);
+    }
     problems.syntax(start, message, "A block is closed by its name alone: [/for].");
-    boolean tagged = end < text.length() && text.charAt(end) == ']';
     return broken(start, tagged ? end + 1 : nameEnd);
   }
 
   private Token comment(int start, int nameEnd) {
-    int slashEnd = text.indexOf("/]", nameEnd);
-    int plainEnd = text.indexOf(']', nameEnd);
-    int blockEnd = text.indexOf("[/comment]", nameEnd);
+    int slashEnd = next("/]", nameEnd);
+    int plainEnd = next("]", nameEnd);
+    int blockEnd = next("[/comment]", nameEnd);
     boolean block = plainEnd >= 0 && blockEnd > plainEnd && (slashEnd < 0 || plainEnd < slashEnd);
     boolean empty = plainEnd >= 0 && text.substring(nameEnd, plainEnd).isBlank();
     if (block && (empty || slashEnd < 0 || blockEnd < slashEnd)) {
@@ -158,19 +197,29 @@ final class TemplateLexer {
   }
 
   private Token lineComment(int start) {
-    int end = text.indexOf("--]", start + 3);
-    int slashed = text.indexOf("/]", start + 3);
+    int end = next("--]", start + 3);
+    int slashed = next("/]", start + 3);
     boolean plain = end >= 0 && (slashed < 0 || end < slashed);
     return commentUntil(start, start + 3, plain ? "--]" : "/]");
   }
 
   private Token commentUntil(int start, int contentStart, String closer) {
-    int end = text.indexOf(closer, contentStart);
+    int end = next(closer, contentStart);
     if (end < 0) {
       problems.syntax(start, "This comment is not closed.", "Close it with '" + closer + "'.");
       return broken(start, contentStart);
     }
     return new Token(Kind.COMMENT, "comment", start, end + closer.length(), contentStart, end);
+  }
+
+  /** Where a text is found next; each part of the file is searched once for each text. */
+  private int next(String wanted, int from) {
+    Integer known = found.get(wanted);
+    if (known == null || (known >= 0 && known < from)) {
+      known = text.indexOf(wanted, from);
+      found.put(wanted, known);
+    }
+    return known;
   }
 
   private Token unclosed(int start, TagEnd end) {

@@ -38,7 +38,18 @@ public final class TemplateModule {
    * @throws DiagnosticException reason INPUT, with every problem of every module
    */
   public static TemplateModule compile(Path file, Collection<EPackage> packages) {
-    return compile(SourceText.read(file), ModuleLoader.beside(file), packages);
+    return compile(file, packages, Optional.empty());
+  }
+
+  /**
+   * As {@link #compile(Path, Collection)}, with Java services.
+   *
+   * @param services the public methods of its own classes, but not of its parents', can be called
+   *     by {@code invoke('class', 'method(types)', Sequence{...})}; without it nothing can
+   */
+  public static TemplateModule compile(
+      Path file, Collection<EPackage> packages, Optional<ClassLoader> services) {
+    return compile(ModuleLoader.read(file), ModuleLoader.beside(file), packages, services);
   }
 
   /**
@@ -52,9 +63,22 @@ public final class TemplateModule {
       SourceText main,
       Function<String, Optional<SourceText>> sources,
       Collection<EPackage> packages) {
+    return compile(main, sources, packages, Optional.empty());
+  }
+
+  /**
+   * As {@link #compile(SourceText, Function, Collection)}, with Java services.
+   *
+   * @param services as for {@link #compile(Path, Collection, Optional)}
+   */
+  public static TemplateModule compile(
+      SourceText main,
+      Function<String, Optional<SourceText>> sources,
+      Collection<EPackage> packages,
+      Optional<ClassLoader> services) {
     List<Diagnostic> found = new ArrayList<>();
     Map<String, ModuleLoader.Loaded> modules = ModuleLoader.load(main, sources, found);
-    List<Template> templates = Linker.link(modules, packages);
+    List<Template> templates = Linker.link(modules, packages, new Services(services));
     if (Diagnostic.anyError(found)) {
       throw new DiagnosticException(
           DiagnosticException.Reason.INPUT, found.stream().sorted().distinct().toList());

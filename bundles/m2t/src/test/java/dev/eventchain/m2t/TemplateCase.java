@@ -33,6 +33,7 @@ import org.eclipse.emf.ecore.xmi.impl.XMIResourceFactoryImpl;
  * lacks of the last two is looked for in the folders around it. Instead of a template there may be
  * a {@code links.properties} that says where in the repository the {@code template} and the {@code
  * metamodel}s are, with commas between them. Files of an earlier run may stand in {@code earlier/}.
+ * The templates may call {@link CaseServices}.
  */
 record TemplateCase(Path folder) {
   /** What came of it: files, and findings one a line. */
@@ -65,9 +66,10 @@ record TemplateCase(Path folder) {
 
   private TemplateModule compile(List<EPackage> packages) throws IOException {
     List<Path> linked = linked("template");
+    Optional<ClassLoader> services = Optional.of(CaseServices.class.getClassLoader());
     return !linked.isEmpty()
-        ? TemplateModule.compile(linked.get(0), packages)
-        : TemplateModule.compile(source("template"), this::find, packages);
+        ? TemplateModule.compile(linked.get(0), packages, services)
+        : TemplateModule.compile(source("template"), this::find, packages, services);
   }
 
   /** Files elsewhere in the repository. */

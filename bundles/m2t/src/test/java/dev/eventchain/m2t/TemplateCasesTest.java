@@ -8,11 +8,17 @@ import static org.junit.jupiter.api.Assertions.fail;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.DynamicTest;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 
 /**
@@ -30,9 +36,95 @@ class TemplateCasesTest {
     try (Stream<Path> all = Files.walk(CASES)) {
       folders = all.filter(TemplateCase::isCase).sorted().toList();
     }
-    assertTrue(folders.size() >= 60, "cases were found");
     return folders.stream()
         .map(f -> DynamicTest.dynamicTest(CASES.relativize(f).toString(), () -> check(f)));
+  }
+
+  @Test
+  void whiteSpaceHasSixtyCasesOfItsOwnAndTheLanguageTwoHundred() throws IOException {
+    assertTrue(templates("").size() >= 200, "cases");
+    assertTrue(templates("whitespace").size() >= 60, "cases of white space");
+  }
+
+  @Test
+  void everyOperationOccursInACase() throws IOException {
+    String all = String.join("\n", templates(""));
+    Set<String> missing = new TreeSet<>();
+    Matcher operation =
+        Pattern.compile("`(\\w+)\\(").matcher(Files.readString(Path.of("OPERATIONS.md")));
+    while (operation.find()) {
+      if (!Pattern.compile("\\b" + operation.group(1) + "\\(").matcher(all).find()) {
+        missing.add(operation.group(1));
+      }
+    }
+    assertEquals(Set.of(), missing);
+  }
+
+  @Test
+  void everyOperationIsListed() throws IOException {
+    String listed = Files.readString(Path.of("OPERATIONS.md"));
+    assertEquals(
+        List.of(),
+        new OperationTable()
+            .names().stream().filter(name -> !listed.contains("`" + name + "(")).toList());
+  }
+
+  @Test
+  void everyKeywordOccursInACase() throws IOException {
+    String all = String.join("\n", templates(""));
+    List<String> keywords =
+        List.of(
+            "[module ",
+            " extends ",
+            "[import ",
+            "[template ",
+            "[/template]",
+            "public ",
+            "private ",
+            "protected ",
+            " overrides ",
+            " ? (",
+            " post (",
+            "[query ",
+            "[for (",
+            "[/for]",
+            "before(",
+            "separator(",
+            "after(",
+            "[if (",
+            "[elseif (",
+            "[else]",
+            "[/if]",
+            "[let ",
+            "[elselet ",
+            "[/let]",
+            "[file (",
+            "[/file]",
+            "[protected (",
+            "startTagPrefix(",
+            "endTagPrefix(",
+            "[/protected]",
+            "[super/]",
+            "[trace ",
+            "[macro ",
+            "[comment]",
+            "[comment ",
+            "@main",
+            "[--",
+            "[**",
+            "invoke(");
+    assertEquals(List.of(), keywords.stream().filter(each -> !all.contains(each)).toList());
+  }
+
+  /** The texts of the templates of all cases in a folder. */
+  private static List<String> templates(String folder) throws IOException {
+    List<String> texts = new ArrayList<>();
+    try (Stream<Path> all = Files.walk(CASES.resolve(folder))) {
+      for (Path file : all.filter(f -> f.endsWith("template.mtl")).sorted().toList()) {
+        texts.add(Files.readString(file));
+      }
+    }
+    return texts;
   }
 
   private void check(Path folder) throws IOException {

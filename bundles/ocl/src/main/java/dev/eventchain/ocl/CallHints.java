@@ -100,6 +100,11 @@ final class CallHints {
 
   private String nearest(EClassifier owner, String name) {
     Set<String> known = operations(owner);
+    List<String> ofLibraries = root.libraryNames();
+    if (ofLibraries.contains(name)) {
+      return "There is a '" + name + "', but for other types or another number of arguments.";
+    }
+    known.addAll(ofLibraries);
     return SYNONYMS.getOrDefault(name, List.of()).stream()
         .filter(known::contains)
         .findFirst()

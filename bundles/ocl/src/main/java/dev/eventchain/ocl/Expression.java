@@ -1,12 +1,20 @@
 package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.SourceLocation;
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
 import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.eclipse.ocl.EvaluationHaltedException;
 import org.eclipse.ocl.expressions.IteratorExp;
 import org.eclipse.ocl.expressions.OCLExpression;
 import org.eclipse.ocl.expressions.OperationCallExp;
+import org.eclipse.ocl.expressions.VariableExp;
 
 /**
  * A parsed and checked OCL expression. Immutable; several threads can evaluate it at once, each
@@ -50,6 +58,52 @@ public final class Expression {
             && call.getReferredOperation() instanceof Libraries.LibraryOperation operation
         ? Optional.of(operation.implementation())
         : Optional.empty();
+  }
+
+  /**
+   * A call of a library's operation.
+   *
+   * @param sourceType the static type of what stands before the dot or the arrow; of nothing, an
+   *     arbitrary type
+   * @param implementation what the library does for it
+   */
+  public record LibraryCall(
+      EClassifier sourceType, OperationLibrary.Implementation implementation) {}
+
+  /** The calls of libraries' operations anywhere in the expression. */
+  public List<LibraryCall> libraryCalls() {
+    List<LibraryCall> calls = new ArrayList<>();
+    parts()
+        .forEachRemaining(
+            part -> {
+              if (part instanceof OperationCallExp<?, ?> call
+                  && call.getReferredOperation() instanceof Libraries.LibraryOperation operation) {
+                EClassifier source = (EClassifier) call.getSource().getType();
+                calls.add(new LibraryCall(source, operation.implementation()));
+              }
+            });
+    return List.copyOf(calls);
+  }
+
+  /**
+   * The names of all variables that the expression reads, those that it declares itself among them;
+   * {@code self} also where it is the source that was left out.
+   */
+  public Set<String> variableNames() {
+    Set<String> names = new TreeSet<>();
+    parts()
+        .forEachRemaining(
+            part -> {
+              if (part instanceof VariableExp<?, ?> variable
+                  && variable.getReferredVariable() != null) {
+                names.add(variable.getReferredVariable().getName());
+              }
+            });
+    return names;
+  }
+
+  private Iterator<EObject> parts() {
+    return EcoreUtil.getAllContents(List.of(ast));
   }
 
   /**

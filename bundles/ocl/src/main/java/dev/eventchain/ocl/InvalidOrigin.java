@@ -3,6 +3,7 @@ package dev.eventchain.ocl;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.Collection;
+import java.util.Set;
 import org.eclipse.emf.common.notify.Adapter;
 import org.eclipse.emf.common.notify.impl.AdapterImpl;
 import org.eclipse.emf.ecore.EClassifier;
@@ -57,6 +58,8 @@ record InvalidOrigin(OCLExpression<EClassifier> node, Object source, String deta
     return SourceLocation.NONE;
   }
 
+  private static final Set<String> DIVISIONS = Set.of("/", "div", "mod");
+
   /** The name of what is called, rather than the start of all that it is called on. */
   private static int offsetOf(OCLExpression<EClassifier> node) {
     return node instanceof CallingASTNode call
@@ -86,6 +89,11 @@ record InvalidOrigin(OCLExpression<EClassifier> node, Object source, String deta
   private String operationReason(String name) {
     if (source == null && detail.isEmpty()) {
       return "'" + name + "' is applied to null";
+    }
+    if (source == null) {
+      return "'" + name + "' has no result" + suffix();
+    } else if (source instanceof Number && detail.isEmpty() && DIVISIONS.contains(name)) {
+      return "'" + name + "' divides " + source + " by zero or by nothing";
     }
     boolean empty = source instanceof Collection<?> collection && collection.isEmpty();
     String subject = empty ? "an empty collection" : described(source);

@@ -31,6 +31,11 @@ final class Libraries {
     functions.setName(NO_SOURCE);
   }
 
+  /** The names of all operations, for hints. */
+  List<String> names() {
+    return libraries.stream().flatMap(library -> library.names().stream()).distinct().toList();
+  }
+
   /** The type of the variable that stands for the source of a call that has none. */
   EClass functions() {
     return functions;

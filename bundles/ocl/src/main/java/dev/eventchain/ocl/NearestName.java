@@ -4,12 +4,12 @@ import java.util.Collection;
 import java.util.Locale;
 
 /** Finds the name that was probably meant. */
-final class NearestName {
+public final class NearestName {
 
   private NearestName() {}
 
   /** The nearest of some names; empty if none is near. Of equally near names the first one. */
-  static String of(String name, Collection<String> names) {
+  public static String of(String name, Collection<String> names) {
     int best = Math.max(1, name.length() / 3) + 1;
     String nearest = "";
     for (String candidate : names) {
@@ -26,7 +26,7 @@ final class NearestName {
   }
 
   /** "Did you mean 'x'?" for the nearest of some names; empty if none is near. */
-  static String question(String name, Collection<String> names) {
+  public static String question(String name, Collection<String> names) {
     String nearest = of(name, names);
     return nearest.isEmpty() ? "" : "Did you mean '" + nearest + "'?";
   }

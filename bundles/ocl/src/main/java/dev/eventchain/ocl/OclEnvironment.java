@@ -101,6 +101,11 @@ final class OclEnvironment extends EcoreEnvironment {
     return factory.texts();
   }
 
+  /** The names of the operations of libraries. */
+  List<String> libraryNames() {
+    return factory.libraries().names();
+  }
+
   /** A type that several packages have must be named with its package. */
   @Override
   public EClassifier tryLookupClassifier(List<String> names) throws LookupException {

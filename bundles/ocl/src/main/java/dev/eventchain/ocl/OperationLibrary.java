@@ -1,5 +1,6 @@
 package dev.eventchain.ocl;
 
+import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import org.eclipse.emf.ecore.EClassifier;
@@ -28,6 +29,11 @@ public interface OperationLibrary {
    * @return empty if the library has no such operation
    */
   Optional<Operation> lookup(EClassifier source, String name, List<EClassifier> argumentTypes);
+
+  /** The names of the operations, to find the one that a misspelt call means. */
+  default Collection<String> names() {
+    return List.of();
+  }
 
   /**
    * An operation of a library.

@@ -120,7 +120,12 @@ final class ProblemTexts {
   Problem unknownFunction(String name, String message) {
     Matcher signature = SIGNATURE.matcher(message);
     String call = signature.matches() ? signature.group(1) : name;
-    return new Problem("There is no operation '" + call + "' here.", "");
+    List<String> known = root.libraryNames();
+    return new Problem(
+        "There is no operation '" + call + "' here.",
+        known.contains(name)
+            ? "There is a '" + name + "', but for other types or another number of arguments."
+            : NearestName.question(name, known));
   }
 
   /** A call on a source of this type. */

@@ -108,9 +108,12 @@ public final class AnyModel {
   }
 
   /**
-   * Generates text from a model.
+   * Generates text from models.
    *
    * @param template the main module
+   * @param services JARs and folders of classes whose methods the templates may call
+   * @param models the template runs on the elements of each of them, and sees those that they refer
+   *     to in other files
    * @param overwrite whether files that a person has edited are replaced
    * @param trace whether {@code trace.json} is written, too, which says where each line comes from
    * @return what was found; nothing was written if one of it is an error
@@ -119,16 +122,23 @@ public final class AnyModel {
   public static List<Diagnostic> generate(
       List<Path> metamodels,
       Path template,
-      Path model,
+      List<Path> services,
+      List<Path> models,
       Path folder,
       boolean overwrite,
       boolean trace) {
-    AnyModel any = new AnyModel(metamodels, List.of(model));
-    TemplateModule module = TemplateModule.compile(template, any.packages);
+    AnyModel any = new AnyModel(metamodels, models);
+    try (JavaServices classes = JavaServices.of(services)) {
+      TemplateModule module = TemplateModule.compile(template, any.packages, classes.loader());
+      return any.generate(module, folder, overwrite, trace);
+    }
+  }
+
+  private List<Diagnostic> generate(
+      TemplateModule module, Path folder, boolean overwrite, boolean trace) {
     try (OutputFolder output = OutputFolder.open(folder)) {
-      GenerationContext context =
-          GenerationContext.of(any.origins::locate).withEarlier(output::read);
-      GenerationResult result = module.generate(any.roots, trace ? context.withTrace() : context);
+      GenerationContext context = GenerationContext.of(origins::locate).withEarlier(output::read);
+      GenerationResult result = module.generate(roots, trace ? context.withTrace() : context);
       List<Diagnostic> found = new ArrayList<>(module.warnings());
       found.addAll(result.diagnostics());
       if (trace && result.files().containsKey(TraceFile.NAME)) {

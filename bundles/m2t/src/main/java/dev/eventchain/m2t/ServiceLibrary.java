@@ -1,0 +1,65 @@
+package dev.eventchain.m2t;
+
+import dev.eventchain.ocl.Evaluation;
+import dev.eventchain.ocl.ExpressionLanguage;
+import dev.eventchain.ocl.OperationLibrary;
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.emf.ecore.EClassifier;
+
+/** {@code invoke('class', 'method(types)', Sequence{arguments})}: calls of Java services. */
+final class ServiceLibrary implements OperationLibrary {
+  private static final String NAME = "invoke";
+
+  private final Services services;
+  private ExpressionLanguage language;
+
+  ServiceLibrary(Services services) {
+    this.services = services;
+  }
+
+  /** Says over which types the calls are; a library is made before its language is. */
+  void use(ExpressionLanguage newLanguage) {
+    language = newLanguage;
+  }
+
+  @Override
+  public Collection<String> names() {
+    return List.of(NAME);
+  }
+
+  @Override
+  public Optional<Operation> lookup(
+      EClassifier source, String name, List<EClassifier> argumentTypes) {
+    boolean suits =
+        name.equals(NAME)
+            && argumentTypes.size() == 3
+            && isText(argumentTypes.get(0))
+            && isText(argumentTypes.get(1))
+            && language.elementType(argumentTypes.get(2)).isPresent();
+    return suits
+        ? Optional.of(new Operation(NAME, language.any(), new Call(services)))
+        : Optional.empty();
+  }
+
+  private boolean isText(EClassifier type) {
+    return language.elementType(type).isEmpty() && language.conforms(type, language.type("String"));
+  }
+
+  /** A call of a service; what it gives is only known when it runs. */
+  record Call(Services services) implements OperationLibrary.Implementation {
+    @Override
+    public Object call(Object source, List<Object> arguments, Evaluation run) {
+      if (arguments.contains(null)) {
+        throw new IllegalArgumentException(
+            Services.REASON + "is named by null, or its arguments are null");
+      }
+      return services.call(
+          (String) arguments.get(0),
+          (String) arguments.get(1),
+          (Collection<?>) arguments.get(2),
+          run.attachment(GenerationRun.class));
+    }
+  }
+}
