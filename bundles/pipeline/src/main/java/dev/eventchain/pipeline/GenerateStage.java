@@ -29,6 +29,9 @@ import java.util.TreeMap;
  */
 final class GenerateStage implements StageWork {
 
+  /** How the names of properties begin that the program itself gives to templates. */
+  private static final String PROPERTIES = "eventchain.";
+
   private static final String COMPONENTS = "components/";
 
   @Override
@@ -92,9 +95,9 @@ final class GenerateStage implements StageWork {
   private static Map<String, String> properties(RunContext run) {
     String version = GenerateStage.class.getPackage().getImplementationVersion();
     Map<String, String> properties = new TreeMap<>();
-    properties.put("eventchain.model", run.model().getFileName().toString());
+    properties.put(PROPERTIES + "model", run.model().getFileName().toString());
     if (version != null) {
-      properties.put("eventchain.version", version);
+      properties.put(PROPERTIES + "version", version);
     }
     return properties;
   }
