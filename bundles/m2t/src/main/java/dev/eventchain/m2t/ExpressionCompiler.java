@@ -9,6 +9,7 @@ import java.util.function.Predicate;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.impl.BasicEObjectImpl;
 import org.eclipse.ocl.types.AnyType;
 
 /** Parses and checks the expressions and types of one module. */
@@ -85,7 +86,9 @@ record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage 
       return value -> value instanceof Collection<?>;
     }
     if (type instanceof EClass eClass && language.type(type) == type) {
-      return value -> value instanceof EObject && eClass.isInstance(value);
+      return value ->
+          (value instanceof BasicEObjectImpl object && object.eClass() == eClass)
+              || (value instanceof EObject && eClass.isInstance(value));
     }
     return value -> language.isInstance(value, type);
   }

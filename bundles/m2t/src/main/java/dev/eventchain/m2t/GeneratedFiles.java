@@ -13,6 +13,7 @@ import java.nio.charset.UnsupportedCharsetException;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -49,7 +50,7 @@ final class GeneratedFiles {
 
   private final GenerationRun run;
   private final Function<String, Optional<byte[]>> earlier;
-  private final SortedMap<String, byte[]> contents = new TreeMap<>();
+  private final Map<String, byte[]> contents = new HashMap<>();
   private final Deque<Open> open = new ArrayDeque<>();
 
   GeneratedFiles(GenerationRun run, Function<String, Optional<byte[]>> earlier) {
@@ -58,7 +59,7 @@ final class GeneratedFiles {
   }
 
   SortedMap<String, byte[]> contents() {
-    return contents;
+    return new TreeMap<>(contents);
   }
 
   /** Makes a file of what something writes. */
@@ -235,6 +236,12 @@ final class GeneratedFiles {
   }
 
   private byte[] bytes(SourceLocation place, String path, String text, Charset charset) {
+    if (charset.equals(StandardCharsets.UTF_8)) {
+      byte[] bytes = text.getBytes(charset);
+      if (bytes.length == text.length()) {
+        return bytes; // nothing but ASCII, of which nothing can have been lost
+      }
+    }
     try {
       ByteBuffer encoded = charset.newEncoder().encode(CharBuffer.wrap(text));
       byte[] bytes = new byte[encoded.remaining()];

@@ -8,7 +8,9 @@ import dev.eventchain.ocl.Invalid;
 import dev.eventchain.ocl.OperationLibrary;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collection;
+import java.util.Collections;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
@@ -16,7 +18,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.Supplier;
 import org.eclipse.emf.ecore.EObject;
 
 /** The state of one generation: variables, output, the stack of calls, findings. One thread. */
@@ -28,8 +29,6 @@ final class GenerationRun {
 
   /** A call, and the expression it was made by; null for the first. */
   private record Frame(Callable callable, List<Object> arguments, Expression caller) {}
-
-  private record QueryCall(Query query, List<Object> arguments) {}
 
   /** Generation cannot go on; the reason has been reported. */
   static final class StoppedException extends RuntimeException {
@@ -46,8 +45,9 @@ final class GenerationRun {
   private final GeneratedFiles files;
   private final ObjectQueries objects;
   private final Deque<Frame> frames = new ArrayDeque<>();
-  private final Deque<Object> selves = new ArrayDeque<>();
-  private final Map<QueryCall, Object> cache = new HashMap<>();
+  private Object[] selves = new Object[32];
+  private int selfCount;
+  private final Map<Query, Map<Object, Object>> cache = new HashMap<>();
   private final Map<String, TokenWalk> tokenWalks = new HashMap<>();
   private final OutputBuffer output;
   private final Tracing tracing;
@@ -106,22 +106,30 @@ final class GenerationRun {
 
   /** The value of an expression; an invalid one has been reported. */
   Object evaluate(Expression expression) {
-    return evaluate(expression, null);
+    return evaluate(expression, null, false);
+  }
+
+  /** The same for a caller that only walks through it: {@link Expression#read}. */
+  Object read(Expression expression) {
+    return evaluate(expression, null, true);
   }
 
   /** {@link Expression#evaluateCalls}; an invalid value has been reported. */
   Object evaluateCalls(Expression expression, OperationLibrary.Implementation receiver) {
-    return evaluate(expression, receiver);
+    return evaluate(expression, receiver, false);
   }
 
-  private Object evaluate(Expression expression, OperationLibrary.Implementation receiver) {
+  private Object evaluate(
+      Expression expression, OperationLibrary.Implementation receiver, boolean read) {
     Expression outer = current;
     current = expression;
     try {
-      Object value =
-          receiver == null
-              ? expression.evaluate(evaluation)
-              : expression.evaluateCalls(evaluation, receiver);
+      Object value;
+      if (receiver != null) {
+        value = expression.evaluateCalls(evaluation, receiver);
+      } else {
+        value = read ? expression.read(evaluation) : expression.evaluate(evaluation);
+      }
       if (value instanceof Invalid invalid) {
         if (stopped) {
           throw new StoppedException();
@@ -147,15 +155,15 @@ final class GenerationRun {
     return Boolean.TRUE.equals(evaluate(condition));
   }
 
-  /** The value of a query's call, computed once. */
-  Object cached(Query query, List<Object> arguments, Supplier<Object> value) {
-    QueryCall call = new QueryCall(query, arguments);
-    if (cache.containsKey(call)) {
-      return cache.get(call);
-    }
-    Object computed = value.get();
-    cache.put(call, computed);
-    return computed;
+  /** The value that a call of a query had before; null if there was none. */
+  Object known(Query query, Object call) {
+    Map<Object, Object> values = cache.get(query);
+    return values == null ? null : values.get(call);
+  }
+
+  /** Keeps the value of a call of a query, which is not null. */
+  void keep(Query query, Object call, Object value) {
+    cache.computeIfAbsent(query, any -> new HashMap<>()).put(call, value);
   }
 
   void enter(Callable callable, List<Object> arguments) {
@@ -172,12 +180,12 @@ final class GenerationRun {
           callable.place().location());
     }
     frames.push(new Frame(callable, arguments, current));
-    selves.push(arguments.isEmpty() || arguments.get(0) == null ? "" : arguments.get(0));
+    pushSelf(arguments.isEmpty() || arguments.get(0) == null ? "" : arguments.get(0));
   }
 
   void leave() {
     frames.pop();
-    selves.pop();
+    selfCount--;
   }
 
   /** The arguments of the call at work. */
@@ -185,23 +193,52 @@ final class GenerationRun {
     return frames.element().arguments();
   }
 
-  void enterItem(Object item, int index, Optional<String> variable) {
-    evaluation.bind("self", item);
-    evaluation.bind("i", index);
-    variable.ifPresent(name -> evaluation.bind(name, item));
-    selves.push(item == null ? "" : item);
+  /**
+   * Makes room for the variables of a loop, and says where; {@link #nextItem} gives them values.
+   */
+  int enterLoop(Optional<String> variable) {
+    int place = evaluation.bindings();
+    evaluation.bind("self", null);
+    evaluation.bind("i", null);
+    if (variable.isPresent()) {
+      evaluation.bind(variable.get(), null);
+    }
+    pushSelf("");
+    return place;
   }
 
-  void leaveItem(Optional<String> variable) {
-    selves.pop();
-    variable.ifPresent(evaluation::unbind);
-    evaluation.unbind("i");
-    evaluation.unbind("self");
+  /** Goes on with another item of a loop. */
+  void nextItem(int place, Object item, int index, Optional<String> variable) {
+    evaluation.rebind(place, item);
+    evaluation.rebind(place + 1, index);
+    if (variable.isPresent()) {
+      evaluation.rebind(place + 2, item);
+    }
+    selves[selfCount - 1] = item == null ? "" : item;
+  }
+
+  /** Passes over an item of a loop, of which no expression knows. */
+  void skipItem() {
+    selves[selfCount - 1] = "";
+  }
+
+  void leaveLoop(int place) {
+    selfCount--;
+    evaluation.unbindTo(place);
+  }
+
+  private void pushSelf(Object self) {
+    if (selfCount == selves.length) {
+      selves = Arrays.copyOf(selves, selfCount * 2);
+    }
+    selves[selfCount++] = self;
   }
 
   /** The values of self around the expression at work, from the innermost. */
   List<Object> selves() {
-    return new ArrayList<>(selves);
+    List<Object> found = new ArrayList<>(Arrays.asList(selves).subList(0, selfCount));
+    Collections.reverse(found);
+    return found;
   }
 
   // --- output
@@ -251,8 +288,14 @@ final class GenerationRun {
     }
   }
 
+  /** The innermost self that is a model element; null if there is none. */
   private EObject origin() {
-    return element().orElse(null);
+    for (int i = selfCount - 1; i >= 0; i--) {
+      if (selves[i] instanceof EObject element) {
+        return element;
+      }
+    }
+    return null;
   }
 
   // --- findings
@@ -310,7 +353,7 @@ final class GenerationRun {
   }
 
   private Optional<EObject> element() {
-    return selves.stream().filter(EObject.class::isInstance).map(EObject.class::cast).findFirst();
+    return Optional.ofNullable(origin());
   }
 
   private String withCalls(String hint) {

@@ -6,7 +6,6 @@ import dev.eventchain.ocl.OperationLibrary;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
-import java.util.Objects;
 import java.util.Optional;
 import org.eclipse.emf.ecore.EClassifier;
 
@@ -95,6 +94,9 @@ final class OperationTable implements OperationLibrary {
     }
   }
 
+  /** A walk through the tokens of a text, which goes on from call to call. */
+  private static final String STATEFUL = "strtok";
+
   private final List<Row> rows = new ArrayList<>();
   private ExpressionLanguage language;
 
@@ -118,7 +120,8 @@ final class OperationTable implements OperationLibrary {
     for (Row row : rows) {
       if (row.name().equals(name) && suits(row, source, argumentTypes)) {
         EClassifier result = row.result().of(new Types(language, source, argumentTypes));
-        return Optional.of(new Operation(name, result, new RowCall(row, language)));
+        return Optional.of(
+            new Operation(name, result, new RowCall(row, language, !STATEFUL.equals(name))));
       }
     }
     return Optional.empty();
@@ -130,7 +133,8 @@ final class OperationTable implements OperationLibrary {
   }
 
   /** A call of an operation. */
-  record RowCall(Row row, ExpressionLanguage language) implements Implementation {
+  record RowCall(Row row, ExpressionLanguage language, boolean isRepeatable)
+      implements Implementation {
     String name() {
       return row.name();
     }
@@ -141,8 +145,10 @@ final class OperationTable implements OperationLibrary {
         if (source == null) {
           throw new IllegalArgumentException("it is applied to null");
         }
-        if (arguments.stream().anyMatch(Objects::isNull)) {
-          throw new IllegalArgumentException("an argument is null");
+        for (Object argument : arguments) {
+          if (argument == null) {
+            throw new IllegalArgumentException("an argument is null");
+          }
         }
       }
       return row.body().call(source, arguments, new Call(language, run));

@@ -17,9 +17,13 @@ record OutputPath(String value, String problem) {
 
   private static final int LONGEST_SEGMENT = 255;
   private static final int LONGEST_PATH = 3_000;
+  private static final int SHORT_NAME = 200;
   private static final Pattern DRIVE = Pattern.compile("[A-Za-z]:.*", Pattern.DOTALL);
 
   static OutputPath of(String name) {
+    if (isPlain(name)) {
+      return new OutputPath(name, "");
+    }
     String problem = problemOfWhole(name);
     List<String> segments = new ArrayList<>();
     for (String segment : name.split("/", -1)) {
@@ -36,6 +40,21 @@ record OutputPath(String value, String problem) {
     return problem.isEmpty()
         ? new OutputPath(String.join("/", segments), "")
         : new OutputPath("", problem);
+  }
+
+  /** Whether a name is as most are: short, of letters, single dots and single slashes. */
+  private static boolean isPlain(String name) {
+    boolean afterLetter = false;
+    for (int i = 0; i < name.length(); i++) {
+      char c = name.charAt(i);
+      boolean letter =
+          (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+      if (!letter && !((c == '.' || c == '/') && afterLetter)) {
+        return false;
+      }
+      afterLetter = letter;
+    }
+    return afterLetter && name.length() <= SHORT_NAME;
   }
 
   boolean refused() {

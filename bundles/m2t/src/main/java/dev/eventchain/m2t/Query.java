@@ -9,9 +9,13 @@ import java.util.Collection;
 import java.util.List;
 import java.util.function.Predicate;
 import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.impl.BasicEObjectImpl;
 
 /** A query: an expression with a name, whose values are kept for the length of a run. */
 final class Query extends Callable {
+  /** What is kept for null. */
+  private static final Object NULL = new Object();
+
   private final EClassifier resultType;
   private Expression value;
   private Predicate<Object> accepts;
@@ -40,11 +44,21 @@ final class Query extends Callable {
   @Override
   Object call(List<Object> arguments, GenerationRun run) {
     for (Object argument : arguments) {
-      if (argument instanceof Collection<?>) {
+      // Classes are faster to ask for than an interface that most values do not have.
+      if (!(argument instanceof BasicEObjectImpl)
+          && !(argument instanceof String)
+          && argument instanceof Collection<?>) {
         return evaluate(arguments, run);
       }
     }
-    return run.cached(this, arguments, () -> evaluate(arguments, run));
+    Object call = arguments.size() == 1 ? arguments.get(0) : arguments;
+    Object known = run.known(this, call);
+    if (known == null) {
+      Object computed = evaluate(arguments, run);
+      known = computed == null ? NULL : computed;
+      run.keep(this, call, known);
+    }
+    return known == NULL ? null : known;
   }
 
   /** The call stands elsewhere, so the reason says where in the query it failed. */
@@ -57,6 +71,7 @@ final class Query extends Callable {
   private Object evaluate(List<Object> arguments, GenerationRun run) {
     Evaluation evaluation = run.evaluation();
     run.enter(this, arguments);
+    int bindings = evaluation.bindings();
     try {
       for (int i = 0; i < arguments.size(); i++) {
         evaluation.bind(parameters().get(i).name(), arguments.get(i));
@@ -82,9 +97,7 @@ final class Query extends Callable {
               value.location(),
               false);
     } finally {
-      for (int i = arguments.size() - 1; i >= 0; i--) {
-        evaluation.unbind(parameters().get(i).name());
-      }
+      evaluation.unbindTo(bindings);
       run.leave();
     }
   }

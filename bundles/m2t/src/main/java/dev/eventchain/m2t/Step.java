@@ -29,7 +29,11 @@ interface Step {
 
   /** Writes a piece that sees some variables; not at all if one of them has no value. */
   static void withVariables(List<Variable> variables, GenerationRun run, Step body) {
-    int bound = 0;
+    if (variables.isEmpty()) {
+      body.write(run);
+      return;
+    }
+    int bindings = run.evaluation().bindings();
     try {
       for (Variable variable : variables) {
         Object value = run.evaluate(variable.value());
@@ -37,13 +41,10 @@ interface Step {
           return;
         }
         run.evaluation().bind(variable.name(), value);
-        bound++;
       }
       body.write(run);
     } finally {
-      for (int i = bound - 1; i >= 0; i--) {
-        run.evaluation().unbind(variables.get(i).name());
-      }
+      run.evaluation().unbindTo(bindings);
     }
   }
 }

@@ -138,27 +138,33 @@ final class Steps {
       implements Step {
     @Override
     public void write(GenerationRun run) {
-      Object value = run.evaluate(items);
+      Object value = run.read(items);
       if (value instanceof Invalid) {
         return;
       }
-      Collection<?> all = elements(value);
+      Collection<?> all = readElements(value);
       if (all.isEmpty()) {
         return;
       }
       Decoration.writeText(decoration.before(), run);
-      int index = 0;
-      boolean first = true;
-      for (Object item : all) {
-        if (item(item, ++index, !first, run)) {
-          first = false;
+      int place = run.enterLoop(variable);
+      try {
+        int index = 0;
+        boolean first = true;
+        for (Object item : all) {
+          if (item(place, item, ++index, !first, run)) {
+            first = false;
+          }
         }
+      } finally {
+        run.leaveLoop(place);
       }
       Decoration.writeText(decoration.after(), run);
     }
 
-    private boolean item(Object item, int index, boolean separator, GenerationRun run) {
+    private boolean item(int place, Object item, int index, boolean separator, GenerationRun run) {
       if (item != null && !accepts.test(item)) {
+        run.skipItem();
         run.warn(
             "m2t.for.type",
             items.location(),
@@ -172,19 +178,15 @@ final class Steps {
             "Filter the collection: ->filter(" + typeName + ").");
         return false;
       }
-      run.enterItem(item, index, variable);
-      try {
-        if (guard.isPresent() && !run.holds(guard.get())) {
-          return false;
-        }
-        if (separator) {
-          Decoration.writeText(decoration.separator(), run);
-        }
-        Step.withVariables(variables, run, body);
-        return true;
-      } finally {
-        run.leaveItem(variable);
+      run.nextItem(place, item, index, variable);
+      if (guard.isPresent() && !run.holds(guard.get())) {
+        return false;
       }
+      if (separator) {
+        Decoration.writeText(decoration.separator(), run);
+      }
+      Step.withVariables(variables, run, body);
+      return true;
     }
   }
 
@@ -225,11 +227,12 @@ final class Steps {
           return;
         }
         if (value != null && binding.accepts().test(value)) {
+          int bindings = run.evaluation().bindings();
           run.evaluation().bind(binding.name(), value);
           try {
             Step.withVariables(binding.variables(), run, binding.body());
           } finally {
-            run.evaluation().unbind(binding.name());
+            run.evaluation().unbindTo(bindings);
           }
           return;
         }
@@ -307,5 +310,10 @@ final class Steps {
       return new ArrayList<>(collection);
     }
     return value == null ? List.of() : List.of(value);
+  }
+
+  /** The same without a copy, for a walk through them at once. */
+  private static Collection<?> readElements(Object value) {
+    return value instanceof Collection<?> collection ? collection : elements(value);
   }
 }

@@ -77,11 +77,11 @@ final class Template extends Callable {
 
   private boolean guard(List<Object> arguments, GenerationRun run) {
     run.enter(this, arguments);
-    bind(arguments, run.evaluation());
+    int bindings = bind(arguments, run.evaluation());
     try {
       return run.holds(definition.guard().get());
     } finally {
-      unbind(run.evaluation());
+      run.evaluation().unbindTo(bindings);
       run.leave();
     }
   }
@@ -116,7 +116,7 @@ final class Template extends Callable {
   /** Writes this template's text even if another one overrides it. */
   void writeExactly(List<Object> arguments, GenerationRun run, String indentation) {
     run.enter(this, arguments);
-    bind(arguments, run.evaluation());
+    int bindings = bind(arguments, run.evaluation());
     OutputBuffer.Part part = run.output().beginIndented(indentation);
     try {
       if (definition.post().isEmpty()) {
@@ -126,7 +126,7 @@ final class Template extends Callable {
       }
     } finally {
       run.output().end(part);
-      unbind(run.evaluation());
+      run.evaluation().unbindTo(bindings);
       run.leave();
     }
   }
@@ -158,17 +158,13 @@ final class Template extends Callable {
     }
   }
 
-  private void bind(List<Object> arguments, Evaluation evaluation) {
+  /** Gives the parameters and self their values; says how many variables had one before. */
+  private int bind(List<Object> arguments, Evaluation evaluation) {
+    int bindings = evaluation.bindings();
     evaluation.bind("self", arguments.isEmpty() ? null : arguments.get(0));
     for (int i = 0; i < arguments.size(); i++) {
       evaluation.bind(parameters().get(i).name(), arguments.get(i));
     }
-  }
-
-  private void unbind(Evaluation evaluation) {
-    for (int i = parameters().size() - 1; i >= 0; i--) {
-      evaluation.unbind(parameters().get(i).name());
-    }
-    evaluation.unbind("self");
+    return bindings;
   }
 }

@@ -11,10 +11,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
-import org.eclipse.emf.common.util.TreeIterator;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
-import org.eclipse.emf.ecore.util.EcoreUtil;
 
 /**
  * A template module (OMG MOFM2T 1.0 in the syntax of Acceleo 3) with all that it imports, compiled.
@@ -139,14 +137,15 @@ public final class TemplateModule {
           "Call it from a main template that has one.");
       return;
     }
-    TreeIterator<EObject> objects = EcoreUtil.getAllContents(roots);
-    while (objects.hasNext()) {
-      EObject object = objects.next();
-      List<Object> arguments = List.of(object);
-      if (main.parameters().get(0).accepts().test(object) && main.accepts(arguments, run)) {
-        main.call(arguments, run);
-      }
-    }
+    Callable.Parameter parameter = main.parameters().get(0);
+    ModelWalk walk =
+        new ModelWalk(
+            object -> {
+              if (parameter.accepts().test(object) && main.accepts(List.of(object), run)) {
+                main.call(List.of(object), run);
+              }
+            });
+    roots.forEach(walk::visit);
   }
 
   private void nothingGenerated(GenerationRun run) {

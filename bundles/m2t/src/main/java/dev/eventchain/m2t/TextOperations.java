@@ -150,7 +150,25 @@ final class TextOperations {
   }
 
   private static List<Object> tokens(Object value, String delimiters) {
-    return Collections.list(new StringTokenizer(text(value), delimiters));
+    return delimiters.length() == 1
+        ? tokens(text(value), delimiters.charAt(0))
+        : Collections.list(new StringTokenizer(text(value), delimiters));
+  }
+
+  /** The frequent case without a walk over each character. */
+  private static List<Object> tokens(String text, char delimiter) {
+    List<Object> tokens = new ArrayList<>(4);
+    int start = 0;
+    for (int end = text.indexOf(delimiter); end >= 0; end = text.indexOf(delimiter, start)) {
+      if (end > start) {
+        tokens.add(text.substring(start, end));
+      }
+      start = end + 1;
+    }
+    if (start < text.length()) {
+      tokens.add(text.substring(start));
+    }
+    return tokens;
   }
 
   private static String first(Object value, boolean upper) {

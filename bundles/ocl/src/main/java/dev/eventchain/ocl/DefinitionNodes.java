@@ -2,6 +2,7 @@ package dev.eventchain.ocl;
 
 import java.util.Arrays;
 import org.eclipse.ocl.EvaluationHaltedException;
+import org.eclipse.ocl.types.CollectionType;
 
 /** Calls of definitions and of libraries. */
 final class DefinitionNodes {
@@ -64,6 +65,7 @@ final class DefinitionNodes {
   static final class LibraryCall extends GuardedNode {
     private final Object call;
     private final Object type;
+    private final boolean givesCollection;
     private final OperationLibrary.Implementation implementation;
     private final Node source;
     private final Node[] arguments;
@@ -82,6 +84,7 @@ final class DefinitionNodes {
         Node[] arguments) {
       this.call = call;
       this.type = type;
+      this.givesCollection = type instanceof CollectionType<?, ?>;
       this.implementation = implementation;
       this.source = source;
       this.arguments = arguments;
@@ -90,7 +93,10 @@ final class DefinitionNodes {
     @Override
     Object compute(Frame frame) {
       Object result = call(implementation, frame);
-      return result instanceof Invalid ? INVALID : CollectionOperations.conform(result, type);
+      if (result instanceof Invalid) {
+        return INVALID;
+      }
+      return givesCollection ? CollectionOperations.conform(result, type) : result;
     }
 
     /** Calls a receiver in place of the library; null, or invalid. */
@@ -117,7 +123,9 @@ final class DefinitionNodes {
           return INVALID;
         }
       }
-      return frame.calls().call(call, called, object, Arrays.asList(values), frame.run);
+      return called.isRepeatable()
+          ? called.call(object, Arrays.asList(values), frame.run)
+          : frame.calls().call(call, called, object, values, frame.run);
     }
   }
 }

@@ -95,6 +95,25 @@ public final class Evaluation {
     values.remove(name);
   }
 
+  /** How many values variables have been given that were not taken back. */
+  public int bindings() {
+    return values.size();
+  }
+
+  /**
+   * Replaces a value that a variable was given.
+   *
+   * @param binding what {@link #bindings} was before {@link #bind}
+   */
+  public void rebind(int binding, Object value) {
+    values.set(binding, value);
+  }
+
+  /** Takes back all values that variables were given since {@link #bindings} was so many. */
+  public void unbindTo(int bindings) {
+    values.truncate(bindings);
+  }
+
   /** Keeps an object for the libraries' use, such as an engine's own state. */
   public Evaluation attach(Object state) {
     attachment = state;

@@ -184,7 +184,7 @@ final class Evaluator extends EvaluationVisitorImpl {
       arguments.add(value);
     }
     // What the library evaluates on the way must not pass for the reason of this result.
-    Object result = calls.call(call, operation.implementation(), source, arguments, run);
+    Object result = calls.call(call, operation.implementation(), source, arguments.toArray(), run);
     run.setOrigin(null);
     if (result instanceof Invalid invalid) {
       run.setOrigin(new InvalidOrigin(call, source, invalid.reason()));

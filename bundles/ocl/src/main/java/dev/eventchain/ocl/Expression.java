@@ -117,7 +117,16 @@ public final class Expression {
    *     {@link EClassifier}
    */
   public Object evaluate(Evaluation run) {
-    return evaluate(run, null);
+    return evaluate(run, null, false);
+  }
+
+  /**
+   * Evaluates for a caller that only walks through the value, at once, and keeps no reference to
+   * it: of a collection, which may be the model's own list, only its elements and their order can
+   * be relied on.
+   */
+  public Object read(Evaluation run) {
+    return evaluate(run, null, true);
   }
 
   /**
@@ -130,19 +139,21 @@ public final class Expression {
    * @throws IllegalStateException if there is no {@link #outermostCall}
    */
   public Object evaluateCalls(Evaluation run, OperationLibrary.Implementation receiver) {
-    return evaluate(run, receiver);
+    return evaluate(run, receiver, false);
   }
 
-  private Object evaluate(Evaluation run, OperationLibrary.Implementation receiver) {
+  private Object evaluate(Evaluation run, OperationLibrary.Implementation receiver, boolean read) {
     int height = run.values().size();
     boolean outermost = run.begin();
     try {
-      Frame frame = lowered().frame(run);
-      Node root = lowered().root();
-      Object value =
-          receiver == null
-              ? root.evaluate(frame)
-              : DefinitionNodes.evaluateCalls(root, receiver, frame);
+      Lowered code = lowered();
+      Frame frame = code.frame(run);
+      Object value;
+      if (receiver != null) {
+        value = DefinitionNodes.evaluateCalls(code.root(), receiver, frame);
+      } else {
+        value = read ? code.root().read(frame) : code.root().evaluate(frame);
+      }
       return value == Node.INVALID ? explain(frame) : value;
     } catch (EvaluationHaltedException e) {
       return new Invalid(e.getMessage(), location(), true);
@@ -167,10 +178,12 @@ public final class Expression {
   }
 
   private Lowered lowered() {
-    if (lowered == null) {
-      lowered = language.lower(ast);
+    Lowered known = lowered;
+    if (known == null) {
+      known = language.lower(ast);
+      lowered = known;
     }
-    return lowered;
+    return known;
   }
 
   /**

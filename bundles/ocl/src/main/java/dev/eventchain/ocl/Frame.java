@@ -3,6 +3,8 @@ package dev.eventchain.ocl;
 /** The variables of one evaluation of a lowered expression, or of one call of a definition. */
 final class Frame {
 
+  private static final Object[] NO_SLOTS = {};
+
   final Evaluation run;
   final Object[] slots;
 
@@ -14,7 +16,7 @@ final class Frame {
   /** For an expression. */
   Frame(Evaluation run, int size) {
     this.run = run;
-    this.slots = new Object[size];
+    this.slots = size == 0 ? NO_SLOTS : new Object[size];
     this.outermost = this;
   }
 

@@ -1,7 +1,7 @@
 package dev.eventchain.ocl;
 
 import java.util.ArrayDeque;
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.List;
@@ -26,18 +26,23 @@ final class LibraryCalls {
     }
   }
 
-  private record Entry(Question question, Answer answer) {}
+  private static final int PARTS = 4;
 
-  private List<Entry> entries;
+  /** Call, source, arguments and answer, one after the other; an exception is in an Answer. */
+  private Object[] entries = new Object[2 * PARTS];
+
+  private int size;
   private Map<Question, Deque<Answer>> answers;
 
   /** From now on, gives the answers of before to the questions of before. */
   void replay() {
     answers = new HashMap<>();
-    if (entries != null) {
-      for (Entry entry : entries) {
-        answers.computeIfAbsent(entry.question(), q -> new ArrayDeque<>()).add(entry.answer());
-      }
+    for (int i = 0; i < size; i += PARTS) {
+      Question question =
+          new Question(entries[i], entries[i + 1], Arrays.asList((Object[]) entries[i + 2]));
+      Object value = entries[i + 3];
+      Answer answer = value instanceof Answer failed ? failed : new Answer(value, null);
+      answers.computeIfAbsent(question, q -> new ArrayDeque<>()).add(answer);
     }
   }
 
@@ -50,25 +55,33 @@ final class LibraryCalls {
       Object call,
       OperationLibrary.Implementation implementation,
       Object source,
-      List<Object> arguments,
+      Object[] arguments,
       Evaluation run) {
-    Question question = new Question(call, source, arguments);
-    if (answers != null && answers.containsKey(question)) {
-      Deque<Answer> known = answers.get(question);
+    Deque<Answer> known =
+        answers == null ? null : answers.get(new Question(call, source, Arrays.asList(arguments)));
+    if (known != null) {
       return (known.size() > 1 ? known.remove() : known.element()).give();
     }
-    Answer answer;
     try {
-      answer = new Answer(implementation.call(source, arguments, run), null);
+      Object value = implementation.call(source, Arrays.asList(arguments), run);
+      add(call, source, arguments, value);
+      return value;
     } catch (org.eclipse.ocl.EvaluationHaltedException e) {
       throw e;
     } catch (RuntimeException e) {
-      answer = new Answer(null, e);
+      add(call, source, arguments, new Answer(null, e));
+      throw e;
     }
-    if (entries == null) {
-      entries = new ArrayList<>();
+  }
+
+  private void add(Object call, Object source, Object[] arguments, Object answer) {
+    if (size == entries.length) {
+      entries = Arrays.copyOf(entries, size * 2);
     }
-    entries.add(new Entry(question, answer));
-    return answer.give();
+    entries[size] = call;
+    entries[size + 1] = source;
+    entries[size + 2] = arguments;
+    entries[size + 3] = answer;
+    size += PARTS;
   }
 }

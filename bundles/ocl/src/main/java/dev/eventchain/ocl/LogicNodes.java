@@ -2,6 +2,8 @@ package dev.eventchain.ocl;
 
 import org.eclipse.emf.ecore.EEnumLiteral;
 import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.impl.BasicEObjectImpl;
+import org.eclipse.emf.ecore.impl.EEnumLiteralImpl;
 import org.eclipse.ocl.util.ObjectUtil;
 
 /** Logic with null and invalid, equality, and the tests for null and invalid. */
@@ -142,7 +144,9 @@ final class LogicNodes {
 
     /** An object is equal to itself only; a literal of an enumeration also to its Java value. */
     private static boolean isPlainObject(Object value) {
-      return value instanceof EObject && !(value instanceof EEnumLiteral);
+      return value instanceof BasicEObjectImpl
+          ? !(value instanceof EEnumLiteralImpl)
+          : value instanceof EObject && !(value instanceof EEnumLiteral);
     }
 
     /** A number of a Java type that Eclipse OCL converts before it compares. */

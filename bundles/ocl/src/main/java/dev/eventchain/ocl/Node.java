@@ -1,6 +1,8 @@
 package dev.eventchain.ocl;
 
+import java.util.AbstractCollection;
 import java.util.Collection;
+import org.eclipse.emf.ecore.impl.BasicEObjectImpl;
 import org.eclipse.ocl.ecore.EcoreEnvironmentFactory;
 
 /**
@@ -33,7 +35,19 @@ abstract class Node {
 
   /** What {@link #read} gives, if that is a collection; otherwise null. */
   final Collection<?> elements(Frame frame) {
-    return read(frame) instanceof Collection<?> elements ? elements : null;
+    Object value = read(frame);
+    return isCollection(value) ? (Collection<?>) value : null;
+  }
+
+  /**
+   * Whether a value is a collection. Java tells fast whether an object is of a class, but goes
+   * through all interfaces of its class for one that it does not have; so what most values are is
+   * asked first.
+   */
+  static boolean isCollection(Object value) {
+    return !(value instanceof String)
+        && !(value instanceof BasicEObjectImpl)
+        && (value instanceof AbstractCollection<?> || value instanceof Collection<?>);
   }
 
   static boolean isUndefined(Object value) {

@@ -59,5 +59,14 @@ public interface OperationLibrary {
      *     java.util.Collection} will do for a collection type
      */
     Object call(Object source, List<Object> arguments, Evaluation run);
+
+    /**
+     * Whether calling once more with the same source and arguments changes nothing and gives the
+     * same; otherwise the answer of each call is kept until its expression has been evaluated, in
+     * case that somebody wants to know why it has no value.
+     */
+    default boolean isRepeatable() {
+      return false;
+    }
   }
 }

@@ -38,6 +38,11 @@ final class ValueStack {
     }
   }
 
+  /** Replaces the value that was pushed at a height. */
+  void set(int height, Object value) {
+    values[height] = value;
+  }
+
   /** Removes the latest value of a name and returns it. */
   Object remove(String name) {
     int index = find(name);
