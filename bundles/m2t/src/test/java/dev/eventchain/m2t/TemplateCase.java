@@ -94,7 +94,7 @@ record TemplateCase(Path folder) {
         .withEarlier(this::earlier)
         .withProperties(
             Map.of(
-                "greeting", "hello", "eventchain.version", "1.0", "eventchain.model", "model.xmi"));
+                "greeting", "hello", "provenance.version", "1.0", "provenance.model", "model.xmi"));
   }
 
   private Optional<byte[]> earlier(String name) {

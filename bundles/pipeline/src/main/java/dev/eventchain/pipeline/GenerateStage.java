@@ -29,9 +29,6 @@ import java.util.TreeMap;
  */
 final class GenerateStage implements StageWork {
 
-  /** How the names of properties begin that the program itself gives to templates. */
-  private static final String PROPERTIES = "eventchain.";
-
   private static final String COMPONENTS = "components/";
 
   @Override
@@ -95,9 +92,9 @@ final class GenerateStage implements StageWork {
   private static Map<String, String> properties(RunContext run) {
     String version = GenerateStage.class.getPackage().getImplementationVersion();
     Map<String, String> properties = new TreeMap<>();
-    properties.put(PROPERTIES + "model", run.model().getFileName().toString());
+    properties.put("provenance.model", run.model().getFileName().toString());
     if (version != null) {
-      properties.put(PROPERTIES + "version", version);
+      properties.put("provenance.version", version);
     }
     return properties;
   }
