@@ -1,11 +1,10 @@
 package dev.eventchain.cli;
 
-import dev.eventchain.diagnostics.Coverage;
-import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.pipeline.Diagrams;
 import dev.eventchain.pipeline.Diagrams.Kind;
 import dev.eventchain.pipeline.Project;
 import dev.eventchain.pipeline.Stage;
+import dev.eventchain.pipeline.WrittenFiles;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumSet;
@@ -100,7 +99,7 @@ final class DiagramCommand extends ProjectCommand {
     return kinds.isEmpty() ? EnumSet.copyOf(List.of(otherwise)) : kinds;
   }
 
-  private Outcome drawn(List<Diagnostic> found) {
-    return Outcome.of(Coverage.NONE, found, suppressions());
+  private Outcome drawn(WrittenFiles files) {
+    return Outcome.of(files, suppressions());
   }
 }

@@ -1,7 +1,5 @@
 package dev.eventchain.cli;
 
-import dev.eventchain.diagnostics.Coverage;
-import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.pipeline.AnyModel;
 import dev.eventchain.pipeline.Project;
 import dev.eventchain.pipeline.Stage;
@@ -79,8 +77,8 @@ final class GenerateCommand extends ProjectCommand {
     if (folder == null) {
       throw wrongUsage("say where to write: -o FOLDER");
     }
-    List<Diagnostic> found =
-        AnyModel.generate(metamodels, template, services, inputs, folder, overwrite(), trace);
-    return Outcome.of(Coverage.NONE, found, suppressions());
+    return Outcome.of(
+        AnyModel.generate(metamodels, template, services, inputs, folder, overwrite(), trace),
+        suppressions());
   }
 }

@@ -8,6 +8,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.diagnostics.Suppressions.Suppressed;
 import dev.eventchain.pipeline.RunResult;
+import dev.eventchain.pipeline.WrittenFiles;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -17,6 +18,7 @@ import java.util.Optional;
  *
  * @param failed whether it could not do its work, and the findings say why
  * @param run the run of the project's stages, when there was one
+ * @param written what was written without a project, for people; may be empty
  */
 record Outcome(
     int exitCode,
@@ -24,12 +26,13 @@ record Outcome(
     Coverage coverage,
     List<Diagnostic> diagnostics,
     List<Suppressed> suppressed,
-    Optional<RunResult> run) {
+    Optional<RunResult> run,
+    String written) {
 
   /** Of a command that did its work. */
   static Outcome of(Coverage coverage, List<Diagnostic> found, List<Suppressed> suppressed) {
     int code = Diagnostic.anyError(found) ? ExitCode.FINDINGS : ExitCode.FINE;
-    return new Outcome(code, false, coverage, found, suppressed, Optional.empty());
+    return new Outcome(code, false, coverage, found, suppressed, Optional.empty(), "");
   }
 
   /** Of a run of stages. */
@@ -38,7 +41,7 @@ record Outcome(
         run.verdict() == RunResult.Verdict.FAILED || Diagnostic.anyError(run.diagnostics());
     int code = run.failure().map(ExitCode::of).orElse(wanting ? ExitCode.FINDINGS : ExitCode.FINE);
     return new Outcome(
-        code, false, run.coverage(), run.diagnostics(), run.suppressed(), Optional.of(run));
+        code, false, run.coverage(), run.diagnostics(), run.suppressed(), Optional.of(run), "");
   }
 
   /** Every failure is a finding; one that is not is a defect of this program, and says so. */
@@ -62,7 +65,7 @@ record Outcome(
   }
 
   private static Outcome failed(int exitCode, List<Diagnostic> diagnostics) {
-    return new Outcome(exitCode, true, Coverage.NONE, diagnostics, List.of(), Optional.empty());
+    return new Outcome(exitCode, true, Coverage.NONE, diagnostics, List.of(), Optional.empty(), "");
   }
 
   /** The same with what came up while the reports were written, which makes the command fail. */
@@ -72,7 +75,7 @@ record Outcome(
     }
     List<Diagnostic> all = new ArrayList<>(diagnostics);
     all.addAll(problems);
-    return new Outcome(ExitCode.INPUT, failed, coverage, all, suppressed, run);
+    return new Outcome(ExitCode.INPUT, failed, coverage, all, suppressed, run, written);
   }
 
   Report report() {
@@ -88,5 +91,18 @@ record Outcome(
     remaining.addAll(suppressions.expired());
     remaining.addAll(suppressions.stale(entry -> entry.isAboutChecksOf(coverage), found));
     return of(coverage, remaining, parted.suppressed());
+  }
+
+  /** Of a command that wrote files without a project. */
+  static Outcome of(WrittenFiles files, Suppressions suppressions) {
+    Outcome judged = of(Coverage.NONE, files.diagnostics(), suppressions);
+    return new Outcome(
+        judged.exitCode,
+        false,
+        Coverage.NONE,
+        judged.diagnostics,
+        judged.suppressed,
+        Optional.empty(),
+        files.summary());
   }
 }

@@ -151,6 +151,9 @@ abstract class ProjectCommand implements Callable<Integer> {
       List<Diagnostic> shown = outcome.failed() ? last.diagnostics() : unwritten;
       console.err().print(DiagnosticFormat.TEXT.render(shown));
     }
+    if (!last.written().isEmpty()) {
+      console.err().println(last.written());
+    }
     if (!last.coverage().equals(Coverage.NONE)) {
       console.err().printf(Locale.ROOT, "%s; %.2f s%n", last.report().summary(), seconds);
     }

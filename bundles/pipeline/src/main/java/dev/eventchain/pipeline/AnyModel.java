@@ -10,6 +10,7 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.m2t.GenerationContext;
 import dev.eventchain.m2t.GenerationResult;
 import dev.eventchain.m2t.OutputFolder;
+import dev.eventchain.m2t.OutputFolder.OnEdit;
 import dev.eventchain.m2t.TemplateModule;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.metamodel.LoadedModel;
@@ -23,6 +24,7 @@ import dev.eventchain.ocl.OclValidator;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EObject;
@@ -116,10 +118,10 @@ public final class AnyModel {
    *     to in other files
    * @param overwrite whether files that a person has edited are replaced
    * @param trace whether {@code trace.json} is written, too, which says where each line comes from
-   * @return what was found; nothing was written if one of it is an error
+   * @return what was found, and nothing written if one of it is an error
    * @throws DiagnosticException INPUT if a file cannot be read, or the output not written
    */
-  public static List<Diagnostic> generate(
+  public static WrittenFiles generate(
       List<Path> metamodels,
       Path template,
       List<Path> services,
@@ -134,30 +136,26 @@ public final class AnyModel {
     }
   }
 
-  private List<Diagnostic> generate(
+  private WrittenFiles generate(
       TemplateModule module, Path folder, boolean overwrite, boolean trace) {
+    WrittenFiles files = new WrittenFiles(folder);
     try (OutputFolder output = OutputFolder.open(folder)) {
       GenerationContext context = GenerationContext.of(origins::locate).withEarlier(output::read);
       GenerationResult result = module.generate(roots, trace ? context.withTrace() : context);
-      List<Diagnostic> found = new ArrayList<>(module.warnings());
-      found.addAll(result.diagnostics());
+      files.found(module.warnings());
+      files.found(result.diagnostics());
       if (trace && result.files().containsKey(TraceFile.NAME)) {
-        found.add(traceTaken());
+        files.found(List.of(traceTaken()));
       }
-      if (!Diagnostic.anyError(found)) {
-        OutputFolder.OnEdit onEdit =
-            overwrite ? OutputFolder.OnEdit.OVERWRITE : OutputFolder.OnEdit.KEEP;
-        result
-            .files()
-            .forEach(
-                (name, content) ->
-                    output.write(name, content, onEdit).finding().ifPresent(found::add));
-        if (trace) {
-          byte[] content = TraceFile.content(result.trace(), "", List.of());
-          output.write(TraceFile.NAME, content, OutputFolder.OnEdit.OVERWRITE);
-        }
+      if (Diagnostic.anyError(files.diagnostics())) {
+        return files;
       }
-      return found;
+      files.write(output, result.files(), overwrite ? OnEdit.OVERWRITE : OnEdit.KEEP);
+      if (trace) {
+        byte[] content = TraceFile.content(result.trace(), "", List.of());
+        files.write(output, Map.of(TraceFile.NAME, content), OnEdit.OVERWRITE);
+      }
+      return files;
     }
   }
 

@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.m2t.GenerationContext;
 import dev.eventchain.m2t.GenerationResult;
 import dev.eventchain.m2t.OutputFolder;
+import dev.eventchain.m2t.OutputFolder.OnEdit;
 import dev.eventchain.m2t.TemplateModule;
 import dev.eventchain.metamodel.LoadedModel;
 import dev.eventchain.metamodel.Origins;
@@ -20,6 +21,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.eclipse.emf.common.util.TreeIterator;
 import org.eclipse.emf.ecore.EClassifier;
@@ -81,22 +83,19 @@ public final class Diagrams {
    * @return what was found; a diagram with an error among its findings is not written
    * @throws DiagnosticException INPUT if a file cannot be read, or the output not written
    */
-  public static List<Diagnostic> draw(
+  public static WrittenFiles draw(
       Set<Kind> kinds, List<Path> ecores, List<Path> models, Path folder, boolean overwrite) {
     Diagrams diagrams = new Diagrams(ecores, models);
-    OutputFolder.OnEdit onEdit =
-        overwrite ? OutputFolder.OnEdit.OVERWRITE : OutputFolder.OnEdit.KEEP;
-    List<Diagnostic> found = new ArrayList<>();
+    WrittenFiles files = new WrittenFiles(folder);
     try (OutputFolder output = OutputFolder.open(folder)) {
       for (Kind kind : kinds) {
-        diagrams
-            .draw(kind, found)
-            .forEach(
-                (name, content) ->
-                    output.write(name, content, onEdit).finding().ifPresent(found::add));
+        List<Diagnostic> found = new ArrayList<>();
+        Map<String, byte[]> drawn = diagrams.draw(kind, found);
+        files.found(found);
+        files.write(output, drawn, overwrite ? OnEdit.OVERWRITE : OnEdit.KEEP);
       }
     }
-    return found;
+    return files;
   }
 
   private Map<String, byte[]> draw(Kind kind, List<Diagnostic> found) {
@@ -123,7 +122,7 @@ public final class Diagrams {
       return Map.of();
     }
     byte[] picture = DiagramImage.svg(new String(text, StandardCharsets.UTF_8));
-    return Map.of(kind + ".puml", text, kind + ".svg", picture);
+    return new TreeMap<>(Map.of(kind + ".puml", text, kind + ".svg", picture));
   }
 
   private GenerationContext context(Kind kind) {

@@ -87,6 +87,10 @@ class AnyModelTest {
   private List<Diagnostic> generate(String body, List<Path> services, String... models)
       throws IOException {
     Path template = Files.writeString(folder.resolve("main.mtl"), TEMPLATE.replace("BODY", body));
+    return write(template, services, models).diagnostics();
+  }
+
+  private WrittenFiles write(Path template, List<Path> services, String... models) {
     return AnyModel.generate(
         List.of(folder.resolve("shop.ecore")),
         template,
@@ -95,6 +99,23 @@ class AnyModelTest {
         folder.resolve("out"),
         false,
         false);
+  }
+
+  @Test
+  void itSaysWhatBecameOfTheFiles() throws IOException {
+    String text =
+        "[module t('http://example.org/shop')]\n[template public t(s : Shop)]\n[comment @main/]\n";
+    text += "[file (s.name, false)][s.owner.name/][/file]\n[/template]\n";
+    Path template = Files.writeString(folder.resolve("t.mtl"), text);
+    String where = folder.resolve("out").toString();
+    assertEquals(
+        "1 file in " + where + ": 1 written", write(template, List.of(), "bakery.xmi").summary());
+    assertEquals(
+        "2 files in " + where + ": 1 written, 1 unchanged",
+        write(template, List.of(), "bakery.xmi", "smithy.xmi").summary());
+    Files.writeString(folder.resolve("out/bakery"), "mine");
+    assertEquals(
+        "1 file in " + where + ": 1 kept", write(template, List.of(), "bakery.xmi").summary());
   }
 
   private String out(String name) throws IOException {

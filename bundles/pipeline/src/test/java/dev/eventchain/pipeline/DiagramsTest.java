@@ -186,7 +186,8 @@ class DiagramsTest {
 
     List<Diagnostic> found =
         Diagrams.draw(
-            EnumSet.of(Kind.METAMODEL), List.of(ecore), List.of(), folder.resolve("out"), false);
+                EnumSet.of(Kind.METAMODEL), List.of(ecore), List.of(), folder.resolve("out"), false)
+            .diagnostics();
 
     assertEquals(List.of(), found);
     List<String> shown = texts(svg(Kind.METAMODEL));
@@ -297,7 +298,8 @@ class DiagramsTest {
 
   private List<Diagnostic> draw(EventChain chain, Set<Kind> kinds) throws IOException {
     Path model = Files.write(folder.resolve("model.xmi"), XmiStore.toBytes(chain));
-    return Diagrams.draw(kinds, List.of(), List.of(model), folder.resolve("out"), false);
+    return Diagrams.draw(kinds, List.of(), List.of(model), folder.resolve("out"), false)
+        .diagnostics();
   }
 
   /** The PlantUML text of a chain without findings. */

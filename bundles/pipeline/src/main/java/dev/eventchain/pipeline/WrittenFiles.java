@@ -1,0 +1,57 @@
+package dev.eventchain.pipeline;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.m2t.OutputFolder;
+import dev.eventchain.m2t.OutputFolder.OnEdit;
+import dev.eventchain.m2t.OutputFolder.Outcome;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+
+/** The files that a command without a project made, and what was found on the way. */
+public final class WrittenFiles {
+
+  private final Path folder;
+  private final List<Diagnostic> found = new ArrayList<>();
+  private final Map<Outcome, Integer> counts = new EnumMap<>(Outcome.class);
+
+  WrittenFiles(Path folder) {
+    this.folder = folder;
+  }
+
+  void found(List<Diagnostic> diagnostics) {
+    found.addAll(diagnostics);
+  }
+
+  void write(OutputFolder output, Map<String, byte[]> files, OnEdit onEdit) {
+    files.forEach(
+        (name, content) -> {
+          OutputFolder.Written written = output.write(name, content, onEdit);
+          written.finding().ifPresent(found::add);
+          counts.merge(written.outcome(), 1, Integer::sum);
+        });
+  }
+
+  /** What was found; a file with an error among its findings was not written. */
+  public List<Diagnostic> diagnostics() {
+    return List.copyOf(found);
+  }
+
+  /** For people: {@code 3 files in out: 1 written, 2 unchanged}; empty if there are none. */
+  public String summary() {
+    int files = counts.values().stream().mapToInt(Integer::intValue).sum();
+    List<String> parts = new ArrayList<>();
+    counts.forEach(
+        (outcome, count) -> parts.add(count + " " + outcome.name().toLowerCase(Locale.ROOT)));
+    return files == 0
+        ? ""
+        : files
+            + (files == 1 ? " file in " : " files in ")
+            + folder.normalize()
+            + ": "
+            + String.join(", ", parts);
+  }
+}
