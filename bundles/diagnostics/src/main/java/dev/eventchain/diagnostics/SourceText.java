@@ -19,9 +19,6 @@ public final class SourceText {
 
   private static final long LARGEST = 256L << 20;
 
-  /** A longer line helps nobody, and would be kept once for each finding in it. */
-  private static final int LONGEST_LINE_SHOWN = 4096;
-
   private static final char BYTE_ORDER_MARK = '\uFEFF';
 
   /** What Java puts in place of bytes that are not UTF-8; a text may also hold it. */
@@ -30,6 +27,11 @@ public final class SourceText {
   private final String name;
   private final String text;
   private final int[] lineStarts;
+
+  /** The line that was last asked for: many findings on a line of megabytes share one copy. */
+  private volatile Line last;
+
+  private record Line(int index, String text) {}
 
   private SourceText(String name, String text) {
     this.name = name;
@@ -177,12 +179,21 @@ public final class SourceText {
   }
 
   private String lineText(int index) {
+    Line known = last;
+    if (known == null || known.index() != index) {
+      known = new Line(index, lineAt(index));
+      last = known;
+    }
+    return known.text();
+  }
+
+  private String lineAt(int index) {
     int end = index + 1 < lineStarts.length ? lineStarts[index + 1] : text.length();
     int start = lineStarts[index];
     while (end > start && (text.charAt(end - 1) == '\n' || text.charAt(end - 1) == '\r')) {
       end--;
     }
-    return end - start > LONGEST_LINE_SHOWN ? "" : text.substring(start, end);
+    return text.substring(start, end);
   }
 
   private static int[] lineStarts(String text) {

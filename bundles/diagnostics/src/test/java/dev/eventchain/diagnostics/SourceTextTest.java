@@ -1,6 +1,7 @@
 package dev.eventchain.diagnostics;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
 import java.io.IOException;
@@ -28,6 +29,14 @@ class SourceTextTest {
     assertEquals(new SourceLocation("a", 2, 1, "", ""), text.at(99));
     assertEquals(new SourceLocation("a", 1, 1, "", "x"), text.at(-1));
     assertEquals(new SourceLocation("empty", 1, 1, "", ""), SourceText.of("empty", "").at(0));
+  }
+
+  @Test
+  void findingsOnALineShareItsText() {
+    SourceText text = SourceText.of("a", "one\n" + "x".repeat(10_000) + "\nthree");
+    assertSame(text.at(10).excerpt(), text.at(2, 5_000).excerpt());
+    assertEquals("three", text.at(3, 1).excerpt());
+    assertEquals("one", text.at(0).excerpt());
   }
 
   @Test
