@@ -18,6 +18,7 @@ import java.util.Properties;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import org.eclipse.emf.common.util.URI;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
@@ -39,7 +40,31 @@ record TemplateCase(Path folder) {
   /** What came of it: files, and findings one a line. */
   record Outcome(SortedMap<String, byte[]> files, String findings) {}
 
+  /** A compiled template, the model that it is for, and what else a generation is given. */
+  record Prepared(TemplateModule module, Resource model, GenerationContext context) {
+    GenerationResult generate(UnaryOperator<GenerationContext> changed) {
+      return module.generate(model.getContents(), changed.apply(context));
+    }
+  }
+
   Outcome run() throws IOException {
+    try {
+      Prepared prepared = prepare();
+      GenerationResult result = prepared.generate(UnaryOperator.identity());
+      List<Diagnostic> findings = new ArrayList<>(prepared.module().warnings());
+      findings.addAll(result.diagnostics());
+      return new Outcome(result.files(), text(findings));
+    } catch (DiagnosticException e) {
+      return new Outcome(new TreeMap<>(), text(e.diagnostics()));
+    }
+  }
+
+  /**
+   * Loads and compiles.
+   *
+   * @throws DiagnosticException if the template is wrong
+   */
+  Prepared prepare() throws IOException {
     ResourceSet resources = new ResourceSetImpl();
     Map<String, Object> factories =
         resources.getResourceFactoryRegistry().getExtensionToFactoryMap();
@@ -48,15 +73,7 @@ record TemplateCase(Path folder) {
     List<EPackage> packages = metamodels(resources);
     Resource model = resources.getResource(uri(nearest("model.xmi")), true);
     EcoreUtil.resolveAll(model);
-    try {
-      TemplateModule module = compile(packages);
-      GenerationResult result = module.generate(model.getContents(), context());
-      List<Diagnostic> findings = new ArrayList<>(module.warnings());
-      findings.addAll(result.diagnostics());
-      return new Outcome(result.files(), text(findings));
-    } catch (DiagnosticException e) {
-      return new Outcome(new TreeMap<>(), text(e.diagnostics()));
-    }
+    return new Prepared(compile(packages), model, context());
   }
 
   static boolean isCase(Path folder) {
@@ -152,7 +169,7 @@ record TemplateCase(Path folder) {
     return URI.createFileURI(file.toAbsolutePath().toString());
   }
 
-  private static String text(List<Diagnostic> findings) {
+  static String text(List<Diagnostic> findings) {
     StringBuilder text = new StringBuilder();
     for (Diagnostic finding : findings) {
       SourceLocation place = finding.location();

@@ -1,0 +1,133 @@
+package dev.eventchain.m2t;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+import java.util.function.UnaryOperator;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** The same template and model give the same, however often and on however many threads. */
+class SameBytesTest {
+  private static final Path CASES = Path.of("src/test/resources/cases");
+  private static final int THREADS = 8;
+  private static final int RUNS_EACH = 3;
+
+  /** All that a run gives, in a form that can be compared. */
+  private record Given(
+      SortedMap<String, String> files,
+      String findings,
+      SortedMap<String, List<GenerationTrace.Segment>> trace) {
+    static Given of(GenerationResult result) {
+      SortedMap<String, String> files = new TreeMap<>();
+      result
+          .files()
+          .forEach(
+              (name, bytes) -> files.put(name, new String(bytes, StandardCharsets.ISO_8859_1)));
+      return new Given(files, TemplateCase.text(result.diagnostics()), result.trace().files());
+    }
+  }
+
+  static Stream<Path> shippedTemplates() throws Exception {
+    try (Stream<Path> all = Files.walk(CASES)) {
+      return all
+          .filter(folder -> Files.exists(folder.resolve("links.properties")))
+          .sorted()
+          .toList()
+          .stream();
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("shippedTemplates")
+  void manyThreadsWithOneModuleGiveWhatTheFirstRunGave(Path folder) throws Exception {
+    TemplateCase.Prepared prepared = new TemplateCase(folder).prepare();
+    Given first = Given.of(prepared.generate(UnaryOperator.identity()));
+    Given traced = Given.of(prepared.generate(GenerationContext::withTrace));
+    assertFalse(first.files().isEmpty());
+    assertEquals(first.files(), traced.files());
+    assertFalse(traced.trace().isEmpty());
+    for (Future<List<Given>> several : onThreads(prepared)) {
+      for (Given each : several.get()) {
+        Given expected = each.trace().isEmpty() ? first : traced;
+        assertEquals(expected, each);
+      }
+    }
+  }
+
+  /** On threads that start at once: some with a trace, some without. */
+  private static List<Future<List<Given>>> onThreads(TemplateCase.Prepared prepared)
+      throws Exception {
+    ExecutorService threads = Executors.newFixedThreadPool(THREADS);
+    CountDownLatch ready = new CountDownLatch(THREADS);
+    try {
+      List<Future<List<Given>>> found = new ArrayList<>();
+      for (int i = 0; i < THREADS; i++) {
+        UnaryOperator<GenerationContext> changed =
+            i % 2 == 0 ? UnaryOperator.identity() : GenerationContext::withTrace;
+        found.add(threads.submit(() -> several(prepared, changed, ready)));
+      }
+      threads.shutdown();
+      assertTrue(threads.awaitTermination(2, TimeUnit.MINUTES));
+      return found;
+    } finally {
+      threads.shutdownNow();
+    }
+  }
+
+  private static List<Given> several(
+      TemplateCase.Prepared prepared,
+      UnaryOperator<GenerationContext> changed,
+      CountDownLatch ready)
+      throws InterruptedException {
+    ready.countDown();
+    ready.await();
+    List<Given> found = new ArrayList<>();
+    for (int i = 0; i < RUNS_EACH; i++) {
+      found.add(Given.of(prepared.generate(changed)));
+    }
+    return found;
+  }
+
+  @ParameterizedTest
+  @MethodSource("shippedTemplates")
+  void threadsThatAreTheFirstToEvaluateAnythingAgree(Path folder) throws Exception {
+    TemplateCase.Prepared prepared = new TemplateCase(folder).prepare();
+    List<Given> all = new ArrayList<>();
+    for (Future<List<Given>> several : onThreads(prepared)) {
+      all.addAll(several.get());
+    }
+    Given expected =
+        Given.of(new TemplateCase(folder).prepare().generate(GenerationContext::withTrace));
+    for (Given each : all) {
+      assertEquals(expected.files(), each.files());
+      assertEquals(expected.findings(), each.findings());
+    }
+  }
+
+  @Test
+  void aModelThatIsLoadedAgainGivesTheSame() throws Exception {
+    for (Path folder : shippedTemplates().toList()) {
+      Given one =
+          Given.of(new TemplateCase(folder).prepare().generate(GenerationContext::withTrace));
+      Given two =
+          Given.of(new TemplateCase(folder).prepare().generate(GenerationContext::withTrace));
+      assertEquals(one, two);
+    }
+  }
+}
