@@ -16,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** Validation and generation on a metamodel that has nothing to do with event chains. */
 class AnyMetamodelTest {
 
-  private static final String ECORE =
+  static final String ECORE =
       """
       <?xml version="1.0" encoding="UTF-8"?>
       <ecore:EPackage xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI" xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns:ecore="http://www.eclipse.org/emf/2002/Ecore" name="library" nsURI="http://example.org/library" nsPrefix="library">
@@ -30,7 +30,7 @@ class AnyMetamodelTest {
       </ecore:EPackage>
       """;
 
-  private static final String MODEL =
+  static final String MODEL =
       """
       <?xml version="1.0" encoding="UTF-8"?>
       <library:Library xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI" xmlns:library="http://example.org/library">
