@@ -294,14 +294,15 @@ final class Linker {
 
   /** Warnings make no sense while there are errors. */
   private void lint() {
-    Unit main = units.values().iterator().next();
-    if (Diagnostic.anyError(main.loaded().problems().found())) {
+    String main = units.keySet().iterator().next();
+    if (Diagnostic.anyError(units.get(main).loaded().problems().found())) {
       return;
     }
     List<Lints.Subject> subjects = new ArrayList<>();
-    for (Unit unit : units.values()) {
+    for (Map.Entry<String, Unit> entry : units.entrySet()) {
+      Unit unit = entry.getValue();
       Problems problems = unit.loaded().problems();
-      boolean isMain = unit == main;
+      boolean isMain = entry.getKey().equals(main);
       unit.templates()
           .forEach(
               (syntax, template) -> {
