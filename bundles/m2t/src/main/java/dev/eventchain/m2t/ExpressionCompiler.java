@@ -15,6 +15,43 @@ import org.eclipse.ocl.types.AnyType;
 /** Parses and checks the expressions and types of one module. */
 record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage usage) {
 
+  /** The instances of a class. */
+  private static final class Instances implements Predicate<Object> {
+    private record Refused(EClass type, Class<?> javaClass) {}
+
+    private final EClass type;
+
+    /**
+     * The latest that was refused, for which Java looks through all interfaces; threads may
+     * overwrite each other's.
+     */
+    private Refused latest = new Refused(null, null);
+
+    Instances(EClass type) {
+      this.type = type;
+    }
+
+    @Override
+    public boolean test(Object value) {
+      if (!(value instanceof BasicEObjectImpl object)) {
+        return value instanceof EObject && type.isInstance(value);
+      }
+      EClass actual = object.eClass();
+      if (actual == type) {
+        return true;
+      }
+      Refused refused = latest;
+      if (refused.type() == actual && refused.javaClass() == value.getClass()) {
+        return false;
+      }
+      boolean accepted = type.isInstance(value);
+      if (!accepted) {
+        latest = new Refused(actual, value.getClass());
+      }
+      return accepted;
+    }
+  }
+
   String text() {
     return problems.source().text();
   }
@@ -86,9 +123,7 @@ record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage 
       return value -> value instanceof Collection<?>;
     }
     if (type instanceof EClass eClass && language.type(type) == type) {
-      return value ->
-          (value instanceof BasicEObjectImpl object && object.eClass() == eClass)
-              || (value instanceof EObject && eClass.isInstance(value));
+      return new Instances(eClass);
     }
     return value -> language.isInstance(value, type);
   }

@@ -13,7 +13,6 @@ import java.nio.charset.UnsupportedCharsetException;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
-import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -50,7 +49,11 @@ final class GeneratedFiles {
 
   private final GenerationRun run;
   private final Function<String, Optional<byte[]>> earlier;
-  private final Map<String, byte[]> contents = new HashMap<>();
+  private final SortedMap<String, byte[]> contents = new TreeMap<>();
+
+  /** The names in {@link #contents}, which are faster to ask for here. */
+  private final Set<String> names = new HashSet<>();
+
   private final Deque<Open> open = new ArrayDeque<>();
 
   GeneratedFiles(GenerationRun run, Function<String, Optional<byte[]>> earlier) {
@@ -58,8 +61,9 @@ final class GeneratedFiles {
     this.earlier = earlier;
   }
 
+  /** All files so far; to be copied. */
   SortedMap<String, byte[]> contents() {
-    return new TreeMap<>(contents);
+    return contents;
   }
 
   /** Makes a file of what something writes. */
@@ -71,7 +75,7 @@ final class GeneratedFiles {
       run.error(refused.id(), place, refused.message(), refused.hint());
       return;
     }
-    boolean again = contents.containsKey(path.value());
+    boolean again = names.contains(path.value());
     if (again && mode == FileMode.OVERWRITE) {
       run.error(
           "m2t.file.duplicate",
@@ -85,18 +89,25 @@ final class GeneratedFiles {
     }
     String text = text(path.value(), charset.get(), body);
     byte[] bytes = bytes(place, path.value(), text, charset.get());
-    contents.merge(path.value(), bytes, GeneratedFiles::joined);
+    put(
+        path.value(),
+        names.contains(path.value()) ? joined(contents.get(path.value()), bytes) : bytes);
+  }
+
+  private void put(String path, byte[] content) {
+    names.add(path);
+    contents.put(path, content);
   }
 
   private boolean keepExisting(String path, FileMode mode) {
     if (mode != FileMode.CREATE) {
       return false;
     }
-    if (contents.containsKey(path)) {
+    if (names.contains(path)) {
       return true;
     }
     Optional<byte[]> existing = earlier.apply(path);
-    existing.ifPresent(content -> contents.put(path, content));
+    existing.ifPresent(content -> put(path, content));
     return existing.isPresent();
   }
 
@@ -185,7 +196,7 @@ final class GeneratedFiles {
               }
             });
     if (lost.length() > 0) {
-      contents.put(lostPath, lost.toString().getBytes(charset));
+      put(lostPath, lost.toString().getBytes(charset));
     }
   }
 

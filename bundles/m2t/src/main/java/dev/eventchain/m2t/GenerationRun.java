@@ -18,6 +18,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Pattern;
 import org.eclipse.emf.ecore.EObject;
 
 /** The state of one generation: variables, output, the stack of calls, findings. One thread. */
@@ -26,6 +27,9 @@ final class GenerationRun {
   static final int DEEPEST_CALL = 500;
 
   private static final int CALLS_SHOWN = 8;
+
+  /** More than that come from the model, and from there any number can come. */
+  private static final int MOST_PATTERNS = 256;
 
   /** A call, and the expression it was made by; null for the first. */
   private record Frame(Callable callable, List<Object> arguments, Expression caller) {}
@@ -49,6 +53,7 @@ final class GenerationRun {
   private int selfCount;
   private final Map<Query, Map<Object, Object>> cache = new HashMap<>();
   private final Map<String, TokenWalk> tokenWalks = new HashMap<>();
+  private final Map<String, Pattern> patterns = new HashMap<>();
   private final OutputBuffer output;
   private final Tracing tracing;
   private Expression current;
@@ -86,6 +91,19 @@ final class GenerationRun {
       tokenWalks.remove(text);
     }
     return tokenWalks.computeIfAbsent(text, TokenWalk::new);
+  }
+
+  /** A regular expression, which is dear to compile. */
+  Pattern pattern(String expression) {
+    Pattern known = patterns.get(expression);
+    if (known == null) {
+      known = Pattern.compile(expression);
+      if (patterns.size() >= MOST_PATTERNS) {
+        patterns.clear();
+      }
+      patterns.put(expression, known);
+    }
+    return known;
   }
 
   GenerationResult result() {
@@ -273,9 +291,9 @@ final class GenerationRun {
   }
 
   /** Appends text as a template has it. */
-  void appendLiteral(String text, Place start) {
+  void appendLiteral(String text, boolean hasBreak, Place start) {
     if (tracing == null) {
-      output.append(text);
+      output.append(text, hasBreak);
       return;
     }
     SourceLocation place = start.location();

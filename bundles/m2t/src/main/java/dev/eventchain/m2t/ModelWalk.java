@@ -21,13 +21,23 @@ final class ModelWalk {
   private final Consumer<EObject> visitor;
   private final Map<EClass, EReference[]> containments = new HashMap<>();
 
+  /** Most objects are followed by one of their class. */
+  private EClass latest;
+
+  private EReference[] latestContainments;
+
   ModelWalk(Consumer<EObject> visitor) {
     this.visitor = visitor;
   }
 
   void visit(EObject object) {
     visitor.accept(object);
-    EReference[] features = containments.computeIfAbsent(object.eClass(), ModelWalk::containments);
+    EClass type = object.eClass();
+    if (type != latest) {
+      latest = type;
+      latestContainments = containments.computeIfAbsent(type, ModelWalk::containments);
+    }
+    EReference[] features = latestContainments;
     if (features == UNUSUAL) {
       object.eContents().forEach(this::visit);
       return;

@@ -36,12 +36,17 @@ final class OutputBuffer {
 
   /** Appends, with the indentation behind every line break. */
   void append(String more) {
-    int lineBreak = more.lastIndexOf('\n');
-    if (lineBreak < 0) {
+    // Java looks for the first one faster, and most texts have none.
+    append(more, more.indexOf('\n') >= 0);
+  }
+
+  /** The same for text of which is known whether it has a line break. */
+  void append(String more, boolean hasBreak) {
+    if (!hasBreak) {
       text.append(more);
     } else if (indentation.isEmpty()) {
       text.append(more);
-      lastBreak = text.length() - (more.length() - lineBreak - 1);
+      lastBreak = text.length() - (more.length() - more.lastIndexOf('\n') - 1);
       lineStart = lastBreak;
     } else {
       appendLines(more, OriginMarks.NONE);

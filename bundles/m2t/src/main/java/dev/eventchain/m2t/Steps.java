@@ -13,10 +13,14 @@ final class Steps {
   private Steps() {}
 
   /** Literal text. */
-  record Text(String text, Place place) implements Step {
+  record Text(String text, boolean hasBreak, Place place) implements Step {
+    Text(String text, Place place) {
+      this(text, text.indexOf('\n') >= 0, place);
+    }
+
     @Override
     public void write(GenerationRun run) {
-      run.appendLiteral(text, place);
+      run.appendLiteral(text, hasBreak, place);
     }
   }
 

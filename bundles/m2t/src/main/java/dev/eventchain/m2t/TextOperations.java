@@ -41,7 +41,7 @@ final class TextOperations {
     rows.add(row("strstr", TO_TRUTH, (s, a, c) -> text(s).contains(text(a.get(0))), TEXT));
     rows.add(row("startsWith", TO_TRUTH, (s, a, c) -> text(s).startsWith(text(a.get(0))), TEXT));
     rows.add(row("endsWith", TO_TRUTH, (s, a, c) -> text(s).endsWith(text(a.get(0))), TEXT));
-    rows.add(row("matches", TO_TRUTH, (s, a, c) -> text(s).matches(text(a.get(0))), TEXT));
+    rows.add(row("matches", TO_TRUTH, (s, a, c) -> matcher(s, a, c).matches(), TEXT));
     rows.add(row("isAlpha", TO_TRUTH, (s, a, c) -> all(s, Character::isLetter)));
     rows.add(row("isAlphanum", TO_TRUTH, (s, a, c) -> all(s, Character::isLetterOrDigit)));
     rows.add(row("strcmp", TO_INTEGER, (s, a, c) -> text(s).compareTo(text(a.get(0))), TEXT));
@@ -74,14 +74,14 @@ final class TextOperations {
         row(
             "replace",
             TO_TEXT,
-            (s, a, c) -> text(s).replaceFirst(text(a.get(0)), text(a.get(1))),
+            (s, a, c) -> matcher(s, a, c).replaceFirst(text(a.get(1))),
             TEXT,
             TEXT));
     rows.add(
         row(
             "replaceAll",
             TO_TEXT,
-            (s, a, c) -> text(s).replaceAll(text(a.get(0)), text(a.get(1))),
+            (s, a, c) -> matcher(s, a, c).replaceAll(text(a.get(1))),
             TEXT,
             TEXT));
   }
@@ -126,6 +126,11 @@ final class TextOperations {
 
   private static Row row(String name, ResultType result, Body body, Kind... arguments) {
     return new Row(name, TEXT, List.of(arguments), result, body);
+  }
+
+  /** The regular expression that is the first argument, about to be applied to the text. */
+  private static Matcher matcher(Object text, List<Object> arguments, OperationTable.Call call) {
+    return call.run().pattern(text(arguments.get(0))).matcher(text(text));
   }
 
   private static String text(Object value) {

@@ -5,6 +5,7 @@ import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
 import org.eclipse.emf.common.util.EList;
+import org.eclipse.ocl.expressions.CollectionKind;
 import org.eclipse.ocl.util.CollectionUtil;
 import org.eclipse.ocl.utilities.PredefinedType;
 
@@ -204,6 +205,13 @@ final class CollectionNodes {
 
     @Override
     Object compute(Frame frame) {
+      CollectionKind one = source.kindOfElements();
+      CollectionKind other = argument.kindOfElements();
+      if (code == PredefinedType.UNION && one != null && other != null) {
+        Collection<?> elements = source.elements(frame);
+        Collection<?> others = elements == null ? null : argument.elements(frame);
+        return others == null ? INVALID : CollectionOperations.union(elements, one, others, other);
+      }
       if (!(source.evaluate(frame) instanceof Collection<?> elements)
           || !(argument.evaluate(frame) instanceof Collection<?> others)) {
         return INVALID;
@@ -244,7 +252,10 @@ final class CollectionNodes {
 
     @Override
     Object compute(Frame frame) {
-      if (!(source.evaluate(frame) instanceof Collection<?> elements)) {
+      // Where an element stands does not depend on the kind of the collection.
+      boolean only = code == PredefinedType.INDEX_OF && source.kindOfElements() != null;
+      Object given = only ? source.read(frame) : source.evaluate(frame);
+      if (!(given instanceof Collection<?> elements)) {
         return INVALID;
       }
       Object value = argument.evaluate(frame);
@@ -259,14 +270,26 @@ final class CollectionNodes {
         case PredefinedType.EXCLUDING -> CollectionOperations.excluding(elements, value);
         case PredefinedType.AT ->
             value instanceof Integer index ? CollectionUtil.at(elements, index) : INVALID;
-        case PredefinedType.INDEX_OF -> {
-          Object index = CollectionUtil.indexOf(elements, value);
-          yield index == null ? INVALID : index;
-        }
+        case PredefinedType.INDEX_OF -> indexOf(elements, value);
         case PredefinedType.PREPEND -> CollectionUtil.prepend((Collection<Object>) elements, value);
         default -> CollectionUtil.append((Collection<Object>) elements, value);
       };
     }
+  }
+
+  private static Object indexOf(Collection<?> elements, Object value) {
+    if (LogicNodes.Equality.isPlainObject(value)) {
+      int index = 1;
+      for (Object element : elements) {
+        if (element == value) {
+          return index;
+        }
+        index++;
+      }
+      return Node.INVALID;
+    }
+    Object index = CollectionUtil.indexOf(elements, value);
+    return index == null ? Node.INVALID : index;
   }
 
   /** An operation with two arguments: {@code insertAt}, {@code subSequence} and its like. */

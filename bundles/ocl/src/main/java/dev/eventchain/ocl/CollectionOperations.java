@@ -19,6 +19,8 @@ import org.eclipse.ocl.util.Bag;
  */
 final class CollectionOperations {
 
+  private static final int FEW = 8;
+
   private CollectionOperations() {}
 
   static Collection<Object> create(CollectionKind kind) {
@@ -77,22 +79,51 @@ final class CollectionOperations {
   }
 
   static Collection<Object> union(Collection<?> first, Collection<?> second) {
+    return union(first, kindOf(first), second, kindOf(second));
+  }
+
+  /** The same for collections that need not be of the Java classes of their kinds. */
+  static Collection<Object> union(
+      Collection<?> first, CollectionKind kindOfFirst, Collection<?> second, CollectionKind other) {
     Limits.requireElements((long) first.size() + second.size());
     CollectionKind kind;
-    if (first instanceof Bag<?> || second instanceof Bag<?>) {
+    if (kindOfFirst == CollectionKind.BAG_LITERAL || other == CollectionKind.BAG_LITERAL) {
       kind = CollectionKind.BAG_LITERAL;
     } else if (first.isEmpty()) {
-      kind = kindOf(second);
+      kind = other;
     } else if (second.isEmpty()) {
-      kind = kindOf(first);
-    } else if (first instanceof List<?> || second instanceof List<?>) {
+      kind = kindOfFirst;
+    } else if (isList(kindOfFirst) || isList(other)) {
       kind = CollectionKind.SEQUENCE_LITERAL;
     } else {
       kind = CollectionKind.SET_LITERAL;
     }
+    if (kind == CollectionKind.SET_LITERAL && first.size() + second.size() <= FEW) {
+      return unionOfFew(first, second);
+    }
     Collection<Object> result = create(kind, first);
     result.addAll(second);
     return result;
+  }
+
+  private static boolean isList(CollectionKind kind) {
+    return kind == CollectionKind.SEQUENCE_LITERAL || kind == CollectionKind.COLLECTION_LITERAL;
+  }
+
+  /** Comparing a few elements with each other is faster than hashing them. */
+  private static Collection<Object> unionOfFew(Collection<?> first, Collection<?> second) {
+    List<Object> all = new ArrayList<>(first.size() + second.size());
+    addNew(first, all);
+    addNew(second, all);
+    return InsertionOrderedSet.ofDistinct(all);
+  }
+
+  private static void addNew(Collection<?> elements, List<Object> all) {
+    for (Object element : elements) {
+      if (!all.contains(element)) {
+        all.add(element);
+      }
+    }
   }
 
   static Collection<Object> intersection(Collection<?> first, Collection<?> second) {

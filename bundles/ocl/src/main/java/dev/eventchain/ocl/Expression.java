@@ -28,6 +28,9 @@ public final class Expression {
   /** Made at the first evaluation; published through a volatile field, as it is not all final. */
   private volatile Lowered lowered;
 
+  /** Made when it is first asked for; threads that do so at once find the same. */
+  private volatile SourceLocation location;
+
   Expression(ExpressionLanguage language, OCLExpression<EClassifier> ast) {
     this.language = language;
     this.ast = ast;
@@ -40,7 +43,12 @@ public final class Expression {
 
   /** Where the expression stands. */
   public SourceLocation location() {
-    return InvalidOrigin.locationOf(ast);
+    SourceLocation known = location;
+    if (known == null) {
+      known = InvalidOrigin.locationOf(ast);
+      location = known;
+    }
+    return known;
   }
 
   /**
@@ -147,6 +155,10 @@ public final class Expression {
     boolean outermost = run.begin();
     try {
       Lowered code = lowered();
+      if (receiver == null && code.isQuick()) {
+        Object value = code.quick(run, read);
+        return value == Node.INVALID ? explain(code.frame(run)) : value;
+      }
       Frame frame = code.frame(run);
       Object value;
       if (receiver != null) {

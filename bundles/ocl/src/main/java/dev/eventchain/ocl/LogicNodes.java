@@ -136,6 +136,8 @@ final class LogicNodes {
         return (first == second) == wanted;
       } else if (first instanceof String || isPlainObject(first)) {
         return first.equals(second) == wanted;
+      } else if (first instanceof Integer one && second instanceof Integer other) {
+        return (one.intValue() == other.intValue()) == wanted;
       } else if (isRareNumber(first) || isRareNumber(second)) {
         return stock.apply(frame, first, second);
       }
@@ -143,7 +145,7 @@ final class LogicNodes {
     }
 
     /** An object is equal to itself only; a literal of an enumeration also to its Java value. */
-    private static boolean isPlainObject(Object value) {
+    static boolean isPlainObject(Object value) {
       return value instanceof BasicEObjectImpl
           ? !(value instanceof EEnumLiteralImpl)
           : value instanceof EObject && !(value instanceof EEnumLiteral);

@@ -16,6 +16,11 @@ final class Lowered {
   private String[] variables = {};
   private int[] variableSlots = {};
   private boolean whole;
+  private boolean quick;
+
+  /** Set if the body is a feature of the only variable. */
+  private NavigationNodes.Feature feature;
+
   private List<Lowered> definitions = List.of();
 
   /**
@@ -32,6 +37,15 @@ final class Lowered {
     variableSlots = IntStream.range(0, size).filter(i -> slots.get(i) != null).toArray();
     variables = IntStream.of(variableSlots).mapToObj(slots::get).toArray(String[]::new);
     whole = lowered;
+    if (size == 1 && variables.length == 1) {
+      boolean ofVariable =
+          body instanceof NavigationNodes.Feature found
+              && found.source() instanceof ValueNodes.Slot;
+      feature = ofVariable ? (NavigationNodes.Feature) body : null;
+      quick = ofVariable || body instanceof ValueNodes.Slot;
+    } else {
+      quick = body instanceof ValueNodes.Constant;
+    }
     definitions = List.copyOf(called);
   }
 
@@ -50,6 +64,19 @@ final class Lowered {
       frame.slots[variableSlots[i]] = run.values().get(variables[i]);
     }
     return frame;
+  }
+
+  /** Whether {@link #quick} can be asked. */
+  boolean isQuick() {
+    return quick;
+  }
+
+  /** The value without a frame, for what most tags of templates hold: {@code x.name}, or a text. */
+  Object quick(Evaluation run, boolean read) {
+    if (feature != null) {
+      return feature.valueOf(run.values().get(variables[0]), read);
+    }
+    return variables.length == 1 ? run.values().get(variables[0]) : root.evaluate(null);
   }
 
   /** Whether nothing is left to Eclipse OCL's evaluator, also in the definitions it calls. */

@@ -43,9 +43,29 @@ final class NavigationNodes {
           : new ManyFeature(source, feature, kind);
     }
 
+    /**
+     * The value for an object.
+     *
+     * @param read whether for a caller of {@link #read}
+     */
+    abstract Object valueOf(Object object, boolean read);
+
+    final Node source() {
+      return source;
+    }
+
+    @Override
+    final Object evaluate(Frame frame) {
+      return valueOf(source.evaluate(frame), false);
+    }
+
+    @Override
+    final Object read(Frame frame) {
+      return valueOf(source.evaluate(frame), true);
+    }
+
     /** What EMF gives; invalid also if the object has no such feature. */
-    final Object get(Frame frame) {
-      Object object = source.evaluate(frame);
+    final Object get(Object object) {
       try {
         // A class is faster to ask for, and to call, than an interface.
         if (object instanceof BasicEObjectImpl usual) {
@@ -79,8 +99,8 @@ final class NavigationNodes {
     }
 
     @Override
-    Object evaluate(Frame frame) {
-      Object value = get(frame);
+    Object valueOf(Object object, boolean read) {
+      Object value = get(object);
       return isCollection(value) && !(value instanceof Iterator<?>)
           ? first((Collection<?>) value)
           : value;
@@ -100,8 +120,8 @@ final class NavigationNodes {
     }
 
     @Override
-    Object evaluate(Frame frame) {
-      return collect(get(frame));
+    CollectionKind kindOfElements() {
+      return kind;
     }
 
     private Object collect(Object value) {
@@ -117,8 +137,11 @@ final class NavigationNodes {
 
     /** EMF's lists of a unique feature hold no element twice. */
     @Override
-    Object read(Frame frame) {
-      Object value = get(frame);
+    Object valueOf(Object object, boolean read) {
+      Object value = get(object);
+      if (!read) {
+        return collect(value);
+      }
       return value instanceof AbstractEList<?> || value instanceof EList<?>
           ? value
           : collect(value);

@@ -4,6 +4,7 @@ import java.util.AbstractCollection;
 import java.util.Collection;
 import org.eclipse.emf.ecore.impl.BasicEObjectImpl;
 import org.eclipse.ocl.ecore.EcoreEnvironmentFactory;
+import org.eclipse.ocl.expressions.CollectionKind;
 
 /**
  * A part of a lowered expression. Immutable and safe for threads.
@@ -31,6 +32,13 @@ abstract class Node {
    */
   Object read(Frame frame) {
     return evaluate(frame);
+  }
+
+  /**
+   * The kind in OCL of the collections that {@link #read} gives, if it is known; otherwise null.
+   */
+  CollectionKind kindOfElements() {
+    return null;
   }
 
   /** What {@link #read} gives, if that is a collection; otherwise null. */

@@ -69,8 +69,10 @@ final class ValueStack {
   }
 
   private int find(String name) {
+    int hash = name.hashCode();
     for (int i = size - 1; i >= 0; i--) {
-      if (names[i].equals(name)) {
+      // A string knows its hash code, which mostly tells two names apart.
+      if (names[i].hashCode() == hash && names[i].equals(name)) {
         return i;
       }
     }
