@@ -58,7 +58,19 @@ final class BodyCompiler {
               "Write [template ... overrides name] in a module that extends another one.");
       return NOTHING;
     }
-    return new Steps.Super(template);
+    if (template.overridden().size() > 1) {
+      expressions
+          .problems()
+          .error(
+              "m2t.super",
+              start,
+              "[super/] may mean each of the "
+                  + template.overridden().size()
+                  + " templates that this one overrides.",
+              "Override each of them in a template of its own.");
+      return NOTHING;
+    }
+    return new Steps.Super(template.overridden().get(0));
   }
 
   private Step output(Syntax.Output output, Scope scope) {

@@ -23,9 +23,30 @@ final class Brackets {
 
   /** Warns of the first bracket of a template, or of a file in it, that has no partner. */
   static void check(List<Syntax.Node> body, Problems problems) {
+    if (!new Brackets(problems.source().text()).isOnlyABracket(body)) {
+      checkText(body, problems);
+    }
+  }
+
+  private static void checkText(List<Syntax.Node> text, Problems problems) {
     Brackets brackets = new Brackets(problems.source().text());
-    brackets.walk(body, problems);
+    brackets.walk(text, problems);
     brackets.report(problems);
+  }
+
+  /** A template whose whole text is a bracket means it: another one has the partner. */
+  private boolean isOnlyABracket(List<Syntax.Node> body) {
+    StringBuilder whole = new StringBuilder();
+    for (Syntax.Node node : body) {
+      if (node instanceof Syntax.Text text) {
+        whole.append(text.text().strip());
+      } else if (node instanceof Syntax.Output output) {
+        whole.append(output.value().in(source).replace("'", ""));
+      } else {
+        return false;
+      }
+    }
+    return whole.length() == 1;
   }
 
   private void report(Problems problems) {
@@ -71,7 +92,7 @@ final class Brackets {
         bodies.add(choice.otherwise());
         branches(bodies, problems);
       } else if (node instanceof Syntax.File file) {
-        check(file.body(), problems);
+        checkText(file.body(), problems);
       } else if (node instanceof Syntax.Protected area) {
         walk(area.body(), problems);
       }
@@ -102,7 +123,10 @@ final class Brackets {
     int at = text.start();
     for (int i = text.text().indexOf(']'); i >= 0; i = text.text().indexOf(']', i + 1)) {
       at = source.indexOf(']', at);
-      close(at++);
+      if (!isMentioned(at)) {
+        close(at);
+      }
+      at++;
     }
   }
 
@@ -130,7 +154,7 @@ final class Brackets {
       inside.scan(quote + 1, close);
       quote = close + 1;
     }
-    if (literal && isQuoted(span)) {
+    if (literal && isMentioned(span.start())) {
       return;
     }
     if (literal) {
@@ -140,14 +164,46 @@ final class Brackets {
     }
   }
 
-  /** Whether quotes stand around a tag, so that its text is only mentioned: {@code "['['/]"}. */
-  private boolean isQuoted(Span inside) {
-    int before = source.lastIndexOf('[', inside.start()) - 1;
-    int after = source.indexOf("/]", inside.end()) + 2;
-    return before >= 0
-        && after < source.length()
-        && source.charAt(before) == source.charAt(after)
-        && "\"'`".indexOf(source.charAt(before)) >= 0;
+  /**
+   * Whether the output has quotes around a place of its line, so that a bracket there is only
+   * mentioned: {@code if text == "]":}. Tags on the line count as nothing.
+   */
+  private boolean isMentioned(int at) {
+    int lineEnd = source.indexOf('\n', at) < 0 ? source.length() : source.indexOf('\n', at);
+    int i = source.lastIndexOf('\n', at) + 1;
+    char quote = 0;
+    while (i < at) {
+      char c = source.charAt(i);
+      int next = c == '[' ? tagEnd(i, lineEnd) : i + 1;
+      if (next > at) {
+        return quote != 0 && isBetween(source.indexOf(quote, next), lineEnd);
+      }
+      if (c == quote) {
+        quote = 0;
+      } else if (quote == 0 && "\"'`".indexOf(c) >= 0) {
+        quote = c;
+      }
+      i = next;
+    }
+    return quote != 0 && isBetween(source.indexOf(quote, at), lineEnd);
+  }
+
+  private static boolean isBetween(int found, int end) {
+    return found >= 0 && found < end;
+  }
+
+  /** The offset behind a tag. */
+  private int tagEnd(int start, int lineEnd) {
+    boolean quoted = false;
+    for (int i = start + 1; i < lineEnd; i++) {
+      char c = source.charAt(i);
+      if (c == '\'') {
+        quoted = !quoted;
+      } else if (c == ']' && !quoted) {
+        return i + 1;
+      }
+    }
+    return lineEnd;
   }
 
   private void scan(int from, int to) {

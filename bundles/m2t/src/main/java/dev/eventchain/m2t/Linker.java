@@ -224,20 +224,32 @@ final class Linker {
                         .filter(each -> !unit.templates().containsValue(each))
                         .filter(each -> each.parameters().size() == template.parameters().size())
                         .findFirst();
-                other.ifPresentOrElse(
-                    template::override,
-                    () ->
-                        unit.loaded()
-                            .problems()
-                            .error(
-                                "m2t.super",
-                                name.start(),
-                                "No extended module has a template '"
-                                    + name.text()
-                                    + "' with as many parameters.",
-                                overridable(name.text(), unit)));
+                override(template, other, name, unit);
               }
             });
+  }
+
+  private static void override(
+      Template template, Optional<Template> other, Syntax.Name name, Unit unit) {
+    if (other.isEmpty()) {
+      unit.loaded()
+          .problems()
+          .error(
+              "m2t.super",
+              name.start(),
+              "No extended module has a template '" + name.text() + "' with as many parameters.",
+              overridable(name.text(), unit));
+    } else if (other.get().overrides(template)) {
+      unit.loaded()
+          .problems()
+          .error(
+              "m2t.super",
+              name.start(),
+              "The template '" + name.text() + "' overrides this one already.",
+              "Let only one of two modules override templates of the other.");
+    } else {
+      template.override(other.get());
+    }
   }
 
   private static String overridable(String name, Unit unit) {

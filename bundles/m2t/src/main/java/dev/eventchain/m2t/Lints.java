@@ -18,6 +18,9 @@ import org.eclipse.ocl.types.SetType;
 
 /** Warnings about modules without errors whose output may still not be what was meant. */
 final class Lints {
+  /** How the ids of these warnings begin. */
+  static final String PREFIX = "m2t.lint.";
+
   /**
    * A template or query.
    *
@@ -58,7 +61,11 @@ final class Lints {
 
   /** Warns if the order of a set or bag is that of the output. */
   static void order(Optional<Expression> expression, String what, Problems problems, int start) {
-    if (expression.isPresent() && isUnordered(expression.get().type())) {
+    boolean warned =
+        expression.isPresent()
+            && isUnordered(expression.get().type())
+            && !expression.get().holdsAtMostOne();
+    if (warned) {
       order(expression.get().type(), what, problems, start);
     }
   }
@@ -117,13 +124,12 @@ final class Lints {
       }
     }
     for (Subject subject : subjects) {
-      if (subject.callable() instanceof Template other
-          && other.overridden().filter(caller::equals).isPresent()) {
+      if (subject.callable() instanceof Template other && other.overridden().contains(caller)) {
         called.add(other);
       }
     }
     if (caller instanceof Template template) {
-      template.overridden().ifPresent(called::add);
+      called.addAll(template.overridden());
     }
     return called;
   }
@@ -188,7 +194,6 @@ final class Lints {
   }
 
   private static boolean overrides(Callable one, Callable other) {
-    return one instanceof Template template
-        && template.overridden().filter(other::equals).isPresent();
+    return one instanceof Template template && template.overridden().contains(other);
   }
 }

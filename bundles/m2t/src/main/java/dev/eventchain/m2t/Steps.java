@@ -94,11 +94,10 @@ final class Steps {
     }
   }
 
-  /** The text of the template that this one overrides. */
-  record Super(Template template) implements Step {
+  /** The text of the template that the one at work overrides. */
+  record Super(Template overridden) implements Step {
     @Override
     public void write(GenerationRun run) {
-      Template overridden = template.overridden().orElseThrow();
       overridden.writeExactly(run.arguments(), run, run.output().currentIndentation());
     }
   }

@@ -23,7 +23,7 @@ final class Template extends Callable {
   private final boolean guarded;
   private final boolean main;
   private final List<Template> overriddenBy = new ArrayList<>();
-  private Optional<Template> overrides = Optional.empty();
+  private final List<Template> overridden = new ArrayList<>();
   private Definition definition;
 
   Template(
@@ -47,13 +47,18 @@ final class Template extends Callable {
 
   /** Puts this template in the place of another one, wherever that is called. */
   void override(Template other) {
-    overrides = Optional.of(other);
+    overridden.add(other);
     other.overriddenBy.add(this);
   }
 
-  /** The template that {@code [super/]} means. */
-  Optional<Template> overridden() {
-    return overrides;
+  /** The templates in whose place this one stands; if it is one, {@code [super/]} means it. */
+  List<Template> overridden() {
+    return overridden;
+  }
+
+  /** Whether this template stands in the place of another one, or of one that does so. */
+  boolean overrides(Template other) {
+    return overridden.stream().anyMatch(each -> each == other || each.overrides(other));
   }
 
   boolean isMain() {

@@ -78,6 +78,8 @@ public final class TemplateModule {
     Map<String, ModuleLoader.Loaded> modules = ModuleLoader.load(main, sources, found);
     List<Template> templates = Linker.link(modules, packages, new Services(services));
     if (Diagnostic.anyError(found)) {
+      // What templates seldom mean says nothing while they have errors.
+      found.removeIf(each -> each.id().startsWith(Lints.PREFIX));
       throw new DiagnosticException(
           DiagnosticException.Reason.INPUT, found.stream().sorted().distinct().toList());
     }

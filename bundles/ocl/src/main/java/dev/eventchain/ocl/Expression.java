@@ -8,19 +8,27 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.ENamedElement;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.eclipse.ocl.EvaluationHaltedException;
+import org.eclipse.ocl.expressions.CollectionItem;
+import org.eclipse.ocl.expressions.CollectionLiteralExp;
 import org.eclipse.ocl.expressions.IteratorExp;
 import org.eclipse.ocl.expressions.OCLExpression;
 import org.eclipse.ocl.expressions.OperationCallExp;
 import org.eclipse.ocl.expressions.VariableExp;
+import org.eclipse.ocl.types.CollectionType;
 
 /**
  * A parsed and checked OCL expression. Immutable; several threads can evaluate it at once, each
  * with an {@link Evaluation} of its own.
  */
 public final class Expression {
+
+  /** What gives no more elements than there are in a collection, and one for a single value. */
+  private static final Set<String> KEEPING =
+      Set.of("oclAsSet", "asSet", "asBag", "filter", "select", "reject");
 
   private final ExpressionLanguage language;
   private final OCLExpression<EClassifier> ast;
@@ -108,6 +116,32 @@ public final class Expression {
               }
             });
     return names;
+  }
+
+  /**
+   * Whether the value is a collection that has at most one element, as far as can be told from the
+   * expression alone: {@code x->filter(T)} for a single x. Its order says nothing.
+   */
+  public boolean holdsAtMostOne() {
+    return holdsAtMostOne(ast);
+  }
+
+  private static boolean holdsAtMostOne(OCLExpression<?> expression) {
+    if (expression instanceof CollectionLiteralExp<?> literal) {
+      return literal.getPart().size() <= 1
+          && literal.getPart().stream().allMatch(CollectionItem.class::isInstance);
+    }
+    if (expression instanceof OperationCallExp<?, ?> call && KEEPING.contains(name(call))) {
+      boolean single = !(call.getSource().getType() instanceof CollectionType);
+      return single || holdsAtMostOne(call.getSource());
+    }
+    return expression instanceof IteratorExp<?, ?> loop
+        && KEEPING.contains(loop.getName())
+        && holdsAtMostOne(loop.getSource());
+  }
+
+  private static String name(OperationCallExp<?, ?> call) {
+    return call.getReferredOperation() instanceof ENamedElement named ? named.getName() : "";
   }
 
   private Iterator<EObject> parts() {
