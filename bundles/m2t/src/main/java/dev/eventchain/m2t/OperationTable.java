@@ -3,10 +3,13 @@ package dev.eventchain.m2t;
 import dev.eventchain.ocl.Evaluation;
 import dev.eventchain.ocl.ExpressionLanguage;
 import dev.eventchain.ocl.OperationLibrary;
-import java.util.ArrayList;
 import java.util.Collection;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EClassifier;
 
 /**
@@ -97,14 +100,13 @@ final class OperationTable implements OperationLibrary {
   /** A walk through the tokens of a text, which goes on from call to call. */
   private static final String STATEFUL = "strtok";
 
-  private final List<Row> rows = new ArrayList<>();
-  private ExpressionLanguage language;
+  /** By the name, in the order in which they were first named. */
+  private static final Map<String, List<Row>> ROWS =
+      Stream.of(TextOperations.rows(), ObjectOperations.rows(), CollectionOperations.rows())
+          .flatMap(List::stream)
+          .collect(Collectors.groupingBy(Row::name, LinkedHashMap::new, Collectors.toList()));
 
-  OperationTable() {
-    rows.addAll(TextOperations.rows());
-    rows.addAll(ObjectOperations.rows());
-    rows.addAll(CollectionOperations.rows());
-  }
+  private ExpressionLanguage language;
 
   /** Says over which types the operations work; a library is made before its language is. */
   void use(ExpressionLanguage newLanguage) {
@@ -117,8 +119,8 @@ final class OperationTable implements OperationLibrary {
     if (source == null) {
       return Optional.empty();
     }
-    for (Row row : rows) {
-      if (row.name().equals(name) && suits(row, source, argumentTypes)) {
+    for (Row row : ROWS.getOrDefault(name, List.of())) {
+      if (suits(row, source, argumentTypes)) {
         EClassifier result = row.result().of(new Types(language, source, argumentTypes));
         return Optional.of(
             new Operation(name, result, new RowCall(row, language, !STATEFUL.equals(name))));
@@ -129,7 +131,7 @@ final class OperationTable implements OperationLibrary {
 
   @Override
   public Collection<String> names() {
-    return rows.stream().map(Row::name).distinct().toList();
+    return ROWS.keySet();
   }
 
   /** A call of an operation. */
@@ -145,8 +147,8 @@ final class OperationTable implements OperationLibrary {
         if (source == null) {
           throw new IllegalArgumentException("it is applied to null");
         }
-        for (Object argument : arguments) {
-          if (argument == null) {
+        for (int i = 0; i < arguments.size(); i++) {
+          if (arguments.get(i) == null) {
             throw new IllegalArgumentException("an argument is null");
           }
         }

@@ -2,6 +2,7 @@ package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.SourceLocation;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Optional;
@@ -36,8 +37,10 @@ public final class Expression {
   /** Made at the first evaluation; published through a volatile field, as it is not all final. */
   private volatile Lowered lowered;
 
-  /** Made when it is first asked for; threads that do so at once find the same. */
+  /** Made when it is first asked for, as the next; threads that do so at once find the same. */
   private volatile SourceLocation location;
+
+  private volatile Parts parts;
 
   Expression(ExpressionLanguage language, OCLExpression<EClassifier> ast) {
     this.language = language;
@@ -88,17 +91,7 @@ public final class Expression {
 
   /** The calls of libraries' operations anywhere in the expression. */
   public List<LibraryCall> libraryCalls() {
-    List<LibraryCall> calls = new ArrayList<>();
-    parts()
-        .forEachRemaining(
-            part -> {
-              if (part instanceof OperationCallExp<?, ?> call
-                  && call.getReferredOperation() instanceof Libraries.LibraryOperation operation) {
-                EClassifier source = (EClassifier) call.getSource().getType();
-                calls.add(new LibraryCall(source, operation.implementation()));
-              }
-            });
-    return List.copyOf(calls);
+    return parts().calls();
   }
 
   /**
@@ -106,16 +99,7 @@ public final class Expression {
    * {@code self} also where it is the source that was left out.
    */
   public Set<String> variableNames() {
-    Set<String> names = new TreeSet<>();
-    parts()
-        .forEachRemaining(
-            part -> {
-              if (part instanceof VariableExp<?, ?> variable
-                  && variable.getReferredVariable() != null) {
-                names.add(variable.getReferredVariable().getName());
-              }
-            });
-    return names;
+    return parts().variables();
   }
 
   /**
@@ -144,8 +128,34 @@ public final class Expression {
     return call.getReferredOperation() instanceof ENamedElement named ? named.getName() : "";
   }
 
-  private Iterator<EObject> parts() {
-    return EcoreUtil.getAllContents(List.of(ast));
+  private Parts parts() {
+    Parts known = parts;
+    if (known == null) {
+      known = Parts.of(ast);
+      parts = known;
+    }
+    return known;
+  }
+
+  /** What linters ask for, found in one walk. */
+  private record Parts(List<LibraryCall> calls, Set<String> variables) {
+    static Parts of(OCLExpression<EClassifier> ast) {
+      List<LibraryCall> calls = new ArrayList<>();
+      Set<String> variables = new TreeSet<>();
+      Iterator<EObject> all = EcoreUtil.getAllContents(List.of(ast));
+      while (all.hasNext()) {
+        EObject part = all.next();
+        if (part instanceof OperationCallExp<?, ?> call
+            && call.getReferredOperation() instanceof Libraries.LibraryOperation operation) {
+          EClassifier source = (EClassifier) call.getSource().getType();
+          calls.add(new LibraryCall(source, operation.implementation()));
+        } else if (part instanceof VariableExp<?, ?> variable
+            && variable.getReferredVariable() != null) {
+          variables.add(variable.getReferredVariable().getName());
+        }
+      }
+      return new Parts(List.copyOf(calls), Collections.unmodifiableSet(variables));
+    }
   }
 
   /**
@@ -185,14 +195,17 @@ public final class Expression {
   }
 
   private Object evaluate(Evaluation run, OperationLibrary.Implementation receiver, boolean read) {
+    Lowered known = lowered;
+    if (known != null && known.isQuick() && receiver == null) {
+      Object value = known.quick(run, read);
+      if (value != Node.INVALID) {
+        return value;
+      }
+    }
     int height = run.values().size();
     boolean outermost = run.begin();
     try {
       Lowered code = lowered();
-      if (receiver == null && code.isQuick()) {
-        Object value = code.quick(run, read);
-        return value == Node.INVALID ? explain(code.frame(run)) : value;
-      }
       Frame frame = code.frame(run);
       Object value;
       if (receiver != null) {

@@ -4,8 +4,10 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import org.eclipse.emf.ecore.EClassifier;
@@ -43,6 +45,9 @@ public final class ExpressionLanguage {
   private final OclEnvironmentFactory factory;
   private final OclEnvironment root;
   private final Lowering lowering;
+
+  /** The types that were asked for by name, which parsing again would not change. */
+  private final Map<String, EClassifier> types = new HashMap<>();
 
   private ExpressionLanguage(OclEnvironmentFactory factory) {
     this.factory = factory;
@@ -261,10 +266,27 @@ public final class ExpressionLanguage {
    */
   public synchronized Optional<EClassifier> type(
       SourceText text, int start, int end, List<Diagnostic> problems) {
-    return parseConstraint(
-            text, start, end, TYPE_PREFIX, TYPE_SUFFIX, environment(Scope.EMPTY, null), problems)
-        .map(let -> ((LetExp<?, ?>) let).getVariable().getType())
-        .map(EClassifier.class::cast);
+    String name = text.text().substring(start, end).strip();
+    EClassifier known = types.get(name);
+    if (known != null) {
+      return Optional.of(known);
+    }
+    int before = problems.size();
+    Optional<EClassifier> type =
+        parseConstraint(
+                text,
+                start,
+                end,
+                TYPE_PREFIX,
+                TYPE_SUFFIX,
+                environment(Scope.EMPTY, null),
+                problems)
+            .map(let -> ((LetExp<?, ?>) let).getVariable().getType())
+            .map(EClassifier.class::cast);
+    if (type.isPresent() && problems.size() == before) {
+      types.put(name, type.get());
+    }
+    return type;
   }
 
   /**

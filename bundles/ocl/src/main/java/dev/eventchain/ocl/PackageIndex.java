@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.ENamedElement;
 import org.eclipse.emf.ecore.EPackage;
@@ -17,6 +19,9 @@ final class PackageIndex {
 
   private final Set<EPackage> packages = new LinkedHashSet<>();
   private final Collection<EPackage> given;
+
+  /** What was found by each path, which each parse of an expression asks for again. */
+  private final Map<List<String>, List<EClassifier>> classifiers = new ConcurrentHashMap<>();
 
   PackageIndex(Collection<EPackage> given) {
     this.given = List.copyOf(given);
@@ -84,6 +89,10 @@ final class PackageIndex {
    * is one; those of Ecore only if there are no others.
    */
   List<EClassifier> classifiers(List<String> path) {
+    return classifiers.computeIfAbsent(List.copyOf(path), this::find);
+  }
+
+  private List<EClassifier> find(List<String> path) {
     List<EClassifier> found = new ArrayList<>();
     for (EPackage each : packages) {
       addClassifier(each, path, found);
@@ -93,7 +102,7 @@ final class PackageIndex {
     }
     List<EClassifier> exact =
         found.stream().filter(each -> depth(each.getEPackage()) == path.size() - 1).toList();
-    return exact.size() == 1 ? exact : found;
+    return List.copyOf(exact.size() == 1 ? exact : found);
   }
 
   /** The classifier that a path leads to from a package; {@code null} if there is none. */
