@@ -9,11 +9,12 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** {@code generate}: a project's ROS 2 package, or text from any model by any template. */
+/** {@code generate}: a project's package, or text from any model by any template. */
 @Command(
     name = "generate",
     mixinStandardHelpOptions = true,
-    description = "Generate a project's ROS 2 package, or text from any model by a template.",
+    description =
+        "Generate a project's package by its template set, or text from any model by a template.",
     synopsisHeading = "Usage:%n",
     customSynopsis = {
       "eventchain generate DIR [OPTIONS]",

@@ -4,8 +4,10 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.regex.MatchResult;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -54,16 +56,20 @@ final class DiagramImage {
    * Draws a text.
    *
    * @param text what a template of templates/plantuml wrote
+   * @param longest how long that may take
+   * @return nothing if it takes longer; the library cannot be stopped, and goes on in a daemon
+   *     thread
    * @throws IllegalStateException if the library cannot draw it: the template is wrong then
    */
-  static byte[] svg(String text) {
+  static Optional<byte[]> svg(String text, Duration longest) {
     String[] svg = new String[1];
     Throwable[] failure = new Throwable[1];
     Thread drawing = new Thread(null, () -> svg[0] = draw(text), "diagram", STACK_BYTES);
+    drawing.setDaemon(true);
     drawing.setUncaughtExceptionHandler((thread, thrown) -> failure[0] = thrown);
     drawing.start();
     try {
-      drawing.join();
+      drawing.join(longest.toMillis());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new IllegalStateException("The drawing was interrupted", e);
@@ -71,7 +77,11 @@ final class DiagramImage {
     if (failure[0] != null) {
       throw new IllegalStateException("PlantUML cannot draw this: " + failure[0], failure[0]);
     }
-    return joinBars(VERSION.matcher(svg[0]).replaceAll("")).getBytes(StandardCharsets.UTF_8);
+    if (drawing.isAlive()) {
+      return Optional.empty();
+    }
+    String picture = joinBars(VERSION.matcher(svg[0]).replaceAll(""));
+    return Optional.of(picture.getBytes(StandardCharsets.UTF_8));
   }
 
   private static String draw(String text) {

@@ -13,31 +13,36 @@ import dev.eventchain.metamodel.Origins;
 import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
-import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
-import org.eclipse.emf.common.util.TreeIterator;
-import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EcorePackage;
-import org.eclipse.emf.ecore.util.EcoreUtil;
 
 /** Diagrams of models and metamodels, as PlantUML text and as an SVG picture. */
 public final class Diagrams {
 
-  /**
-   * How many boxes and arrows a diagram may have: beyond, the layout takes minutes, and nobody can
-   * read it.
-   */
+  /** How many boxes and arrows a diagram may have: nobody can read a larger one. */
   private static final int MOST = 1000;
+
+  /** How long a layout may take. Arrows between far boxes make it take minutes. */
+  private static final Duration LONGEST = Duration.ofSeconds(60);
+
+  /** A line of PlantUML text that is a box or an arrow. */
+  private static final Pattern ITEM =
+      Pattern.compile(
+          "^((state|object|class|enum|interface|abstract) |\\S+ (\"[^\"]*\" )?\\S*(--|\\.\\.))",
+          Pattern.MULTILINE);
 
   /** What is drawn. */
   public enum Kind {
@@ -104,11 +109,6 @@ public final class Diagrams {
       found.add(nothing(kind));
       return Map.of();
     }
-    int size = sizeOf(kind, drawn);
-    if (size > MOST) {
-      found.add(tooLarge(kind, size));
-      return Map.of();
-    }
     TemplateModule module =
         Templates.shipped(
             "plantuml",
@@ -121,8 +121,14 @@ public final class Diagrams {
     if (text == null || Diagnostic.anyError(result.diagnostics())) {
       return Map.of();
     }
-    byte[] picture = DiagramImage.svg(new String(text, StandardCharsets.UTF_8));
-    return new TreeMap<>(Map.of(kind + ".puml", text, kind + ".svg", picture));
+    String drawing = new String(text, StandardCharsets.UTF_8);
+    long size = ITEM.matcher(drawing).results().count();
+    Optional<byte[]> picture = size > MOST ? Optional.empty() : DiagramImage.svg(drawing, LONGEST);
+    if (picture.isEmpty()) {
+      found.add(tooLarge(kind, size));
+      return Map.of();
+    }
+    return new TreeMap<>(Map.of(kind + ".puml", text, kind + ".svg", picture.get()));
   }
 
   private GenerationContext context(Kind kind) {
@@ -149,24 +155,6 @@ public final class Diagrams {
     };
   }
 
-  /** About as many boxes and arrows as there will be. */
-  private static int sizeOf(Kind kind, List<? extends EObject> drawn) {
-    int size = 0;
-    TreeIterator<EObject> all = EcoreUtil.getAllContents(drawn);
-    while (all.hasNext()) {
-      EObject element = all.next();
-      size +=
-          switch (kind) {
-            case ACTIVITY ->
-                element instanceof SoftwareNode ? 2 + element.eCrossReferences().size() : 0;
-            case INSTANCE -> 2 + element.eCrossReferences().size();
-            case METAMODEL ->
-                element instanceof EClassifier ? 1 + element.eCrossReferences().size() : 0;
-          };
-    }
-    return size;
-  }
-
   private Diagnostic nothing(Kind kind) {
     String what = kind == Kind.ACTIVITY ? "no event chain with a component" : "no element";
     return Diagnostic.error(
@@ -176,17 +164,18 @@ public final class Diagrams {
         .withHint("Draw a model of another metamodel with --kind instance.");
   }
 
-  private Diagnostic tooLarge(Kind kind, int size) {
+  private Diagnostic tooLarge(Kind kind, long size) {
+    String problem =
+        size > MOST
+            ? "at most " + MOST + " are drawn"
+            : "their layout takes more than " + LONGEST.toSeconds() + " s";
     return Diagnostic.error(
             "diagram.too-large",
-            "The "
-                + kind
-                + " diagram would have about "
-                + size
-                + " boxes and arrows; at most "
-                + MOST
-                + " are drawn.",
+            "The %s diagram has %d boxes and arrows; %s.".formatted(kind, size, problem),
             SourceLocation.of(source))
-        .withHint("Draw a smaller model, or the chain alone with --kind activity.");
+        .withHint(
+            kind == Kind.INSTANCE
+                ? "Draw a smaller model, or an event chain with --kind activity."
+                : "Draw a part of it.");
   }
 }

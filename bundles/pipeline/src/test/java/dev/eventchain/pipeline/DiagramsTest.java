@@ -259,7 +259,39 @@ class DiagramsTest {
     assertEquals(
         List.of("diagram.too-large", "diagram.too-large"),
         found.stream().map(Diagnostic::id).toList());
+    // 1,000 components and 1,001 topics, one arrow into and out of each, one from the start and to
+    // the end.
+    assertEquals(
+        "The activity diagram has 4003 boxes and arrows; at most 1000 are drawn.",
+        found.get(0).message());
     assertTrue(Files.exists(folder.resolve("out/metamodel.svg")));
+  }
+
+  @Test
+  void attributesAreNeitherBoxesNorArrows() throws IOException {
+    StringBuilder ecore = new StringBuilder();
+    ecore.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<ecore:EPackage xmi:version=\"2.0\"");
+    ecore.append(" xmlns:xmi=\"http://www.omg.org/XMI\"");
+    ecore.append(" xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\"");
+    ecore.append(" xmlns:ecore=\"http://www.eclipse.org/emf/2002/Ecore\"");
+    ecore.append(" name=\"p\" nsURI=\"http://example.org/p\" nsPrefix=\"p\">\n");
+    for (int i = 0; i < 30; i++) {
+      ecore.append("<eClassifiers xsi:type=\"ecore:EClass\" name=\"C").append(i).append("\">\n");
+      for (int j = 0; j < 40; j++) {
+        ecore.append("<eStructuralFeatures xsi:type=\"ecore:EAttribute\" name=\"a").append(j);
+        ecore.append(
+            "\" eType=\"ecore:EDataType http://www.eclipse.org/emf/2002/Ecore#//EInt\"/>\n");
+      }
+      ecore.append("</eClassifiers>\n");
+    }
+    Path file = Files.writeString(folder.resolve("p.ecore"), ecore.append("</ecore:EPackage>\n"));
+
+    WrittenFiles files =
+        Diagrams.draw(
+            EnumSet.of(Kind.METAMODEL), List.of(file), List.of(), folder.resolve("out"), false);
+
+    assertEquals(List.of(), files.diagnostics());
+    assertTrue(files.summary().endsWith("2 written"), files.summary());
   }
 
   private static EventChain chain() {
