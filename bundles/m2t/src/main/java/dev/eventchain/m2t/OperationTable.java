@@ -142,6 +142,17 @@ final class OperationTable implements OperationLibrary {
     }
 
     @Override
+    public Optional<Implementation> endOnly(boolean first) {
+      return TextOperations.endOnly(row.name(), row.arguments().size(), first)
+          .map(
+              body ->
+                  new RowCall(
+                      new Row(row.name(), row.source(), row.arguments(), row.result(), body),
+                      language,
+                      isRepeatable));
+    }
+
+    @Override
     public Object call(Object source, List<Object> arguments, Evaluation run) {
       if (!row.takesNull()) {
         if (source == null) {

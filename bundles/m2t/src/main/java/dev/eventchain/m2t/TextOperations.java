@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.StringTokenizer;
 import java.util.function.IntPredicate;
 import java.util.regex.Matcher;
@@ -174,6 +175,37 @@ final class TextOperations {
       tokens.add(text.substring(start));
     }
     return tokens;
+  }
+
+  /** What gives the first token only, or the last one. */
+  static Optional<Body> endOnly(String operation, int arguments, boolean first) {
+    return operation.equals("tokenize") && arguments == 1
+        ? Optional.of((s, a, c) -> end(text(s), text(a.get(0)), first))
+        : Optional.empty();
+  }
+
+  private static List<Object> end(String text, String delimiters, boolean first) {
+    if (delimiters.length() != 1) {
+      List<Object> all = tokens(text, delimiters);
+      return all.isEmpty() ? all : List.of(all.get(first ? 0 : all.size() - 1));
+    }
+    char delimiter = delimiters.charAt(0);
+    int start = 0;
+    int end = text.length();
+    while (start < end && text.charAt(start) == delimiter) {
+      start++;
+    }
+    while (end > start && text.charAt(end - 1) == delimiter) {
+      end--;
+    }
+    if (start == end) {
+      return List.of();
+    }
+    if (first) {
+      int next = text.indexOf(delimiter, start);
+      return List.of(text.substring(start, next < 0 ? end : next));
+    }
+    return List.of(text.substring(Math.max(start, text.lastIndexOf(delimiter, end - 1) + 1), end));
   }
 
   private static String first(Object value, boolean upper) {

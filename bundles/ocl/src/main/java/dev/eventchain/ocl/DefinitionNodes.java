@@ -90,6 +90,14 @@ final class DefinitionNodes {
       this.arguments = arguments;
     }
 
+    /** The same for a caller that asks for one end of the result only. */
+    Node endOnly(boolean first) {
+      return implementation
+          .endOnly(first)
+          .<Node>map(shorter -> new LibraryCall(call, type, shorter, source, arguments))
+          .orElse(this);
+    }
+
     @Override
     Object compute(Frame frame) {
       Object result = call(implementation, frame);

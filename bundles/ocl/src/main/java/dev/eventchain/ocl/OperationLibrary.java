@@ -68,5 +68,16 @@ public interface OperationLibrary {
     default boolean isRepeatable() {
       return false;
     }
+
+    /**
+     * What gives a collection of only the first element of the result, or of only the last one, and
+     * an empty one if there is none. It is called where an expression asks for no more: {@code
+     * x.f()->first()}.
+     *
+     * @return empty if that is not easier than {@link #call}
+     */
+    default Optional<Implementation> endOnly(boolean first) {
+      return Optional.empty();
+    }
   }
 }

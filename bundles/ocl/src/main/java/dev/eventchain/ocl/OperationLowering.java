@@ -174,6 +174,10 @@ final class OperationLowering {
     } else if (CollectionNodes.Conversion.has(code)) {
       return new CollectionNodes.Conversion(code, source);
     }
+    if (source instanceof DefinitionNodes.LibraryCall made
+        && (code == PredefinedType.FIRST || code == PredefinedType.LAST)) {
+      return new CollectionNodes.Aggregate(code, made.endOnly(code == PredefinedType.FIRST), null);
+    }
     return CollectionNodes.Aggregate.has(code)
         ? new CollectionNodes.Aggregate(code, source, emptySum(type))
         : null;
