@@ -1,13 +1,16 @@
 package dev.eventchain.benchmarks;
 
+import java.util.ArrayList;
 import java.util.Collection;
+import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
+import org.openjdk.jmh.annotations.Mode;
 import org.openjdk.jmh.results.RunResult;
 import org.openjdk.jmh.runner.Runner;
 import org.openjdk.jmh.runner.RunnerException;
-import org.openjdk.jmh.runner.options.Options;
+import org.openjdk.jmh.runner.options.ChainedOptionsBuilder;
 import org.openjdk.jmh.runner.options.OptionsBuilder;
 import org.openjdk.jmh.runner.options.TimeValue;
 
@@ -15,6 +18,9 @@ import org.openjdk.jmh.runner.options.TimeValue;
 public final class GenerationBenchmarks {
 
   private static final String OURS = "GenerationBenchmark.eventchain";
+  private static final String OWN =
+      "(Generation|ShippedTemplates|Compile)Benchmark\\.(?!epsilonEgl)";
+  private static final String PEER = "GenerationBenchmark\\.epsilonEgl";
 
   private GenerationBenchmarks() {}
 
@@ -24,21 +30,38 @@ public final class GenerationBenchmarks {
    * @param arguments nothing, or a pattern of benchmarks to run
    */
   public static void main(String[] arguments) throws RunnerException {
-    String pattern =
-        arguments.length == 0
-            ? "(Generation|ShippedTemplates|Compile)Benchmark\\."
-            : arguments[0];
-    Options options =
-        new OptionsBuilder()
-            .include(pattern)
-            .forks(1)
-            .warmupIterations(5)
-            .warmupTime(TimeValue.seconds(2))
-            .measurementIterations(5)
-            .measurementTime(TimeValue.seconds(2))
-            .jvmArgs("-Xmx2g")
-            .build();
-    print(new Runner(options).run());
+    List<RunResult> results = new ArrayList<>();
+    if (arguments.length > 0) {
+      results.addAll(new Runner(averages(arguments[0]).build()).run());
+    } else {
+      results.addAll(new Runner(averages(OWN).build()).run());
+      results.addAll(new Runner(single(PEER, "1000", 3).build()).run());
+      results.addAll(new Runner(single(PEER, "10000", 1).build()).run());
+    }
+    print(results);
+  }
+
+  private static ChainedOptionsBuilder averages(String pattern) {
+    return new OptionsBuilder()
+        .include(pattern)
+        .forks(1)
+        .warmupIterations(3)
+        .warmupTime(TimeValue.seconds(2))
+        .measurementIterations(3)
+        .measurementTime(TimeValue.seconds(2))
+        .jvmArgs("-Xmx2g");
+  }
+
+  /** For what takes seconds; the run that compares the output has warmed it up. */
+  private static ChainedOptionsBuilder single(String pattern, String nodes, int iterations) {
+    return new OptionsBuilder()
+        .include(pattern)
+        .param("nodes", nodes)
+        .mode(Mode.SingleShotTime)
+        .forks(1)
+        .warmupIterations(0)
+        .measurementIterations(iterations)
+        .jvmArgs("-Xmx2g");
   }
 
   private static void print(Collection<RunResult> results) {
