@@ -127,4 +127,21 @@ record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage 
     }
     return value -> language.isInstance(value, type);
   }
+
+  /**
+   * The test of whether a value is of a type; of a collection, whether its elements are. A large
+   * number is an Integer, too.
+   */
+  Predicate<Object> valuesOf(EClassifier type) {
+    Optional<EClassifier> elementType = language.elementType(type);
+    if (elementType.isEmpty()) {
+      boolean takesIntegers = language.conforms(language.type("Integer"), type);
+      Predicate<Object> instances = instancesOf(type);
+      return value -> instances.test(value) || (takesIntegers && value instanceof Long);
+    }
+    Predicate<Object> element = valuesOf(elementType.get());
+    return value ->
+        value instanceof Collection<?> elements
+            && elements.stream().allMatch(each -> each == null || element.test(each));
+  }
 }

@@ -54,6 +54,7 @@ final class GenerationRun {
   private final Map<Query, Map<Object, Object>> cache = new HashMap<>();
   private final Map<String, TokenWalk> tokenWalks = new HashMap<>();
   private final Map<String, Pattern> patterns = new HashMap<>();
+  private final Map<Class<?>, Object> serviceInstances = new HashMap<>();
   private final OutputBuffer output;
   private final Tracing tracing;
   private Expression current;
@@ -104,6 +105,11 @@ final class GenerationRun {
       patterns.put(expression, known);
     }
     return known;
+  }
+
+  /** The instances of Java services whose methods are not static: one of each class. */
+  Map<Class<?>, Object> serviceInstances() {
+    return serviceInstances;
   }
 
   GenerationResult result() {
@@ -344,7 +350,7 @@ final class GenerationRun {
     if (place.line() == 0) {
       place = expression.location();
     }
-    boolean service = invalid.reason().contains(Services.REASON);
+    boolean service = invalid.cause() instanceof ServiceException;
     error(
         service ? "m2t.service" : "m2t.undefined",
         place,

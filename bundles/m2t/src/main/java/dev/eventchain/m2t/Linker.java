@@ -286,8 +286,11 @@ final class Linker {
               "Mend the type after the colon, or the expression.");
       return;
     }
-    query.define(
-        value.get(), service ? unit.expressions().instancesOf(query.resultType()) : result -> true);
+    if (service) {
+      query.defineService(value.get(), unit.expressions().valuesOf(query.resultType()));
+    } else {
+      query.define(value.get());
+    }
   }
 
   private void define(Syntax.Template syntax, Template template, Unit unit) {

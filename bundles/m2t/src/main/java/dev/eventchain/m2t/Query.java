@@ -7,6 +7,7 @@ import dev.eventchain.ocl.Expression;
 import dev.eventchain.ocl.Invalid;
 import java.util.Collection;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Predicate;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.impl.BasicEObjectImpl;
@@ -18,7 +19,7 @@ final class Query extends Callable {
 
   private final EClassifier resultType;
   private Expression value;
-  private Predicate<Object> accepts;
+  private Optional<Predicate<Object>> accepts = Optional.empty();
 
   Query(
       String name,
@@ -30,10 +31,15 @@ final class Query extends Callable {
     this.resultType = resultType;
   }
 
-  /** Completes the query, whose value may call any other callable; says what it may give. */
-  void define(Expression newValue, Predicate<Object> newAccepts) {
+  /** Completes the query, whose value may call any other callable. */
+  void define(Expression newValue) {
     value = newValue;
-    accepts = newAccepts;
+  }
+
+  /** Completes the query, whose value is what a Java service gives, and says what that may be. */
+  void defineService(Expression newValue, Predicate<Object> newAccepts) {
+    value = newValue;
+    accepts = Optional.of(newAccepts);
   }
 
   @Override
@@ -65,7 +71,7 @@ final class Query extends Callable {
   private Invalid located(Invalid invalid) {
     boolean known = invalid.location().line() > 0;
     SourceLocation place = known ? invalid.location() : value.location();
-    return new Invalid(invalid.reason() + ", at " + place, place, false);
+    return new Invalid(invalid.reason() + ", at " + place, place, false, invalid.cause());
   }
 
   private Object evaluate(List<Object> arguments, GenerationRun run) {
@@ -83,22 +89,23 @@ final class Query extends Callable {
       if (result instanceof Invalid invalid) {
         return located(invalid);
       }
-      boolean fits = result == null || accepts.test(result);
-      return fits
-          ? result
-          : new Invalid(
-              Services.REASON
-                  + "of the query '"
-                  + name()
-                  + "' gives "
-                  + ServiceValues.shown(result)
-                  + ", which is no "
-                  + resultType.getName(),
-              value.location(),
-              false);
+      boolean fits = result == null || accepts.isEmpty() || accepts.get().test(result);
+      return fits ? result : misfit(result);
     } finally {
       evaluation.unbindTo(bindings);
       run.leave();
     }
+  }
+
+  private Invalid misfit(Object result) {
+    ServiceException cause =
+        new ServiceException(
+            "the Java service of the query '"
+                + name()
+                + "' gives "
+                + ServiceValues.shown(result)
+                + ", which is no "
+                + resultType.getName());
+    return new Invalid(cause.getMessage(), value.location(), false, cause);
   }
 }

@@ -52,8 +52,7 @@ final class ServiceLibrary implements OperationLibrary {
     @Override
     public Object call(Object source, List<Object> arguments, Evaluation run) {
       if (arguments.contains(null)) {
-        throw new IllegalArgumentException(
-            Services.REASON + "is named by null, or its arguments are null");
+        throw new ServiceException("the Java service is named by null, or its arguments are null");
       }
       return services.call(
           (String) arguments.get(0),

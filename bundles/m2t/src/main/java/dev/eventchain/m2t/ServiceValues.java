@@ -1,11 +1,14 @@
 package dev.eventchain.m2t;
 
 import java.lang.reflect.Array;
+import java.math.BigDecimal;
+import java.math.BigInteger;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import org.eclipse.emf.common.util.Enumerator;
 import org.eclipse.emf.ecore.EObject;
 
 /** Values of OCL as arguments of Java methods, and what these give as values of OCL. */
@@ -56,26 +59,66 @@ final class ServiceValues {
         : Optional.empty();
   }
 
-  /** What a method gave, with numbers, characters and arrays as OCL has them. */
-  static Object toOcl(Object value) {
-    if (value instanceof Short || value instanceof Byte) {
+  /**
+   * What a method gave, with numbers, characters, collections and arrays as OCL has them. Of an
+   * {@link Optional} that is what it holds, or null; of any other object it is the text.
+   *
+   * @param shown names the method, at the start of a message
+   * @throws ServiceException if an object has no text, or one that is another in each run
+   */
+  static Object toOcl(Object value, String shown) {
+    if (isOcl(value)) {
+      return value;
+    } else if (value instanceof Long number) {
+      return number == number.intValue() ? (Object) number.intValue() : number;
+    } else if (value instanceof Short || value instanceof Byte) {
       return ((Number) value).intValue();
     } else if (value instanceof Float number) {
       return number.doubleValue();
-    } else if (value instanceof Character) {
-      return value.toString();
     } else if (value instanceof Collection<?> elements) {
       List<Object> copy = new ArrayList<>();
-      elements.forEach(each -> copy.add(toOcl(each)));
+      elements.forEach(each -> copy.add(toOcl(each, shown)));
       return copy;
-    } else if (value != null && value.getClass().isArray()) {
+    } else if (value instanceof Optional<?> held) {
+      return toOcl(held.orElse(null), shown);
+    } else if (value.getClass().isArray()) {
       List<Object> copy = new ArrayList<>();
       for (int i = 0; i < Array.getLength(value); i++) {
-        copy.add(toOcl(Array.get(value, i)));
+        copy.add(toOcl(Array.get(value, i), shown));
       }
       return copy;
     }
-    return value;
+    return text(value, shown);
+  }
+
+  private static boolean isOcl(Object value) {
+    return value == null
+        || value instanceof String
+        || value instanceof Boolean
+        || value instanceof Integer
+        || value instanceof Double
+        || value instanceof BigInteger
+        || value instanceof BigDecimal
+        || value instanceof EObject
+        || value instanceof Enumerator;
+  }
+
+  private static String text(Object value, String shown) {
+    String text = hasText(value.getClass()) ? value.toString() : null;
+    if (text == null) {
+      throw new ServiceException(
+          shown + "gives a " + value.getClass().getTypeName() + ", which has no text");
+    }
+    return text;
+  }
+
+  /** Whether there is more to the text of an object than the address that Java gives it. */
+  private static boolean hasText(Class<?> type) {
+    try {
+      return type.getMethod("toString").getDeclaringClass() != Object.class;
+    } catch (NoSuchMethodException e) {
+      throw new IllegalStateException(e);
+    }
   }
 
   /** A value for a message. */

@@ -6,25 +6,19 @@ import java.lang.reflect.Modifier;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
-import java.util.HashMap;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.WeakHashMap;
 import java.util.stream.Collectors;
 
 /**
  * The Java methods that templates may call: the public ones of the classes that one class loader
- * has itself. What its parents have, such as the Java library, cannot be called.
+ * has itself. What its parents have, such as the Java library, cannot be called, and no class of
+ * theirs is initialised by naming it; nor can what classes inherit from them.
  */
 final class Services {
-  /** How the reasons of all failures start. */
-  static final String REASON = "the Java service ";
-
   private final Optional<ClassLoader> loader;
-
-  /** The instances of services whose methods are not static: one of a class in each run. */
-  private final Map<GenerationRun, Map<Class<?>, Object>> instances = new WeakHashMap<>();
 
   Services(Optional<ClassLoader> loader) {
     this.loader = loader;
@@ -40,54 +34,82 @@ final class Services {
    *
    * @param signature {@code name(types)}, the types with or without their packages
    * @return what the method gave, as a value of OCL
-   * @throws IllegalArgumentException with the reason if there is no such method, it does not take
-   *     these arguments, or it threw an exception
+   * @throws ServiceException with the reason if there is no such method, it does not take these
+   *     arguments, or it threw an exception
    */
   Object call(String className, String signature, Collection<?> arguments, GenerationRun run) {
-    String shown = REASON + "'" + className + "." + signature + "' ";
-    Class<?> type = find(className, shown);
-    Method method = method(type, signature, shown);
-    Object[] values = values(method, arguments, shown);
+    String shown = "the Java service '" + className + "." + signature + "' ";
     try {
+      Class<?> type = find(className, shown);
+      Method method = method(type, signature, shown);
+      Object[] values = values(method, arguments, shown);
       Object target = Modifier.isStatic(method.getModifiers()) ? null : instance(type, run, shown);
-      return ServiceValues.toOcl(method.invoke(target, values));
+      return ServiceValues.toOcl(method.invoke(target, values), shown);
+    } catch (ServiceException e) {
+      throw e;
     } catch (InvocationTargetException e) {
       throw failed(shown, e.getCause());
     } catch (IllegalAccessException e) {
-      throw new IllegalArgumentException(shown + "is not accessible: its class is not public", e);
+      throw new ServiceException(shown + "is not accessible: its class is not public", e);
+    } catch (RuntimeException | LinkageError | StackOverflowError e) {
+      // A library that the class needs is absent, for one, or the text of a value cannot be had.
+      throw failed(shown, e);
     }
   }
 
   private Class<?> find(String className, String shown) {
+    boolean isName =
+        className.chars().allMatch(each -> each == '.' || Character.isJavaIdentifierPart(each));
     try {
-      Class<?> type = Class.forName(className, true, loader.orElseThrow());
-      if (type.getClassLoader() == loader.get()) {
+      // Nobody's class is initialised before it is known whose it is.
+      Class<?> type = isName ? Class.forName(className, false, loader.orElseThrow()) : null;
+      if (type != null && type.getClassLoader() == loader.get()) {
         return type;
       }
     } catch (ClassNotFoundException e) {
       // The same as a class that belongs to somebody else.
-    } catch (LinkageError e) {
-      throw failed(shown, e);
     }
-    throw new IllegalArgumentException(shown + "is absent: the services have no such class");
+    throw new ServiceException(shown + "is absent: the services have no such class");
   }
 
-  private static Method method(Class<?> type, String signature, String shown) {
-    String bare = signature.replaceAll("<[^()]*>", "").replaceAll("\\s", "");
+  private Method method(Class<?> type, String signature, String shown) {
+    String bare = withoutGenerics(signature);
     int open = bare.indexOf('(');
     String name = open < 0 ? bare : bare.substring(0, open);
     String inside = open < 0 ? "" : bare.substring(open + 1).replaceFirst("\\)$", "");
     List<String> types = inside.isEmpty() ? List.of() : List.of(inside.split(",", -1));
     List<Method> named =
-        Arrays.stream(type.getMethods()).filter(each -> each.getName().equals(name)).toList();
+        Arrays.stream(type.getMethods())
+            .filter(each -> each.getName().equals(name))
+            .filter(each -> each.getDeclaringClass().getClassLoader() == loader.orElseThrow())
+            .sorted(Comparator.comparing(Method::isBridge))
+            .toList();
     return named.stream()
-        .filter(each -> !each.isBridge() && takes(each, types))
+        .filter(each -> takes(each, types))
         .findFirst()
-        .orElseThrow(
-            () -> new IllegalArgumentException(shown + "is absent: " + known(type, named)));
+        .orElseThrow(() -> new ServiceException(shown + "is absent: " + known(named)));
   }
 
-  private static String known(Class<?> type, List<Method> named) {
+  /** A signature without white space and type arguments; unchanged if its brackets do not match. */
+  private static String withoutGenerics(String signature) {
+    StringBuilder bare = new StringBuilder();
+    int depth = 0;
+    for (char each : signature.toCharArray()) {
+      if (each == '<') {
+        depth++;
+      } else if (each == '>') {
+        depth--;
+      } else if (depth == 0 && !Character.isWhitespace(each)) {
+        bare.append(each);
+      }
+      if (depth < 0) {
+        return signature;
+      }
+    }
+    return depth == 0 ? bare.toString() : signature;
+  }
+
+  private static String known(List<Method> named) {
     if (named.isEmpty()) {
       return "its class has no such public method";
     }
@@ -97,7 +119,7 @@ final class Services {
                 each ->
                     each.getName()
                         + Arrays.stream(each.getParameterTypes())
-                            .map(Class::getName)
+                            .map(Class::getTypeName)
                             .collect(Collectors.joining(", ", "(", ")")))
             .sorted()
             .distinct()
@@ -124,7 +146,7 @@ final class Services {
   private static Object[] values(Method method, Collection<?> arguments, String shown) {
     Class<?>[] parameters = method.getParameterTypes();
     if (arguments.size() != parameters.length) {
-      throw new IllegalArgumentException(
+      throw new ServiceException(
           shown + "takes " + parameters.length + " arguments and is given " + arguments.size());
     }
     List<Object> given = new ArrayList<>(arguments);
@@ -137,10 +159,10 @@ final class Services {
           ServiceValues.toJava(argument, parameter)
               .orElseThrow(
                   () ->
-                      new IllegalArgumentException(
+                      new ServiceException(
                           shown
                               + "takes a "
-                              + parameter.getName()
+                              + parameter.getTypeName()
                               + " as argument "
                               + position
                               + " and is given "
@@ -152,25 +174,35 @@ final class Services {
 
   private Object instance(Class<?> type, GenerationRun run, String shown)
       throws IllegalAccessException, InvocationTargetException {
-    synchronized (instances) {
-      Map<Class<?>, Object> known = instances.computeIfAbsent(run, each -> new HashMap<>());
-      Object instance = known.get(type);
-      if (instance == null) {
-        try {
-          instance = type.getConstructor().newInstance();
-        } catch (NoSuchMethodException | InstantiationException e) {
-          throw new IllegalArgumentException(
-              shown + "needs a class with a public constructor without parameters", e);
-        }
-        known.put(type, instance);
+    Map<Class<?>, Object> known = run.serviceInstances();
+    Object instance = known.get(type);
+    if (instance == null) {
+      try {
+        instance = type.getConstructor().newInstance();
+      } catch (NoSuchMethodException | InstantiationException e) {
+        throw new ServiceException(
+            shown + "needs a class with a public constructor without parameters", e);
       }
-      return instance;
+      known.put(type, instance);
     }
+    return instance;
   }
 
-  private static IllegalArgumentException failed(String shown, Throwable cause) {
-    String message = cause.getMessage() == null ? "" : ": " + cause.getMessage();
-    return new IllegalArgumentException(
-        shown + "threw " + cause.getClass().getName() + message, cause);
+  private static ServiceException failed(String shown, Throwable thrown) {
+    boolean wraps = thrown instanceof ExceptionInInitializerError && thrown.getCause() != null;
+    Throwable cause = wraps ? thrown.getCause() : thrown;
+    String message = message(cause);
+    return new ServiceException(
+        shown + "threw " + cause.getClass().getName() + (message.isEmpty() ? "" : ": " + message),
+        cause);
+  }
+
+  /** The message of an exception, whose class may be anybody's. */
+  private static String message(Throwable cause) {
+    try {
+      return Optional.ofNullable(cause.getMessage()).orElse("");
+    } catch (RuntimeException | LinkageError | StackOverflowError e) {
+      return "";
+    }
   }
 }

@@ -1,8 +1,11 @@
 package dev.eventchain.m2t;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
+import java.util.Optional;
+import java.util.Set;
 import org.eclipse.emf.ecore.EObject;
 
 /** The Java services of the cases. */
@@ -50,5 +53,55 @@ public class CaseServices {
 
   public static String overflow() {
     return overflow() + ".";
+  }
+
+  public static String join(List<String> some, Set<List<String>> others) {
+    return String.join("+", some) + others.size();
+  }
+
+  public static long length(String text) {
+    return text.length();
+  }
+
+  public static long lengthOfManyBooks(String text) {
+    return text.length() * 1_000_000_000_000L;
+  }
+
+  public static List<Object> mixed() {
+    return Arrays.asList("a", null, 1);
+  }
+
+  public static List<Long> sizes() {
+    return List.of(1L, 2L);
+  }
+
+  /** Objects that have a text, and ones that hold something or nothing. */
+  public static List<Object> objects() {
+    return List.of(
+        new StringBuilder("built"), Optional.of("held"), Optional.empty(), new int[] {1, 2});
+  }
+
+  public static Object iterator() {
+    return List.of("a").iterator();
+  }
+
+  public static Object nullAsText() {
+    return new Object() {
+      @Override
+      public String toString() {
+        return null;
+      }
+    };
+  }
+
+  public static Object[] failingText() {
+    Object failing =
+        new Object() {
+          @Override
+          public String toString() {
+            throw new IllegalStateException("no text today");
+          }
+        };
+    return new Object[] {failing};
   }
 }

@@ -67,7 +67,7 @@ final class Evaluator extends EvaluationVisitorImpl {
       throw e;
     } catch (RuntimeException e) {
       if (run.origin() == null) {
-        run.setOrigin(new InvalidOrigin(expression, null, messageOf(e)));
+        run.setOrigin(new InvalidOrigin(expression, null, messageOf(e), e));
       }
       return getInvalid();
     }
@@ -93,6 +93,7 @@ final class Evaluator extends EvaluationVisitorImpl {
     run.setOrigin(null);
     Object result;
     String detail = "";
+    RuntimeException cause = null;
     try {
       result = evaluation.get();
     } catch (EvaluationHaltedException e) {
@@ -100,13 +101,14 @@ final class Evaluator extends EvaluationVisitorImpl {
     } catch (RuntimeException e) {
       result = getInvalid();
       detail = messageOf(e);
+      cause = e;
     }
     if (result != getInvalid()) {
       run.setOrigin(before);
     } else if (run.origin() == null) {
       Object source = subject == null ? null : safeVisitExpression(subject);
       String note = run.takeNote();
-      run.setOrigin(new InvalidOrigin(node, source, detail.isEmpty() ? note : detail));
+      run.setOrigin(new InvalidOrigin(node, source, detail.isEmpty() ? note : detail, cause));
     }
     return result;
   }
@@ -187,7 +189,7 @@ final class Evaluator extends EvaluationVisitorImpl {
     Object result = calls.call(call, operation.implementation(), source, arguments.toArray(), run);
     run.setOrigin(null);
     if (result instanceof Invalid invalid) {
-      run.setOrigin(new InvalidOrigin(call, source, invalid.reason()));
+      run.setOrigin(new InvalidOrigin(call, source, invalid.reason(), invalid.cause()));
       return getInvalid();
     }
     return CollectionOperations.conform(result, call.getType());

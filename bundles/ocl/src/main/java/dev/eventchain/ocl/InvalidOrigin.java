@@ -23,8 +23,10 @@ import org.eclipse.ocl.utilities.CallingASTNode;
  * @param node the expression
  * @param source what it was applied to; {@code null} also if that is not known
  * @param detail what a library or Java said; empty if nothing
+ * @param cause the exception by which they said it; {@code null} if there was none
  */
-record InvalidOrigin(OCLExpression<EClassifier> node, Object source, String detail) {
+record InvalidOrigin(
+    OCLExpression<EClassifier> node, Object source, String detail, RuntimeException cause) {
 
   /** Notes on the root of an expression which text it was parsed from. */
   static final class Source extends AdapterImpl {
@@ -45,7 +47,7 @@ record InvalidOrigin(OCLExpression<EClassifier> node, Object source, String deta
   }
 
   Invalid toInvalid() {
-    return new Invalid(reason(), locationOf(node), false);
+    return new Invalid(reason(), locationOf(node), false, cause);
   }
 
   static SourceLocation locationOf(OCLExpression<EClassifier> node) {

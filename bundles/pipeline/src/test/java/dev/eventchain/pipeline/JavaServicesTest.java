@@ -1,0 +1,260 @@
+package dev.eventchain.pipeline;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import javax.tools.ToolProvider;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Which methods templates can call, and what is said of those that fail. */
+class JavaServicesTest {
+
+  private static final String ECORE =
+      """
+      <?xml version="1.0" encoding="UTF-8"?>
+      <ecore:EPackage xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI" xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns:ecore="http://www.eclipse.org/emf/2002/Ecore" name="shop" nsURI="http://example.org/shop" nsPrefix="shop">
+        <eClassifiers xsi:type="ecore:EClass" name="Shop">
+          <eStructuralFeatures xsi:type="ecore:EAttribute" name="name" eType="ecore:EDataType http://www.eclipse.org/emf/2002/Ecore#//EString"/>
+          <eStructuralFeatures xsi:type="ecore:EReference" name="branches" upperBound="-1" eType="#//Shop" containment="true"/>
+        </eClassifiers>
+      </ecore:EPackage>
+      """;
+
+  private static final String MODEL =
+      """
+      <?xml version="1.0" encoding="UTF-8"?>
+      <shop:Shop xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI" xmlns:shop="http://example.org/shop" name="bakery">
+        <branches name="north"/>
+        <branches name="south"/>
+      </shop:Shop>
+      """;
+
+  private static final String TEMPLATE =
+      """
+      [module main('http://example.org/shop')]
+      [template public main(shop : Shop) ? (shop.name = 'bakery')]
+      [comment @main /]
+      [file ('out.txt', false)]
+      BODY
+      [/file]
+      [/template]
+      """;
+
+  /** Which class has been initialised, as far as the test can tell. */
+  private static final String INITIALISED = "dev.eventchain.test.initialised";
+
+  /** A class of this program that templates must not wake up. */
+  static final class Sleeper {
+    static {
+      System.setProperty(INITIALISED, "Sleeper");
+    }
+
+    private Sleeper() {}
+
+    public static String wake() {
+      return "awake";
+    }
+  }
+
+  @TempDir Path folder;
+  private Path classes;
+
+  @BeforeEach
+  void write() throws IOException {
+    Files.writeString(folder.resolve("shop.ecore"), ECORE);
+    Files.writeString(folder.resolve("model.xmi"), MODEL);
+    classes = Files.createDirectories(folder.resolve("classes"));
+  }
+
+  @AfterEach
+  void forget() {
+    System.clearProperty(INITIALISED);
+  }
+
+  /** Compiles public classes of the package demo, which are all named and follow one another. */
+  private void compile(String... sources) throws IOException {
+    Path place = Files.createDirectories(folder.resolve("src/demo"));
+    List<String> arguments =
+        new ArrayList<>(List.of("-proc:none", "-Xlint:none", "-d", classes.toString()));
+    for (String source : sources) {
+      String name = source.replaceFirst("(?s).*?public class (\\w+).*", "$1");
+      Path file = Files.writeString(place.resolve(name + ".java"), "package demo;\n" + source);
+      arguments.add(file.toString());
+    }
+    int failed =
+        ToolProvider.getSystemJavaCompiler()
+            .run(null, null, null, arguments.toArray(String[]::new));
+    assertEquals(0, failed);
+  }
+
+  private List<Diagnostic> generate(String body) throws IOException {
+    Path template = Files.writeString(folder.resolve("main.mtl"), TEMPLATE.replace("BODY", body));
+    return AnyModel.generate(
+            List.of(folder.resolve("shop.ecore")),
+            template,
+            List.of(classes),
+            List.of(folder.resolve("model.xmi")),
+            folder.resolve("out"),
+            false,
+            false)
+        .diagnostics();
+  }
+
+  private String output(String body) throws IOException {
+    assertEquals(List.of(), generate(body));
+    return Files.readString(folder.resolve("out/out.txt"));
+  }
+
+  private static String call(String className, String signature) {
+    return "[invoke('" + className + "', '" + signature + "', Sequence{})/]";
+  }
+
+  /** The reason in the one finding of a body. */
+  private String refused(String body) throws IOException {
+    List<Diagnostic> found = generate(body);
+    assertEquals(List.of("m2t.service"), found.stream().map(Diagnostic::id).toList());
+    Diagnostic finding = found.get(0);
+    assertEquals(5, finding.location().line());
+    return finding.message().replaceFirst("(?s).*\\(the Java service (.*)\\)\\.", "$1");
+  }
+
+  @Test
+  void aMethodThatAClassInheritsFromTheJavaLibraryIsAbsent() throws IOException {
+    compile("public class Worker extends Thread { public String work() { return \"done\"; } }");
+    assertEquals("done\n", output(call("demo.Worker", "work()")));
+    for (String inherited : List.of("getAllStackTraces()", "getClass()", "start()", "hashCode()")) {
+      assertEquals(
+          "'demo.Worker." + inherited + "' is absent: its class has no such public method",
+          refused(call("demo.Worker", inherited)));
+    }
+  }
+
+  @Test
+  void aMethodThatAClassInheritsFromAnotherServiceIsThere() throws IOException {
+    compile(
+        "public class Baker extends Person {}",
+        "class Named { public String name() { return \"Anna\"; } }\n"
+            + "public class Person extends Named {}");
+    assertEquals("Anna\n", output(call("demo.Baker", "name()")));
+  }
+
+  @Test
+  void aClassOfTheProgramIsAbsentAndStaysUninitialised() throws IOException {
+    String name = Sleeper.class.getName();
+    String reason = refused(call(name, "wake()"));
+    assertTrue(reason.endsWith("is absent: the services have no such class"), reason);
+    assertEquals(null, System.getProperty(INITIALISED));
+    assertEquals("awake", Sleeper.wake());
+    assertEquals("Sleeper", System.getProperty(INITIALISED));
+  }
+
+  @Test
+  void aClassThatTheProgramHasTooIsTheProgramsAndAbsent() throws IOException {
+    Path copy = classes.resolve(Sleeper.class.getName().replace('.', '/') + ".class");
+    Files.createDirectories(copy.getParent());
+    try (var original = Sleeper.class.getResourceAsStream("JavaServicesTest$Sleeper.class")) {
+      Files.copy(original, copy);
+    }
+    String reason = refused(call(Sleeper.class.getName(), "wake()"));
+    assertTrue(reason.endsWith("is absent: the services have no such class"), reason);
+    assertEquals(null, System.getProperty(INITIALISED));
+  }
+
+  @Test
+  void namesThatAreNoneOfClassesAreAbsent() throws IOException {
+    compile("public class Words { public static String word() { return \"w\"; } }");
+    for (String name : List.of("[Ldemo.Words;", "demo/Words", "../classes/demo.Words", "", "int")) {
+      String reason = refused(call(name, "word()"));
+      assertEquals("'" + name + ".word()' is absent: the services have no such class", reason);
+    }
+  }
+
+  @Test
+  void aClassThatLacksALibraryIsNamed() throws IOException {
+    compile(
+        "public class Library {}",
+        "public class User {\n"
+            + "  public static String fine() { return \"fine\"; }\n"
+            + "  public static String use(Library library) { return \"used\"; }\n"
+            + "}");
+    Files.delete(classes.resolve("demo/Library.class"));
+    assertEquals(
+        "'demo.User.fine()' threw java.lang.NoClassDefFoundError: demo/Library",
+        refused(call("demo.User", "fine()")));
+  }
+
+  @Test
+  void aClassThatCannotBeInitialisedSaysWhy() throws IOException {
+    compile(
+        "public class Broken {\n"
+            + "  static final int SIZE = Integer.parseInt(\"many\");\n"
+            + "  public static String size() { return \"\" + SIZE; }\n"
+            + "}");
+    assertEquals(
+        "'demo.Broken.size()' threw java.lang.NumberFormatException: For input string: \"many\"",
+        refused(call("demo.Broken", "size()")));
+  }
+
+  @Test
+  void anExceptionWhoseMessageThrowsIsNamedWithoutIt() throws IOException {
+    compile(
+        "public class Evil extends RuntimeException {\n"
+            + "  public String getMessage() { throw new Evil(); }\n"
+            + "  public static String fail() { throw new Evil(); }\n"
+            + "}");
+    assertEquals("'demo.Evil.fail()' threw demo.Evil", refused(call("demo.Evil", "fail()")));
+  }
+
+  @Test
+  void anObjectIsWrittenAsItsTextAndRefusedIfThatFails() throws IOException {
+    compile(
+        "public class Money {\n"
+            + "  public static Object some() { return new Money(); }\n"
+            + "  public static Object[] other() { return new Object[] {new Other()}; }\n"
+            + "  public static Object plain() { return new Object(); }\n"
+            + "  public String toString() { return \"5 euros\"; }\n"
+            + "  static class Other {\n"
+            + "    public String toString() { throw new IllegalStateException(\"no text\"); }\n"
+            + "  }\n"
+            + "}");
+    assertEquals("5 euros\n", output(call("demo.Money", "some()")));
+    assertEquals(
+        "'demo.Money.other()' threw java.lang.IllegalStateException: no text",
+        refused(call("demo.Money", "other()")));
+    assertEquals(
+        "'demo.Money.plain()' gives a java.lang.Object, which has no text",
+        refused(call("demo.Money", "plain()")));
+  }
+
+  @Test
+  void theTypesOfAnotherMethodAreShownAsJavaWritesThem() throws IOException {
+    compile(
+        "public class Words {\n"
+            + "  public static String all(String[] words, int[][] n) { return \"\"; }\n"
+            + "}");
+    assertEquals(
+        "'demo.Words.all()' is absent: there is only all(java.lang.String[], int[][])",
+        refused(call("demo.Words", "all()")));
+  }
+
+  @Test
+  void everyRunHasAnInstanceOfItsOwn() throws IOException {
+    compile(
+        "public class Counter {\n"
+            + "  private long calls;\n"
+            + "  public long count() { return ++calls; }\n"
+            + "}");
+    String twice = call("demo.Counter", "count()").repeat(2);
+    assertEquals("12\n", output(twice));
+    assertEquals("12\n", output(twice));
+  }
+}
