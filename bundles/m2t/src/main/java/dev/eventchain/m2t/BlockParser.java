@@ -21,6 +21,9 @@ final class BlockParser {
   private final List<Syntax.Text> texts;
   private int next;
 
+  /** Whether the block that is read stands in a protected area of its file. */
+  private boolean inArea;
+
   BlockParser(Problems problems, List<Token> tokens, List<Syntax.Text> texts) {
     this.problems = problems;
     this.tokens = tokens;
@@ -88,6 +91,15 @@ final class BlockParser {
         default -> next++;
       }
     }
+  }
+
+  /** The same for the inside of a block that begins or ends a protected area. */
+  private List<Node> body(boolean area) {
+    boolean outer = inArea;
+    inArea = area;
+    List<Node> nodes = body();
+    inArea = outer;
+    return nodes;
   }
 
   private Optional<Node> block(Token token) {
@@ -255,7 +267,7 @@ final class BlockParser {
     Optional<Span> inside = reader.parentheses("the name of the file");
     reader.variablesInBraces();
     reader.expectEnd("the end of the tag");
-    List<Node> body = body();
+    List<Node> body = body(false);
     if (inside.isEmpty()) {
       return Optional.empty();
     }
@@ -283,7 +295,14 @@ final class BlockParser {
       endPrefix = reader.parentheses("a text");
     }
     reader.expectEnd("startTagPrefix(), endTagPrefix() or the end of the tag");
-    List<Node> body = body();
+    if (inArea) {
+      problems.error(
+          "m2t.protected.id",
+          token.start(),
+          "This protected area stands inside another one.",
+          "End the outer area before it, or make the inner one plain text.");
+    }
+    List<Node> body = body(true);
     if (id.isEmpty()) {
       return Optional.empty();
     }

@@ -3,18 +3,12 @@ package dev.eventchain.m2t;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.m2t.Steps.FileMode;
 import java.io.ByteArrayOutputStream;
-import java.nio.ByteBuffer;
-import java.nio.CharBuffer;
-import java.nio.charset.CharacterCodingException;
 import java.nio.charset.Charset;
-import java.nio.charset.IllegalCharsetNameException;
 import java.nio.charset.StandardCharsets;
-import java.nio.charset.UnsupportedCharsetException;
 import java.util.ArrayDeque;
-import java.util.ArrayList;
 import java.util.Deque;
+import java.util.HashMap;
 import java.util.HashSet;
-import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -24,254 +18,277 @@ import java.util.function.Function;
 
 /** The files that a run makes, with the protected areas of the earlier ones kept in them. */
 final class GeneratedFiles {
-  /**
-   * A file that is being written: the areas that people filled, the ids met so far, and the
-   * contents that placeholders stand for.
-   */
-  private record Open(Map<String, String> areas, Set<String> ids, List<String> kept) {
 
-    /** Made of characters that Unicode reserves for such use and that no text has. */
-    static String placeholder(int index) {
-      return PLACEHOLDER_START + Integer.toString(index) + PLACEHOLDER_END;
-    }
+  /** What a file tag says. */
+  record Tag(
+      SourceLocation place,
+      String name,
+      FileMode mode,
+      SourceLocation charsetPlace,
+      Optional<String> charset) {}
 
-    /** What the placeholder from one offset to another stands for; null if it is none. */
-    String content(String text, int start, int end) {
-      String number = text.substring(start + 1, Math.max(start + 1, end));
-      return number.matches("[0-9]{1,9}") && Integer.parseInt(number) < kept.size()
-          ? kept.get(Integer.parseInt(number))
-          : null;
+  /** A block that is being written. */
+  private static final class Block {
+    private final GeneratedFile file;
+    private final Tag tag;
+
+    /** The area that is being written; null if there is none. */
+    private String area;
+
+    Block(GeneratedFile file, Tag tag) {
+      this.file = file;
+      this.tag = tag;
     }
   }
 
-  private static final char PLACEHOLDER_START = '\uFDD0';
-  private static final char PLACEHOLDER_END = '\uFDD1';
-
   private final GenerationRun run;
   private final Function<String, Optional<byte[]>> earlier;
-  private final SortedMap<String, byte[]> contents = new TreeMap<>();
+  private final Map<String, GeneratedFile> files = new HashMap<>();
+  private final Set<String> folders = new HashSet<>();
 
-  /** The names in {@link #contents}, which are faster to ask for here. */
-  private final Set<String> names = new HashSet<>();
+  /** The names of files that may not be there, because what they would lose has a file's name. */
+  private final Set<String> losers = new HashSet<>();
 
-  private final Deque<Open> open = new ArrayDeque<>();
+  private final Deque<Block> open = new ArrayDeque<>();
+  private int begun;
 
   GeneratedFiles(GenerationRun run, Function<String, Optional<byte[]>> earlier) {
     this.run = run;
     this.earlier = earlier;
   }
 
-  /** All files so far; to be copied. */
+  /** The complete files, and beside them what they lost; of that it is warned now. */
   SortedMap<String, byte[]> contents() {
+    SortedMap<String, byte[]> contents = new TreeMap<>();
+    for (GeneratedFile file : new TreeMap<>(files).values()) {
+      if (file.content() != null) {
+        contents.put(file.path(), file.content());
+        byte[] lost = file.isLeft() ? new byte[0] : lost(file);
+        if (lost.length > 0) {
+          contents.put(lostPath(file), lost);
+        }
+      }
+    }
     return contents;
   }
 
+  /** How many files and areas were begun, which says whether an evaluation began any. */
+  int begun() {
+    return begun;
+  }
+
   /** Makes a file of what something writes. */
-  void write(SourceLocation place, String name, FileMode mode, String charsetName, Step body) {
-    OutputPath path = OutputPath.of(name);
-    Optional<Charset> charset = charset(place, charsetName);
+  void write(Tag tag, Step body) {
+    begun++;
+    OutputPath path = OutputPath.of(tag.name());
+    Optional<Charset> charset =
+        tag.charset().isEmpty()
+            ? Optional.of(StandardCharsets.UTF_8)
+            : FileCharsets.named(tag.charset().get(), tag.charsetPlace(), run);
     if (path.refused()) {
-      var refused = OutputFolder.refused(name, path);
-      run.error(refused.id(), place, refused.message(), refused.hint());
+      var refused = OutputFolder.refused(tag.name(), path);
+      run.error(refused.id(), tag.place(), refused.message(), refused.hint());
       return;
     }
-    boolean again = names.contains(path.value());
-    if (again && mode == FileMode.OVERWRITE) {
+    GeneratedFile known = files.get(path.value());
+    if (known == null ? !hasRoom(path.value(), tag) : !goesOn(known, charset, tag)) {
+      return;
+    }
+    if (charset.isEmpty()) {
+      return;
+    }
+    GeneratedFile file = known == null ? begin(path.value(), charset.get(), tag) : known;
+    if (!file.isLeft()) {
+      write(new Block(file, tag), body);
+    }
+  }
+
+  /** Whether a file that a block wrote or writes goes on with another one. */
+  private boolean goesOn(GeneratedFile known, Optional<Charset> charset, Tag tag) {
+    if (tag.mode() == FileMode.OVERWRITE) {
       run.error(
           "m2t.file.duplicate",
-          place,
-          "The file '" + path.value() + "' was written before in this run; the first is kept.",
+          tag.place(),
+          "The file '" + known.path() + "' was written before in this run; the first is kept.",
           "Give each file a name of its own, or append: [file (name, true)].");
-      return;
-    }
-    if (charset.isEmpty() || keepExisting(path.value(), mode)) {
-      return;
-    }
-    String text = text(path.value(), charset.get(), body);
-    byte[] bytes = bytes(place, path.value(), text, charset.get());
-    put(
-        path.value(),
-        names.contains(path.value()) ? joined(contents.get(path.value()), bytes) : bytes);
-  }
-
-  private void put(String path, byte[] content) {
-    names.add(path);
-    contents.put(path, content);
-  }
-
-  private boolean keepExisting(String path, FileMode mode) {
-    if (mode != FileMode.CREATE) {
       return false;
     }
-    if (names.contains(path)) {
-      return true;
+    if (tag.mode() == FileMode.CREATE || known.isLeft()) {
+      return false;
     }
-    Optional<byte[]> existing = earlier.apply(path);
-    existing.ifPresent(content -> put(path, content));
-    return existing.isPresent();
+    if (tag.charset().isPresent()
+        && charset.isPresent()
+        && !charset.get().equals(known.charset())) {
+      run.error(
+          FileCharsets.ID,
+          tag.charsetPlace(),
+          "The file '"
+              + known.path()
+              + "' was begun in "
+              + known.charset()
+              + " and cannot go on in "
+              + charset.get()
+              + ".",
+          "Write '" + known.charset() + "', or leave the charset out.");
+      return false;
+    }
+    return true;
   }
 
-  private String text(String path, Charset charset, Step body) {
-    Map<String, String> areas =
-        earlier
-            .apply(path)
-            .map(content -> ProtectedAreas.of(new String(content, charset)))
-            .orElse(Map.of());
-    open.push(new Open(areas, new HashSet<>(), new ArrayList<>()));
+  /** Whether a name can be a file's beside the other files of the run. */
+  private boolean hasRoom(String path, Tag tag) {
+    String problem = "";
+    if (folders.contains(path)) {
+      problem = "The file '" + path + "' has the name of a folder of other files of this run.";
+    }
+    int main = path.length() - ProtectedAreas.LOST.length();
+    boolean lost = path.endsWith(ProtectedAreas.LOST) && files.containsKey(path.substring(0, main));
+    if (lost || losers.contains(path)) {
+      problem = "The file '" + path + "' and another of this run differ by '.lost' only,";
+      problem += " which is for lost protected areas.";
+    }
+    for (int slash = path.indexOf('/'); slash >= 0; slash = path.indexOf('/', slash + 1)) {
+      if (files.containsKey(path.substring(0, slash))) {
+        problem = "The file '" + path + "' stands below '" + path.substring(0, slash);
+        problem += "', which is a file of this run and no folder.";
+      }
+    }
+    if (!problem.isEmpty()) {
+      run.error(
+          "m2t.file.duplicate", tag.place(), problem, "Give files and folders different names.");
+    }
+    return problem.isEmpty();
+  }
+
+  private GeneratedFile begin(String path, Charset charset, Tag tag) {
+    Optional<byte[]> before = earlier.apply(path);
+    Optional<String> text = before.flatMap(content -> FileCharsets.decoded(content, charset));
+    boolean unreadable = before.isPresent() && text.isEmpty() && ProtectedAreas.anyIn(before.get());
+    boolean stays = before.isPresent() && tag.mode() == FileMode.CREATE;
+    if (unreadable && !stays) {
+      run.error(
+          FileCharsets.ID,
+          tag.charsetPlace(),
+          "The earlier file '"
+              + path
+              + "' has protected areas but is not in "
+              + charset
+              + ", so they cannot be kept; the file is left as it is.",
+          "Save the file in " + charset + ".");
+    }
+    GeneratedFile file =
+        stays || unreadable
+            ? GeneratedFile.left(path, charset, before.get())
+            : GeneratedFile.of(path, charset, text);
+    put(path, file);
+    return file;
+  }
+
+  private void put(String path, GeneratedFile file) {
+    files.put(path, file);
+    if (path.endsWith(ProtectedAreas.LOST)) {
+      losers.add(path.substring(0, path.length() - ProtectedAreas.LOST.length()));
+    }
+    for (int slash = path.lastIndexOf('/'); slash >= 0; slash = path.lastIndexOf('/', slash - 1)) {
+      if (!folders.add(path.substring(0, slash))) {
+        break;
+      }
+    }
+  }
+
+  private void write(Block block, Step body) {
+    GeneratedFile file = block.file;
     OutputBuffer output = run.output();
     OutputBuffer.Part part = output.beginText();
     String text;
     Optional<OriginMarks> marks;
-    Open closed;
+    open.push(block);
     try {
       body.write(run);
       text = output.textOf(part);
       marks = output.marksOf(part);
     } finally {
       output.cut(part);
-      closed = open.pop();
+      open.pop();
     }
-    keepLost(path, charset, closed);
-    return filled(path, text, closed, marks);
+    String merged = file.merged(text, marks, block.tag.place(), run);
+    boolean starts = file.content() == null;
+    file.add(FileCharsets.bytes(merged, starts, file, block.tag.charsetPlace(), run));
+    file.noteLosses(lostPath(file), run);
   }
 
-  /** What people wrote, with which neither indentation nor any operation may meddle. */
-  private String filled(String path, String text, Open file, Optional<OriginMarks> marks) {
-    if (file.kept().isEmpty()) {
-      marks.ifPresent(origins -> run.tracing().file(path, text, origins));
-      return text;
-    }
-    OutputBuffer filled = new OutputBuffer(marks.isPresent());
-    OutputBuffer.Part all = filled.mark();
-    int from = 0;
-    int start = text.indexOf(PLACEHOLDER_START);
-    while (start >= 0) {
-      int end = text.indexOf(PLACEHOLDER_END, start);
-      String content = file.content(text, start, end);
-      if (content != null) {
-        append(text, from, start, marks, filled);
-        append(content, 0, content.length(), marks.map(any -> OriginMarks.NOWHERE), filled);
-        from = end + 1;
+  /** Where the areas that a file has no longer are saved. */
+  private String lostPath(GeneratedFile file) {
+    return file.path() + ProtectedAreas.LOST;
+  }
+
+  /** The areas that were lost before and those that are lost now. */
+  private byte[] lost(GeneratedFile file) {
+    file.losses().forEach(run::add);
+    byte[] before = earlier.apply(lostPath(file)).orElse(new byte[0]);
+    String known = new String(before, file.charset());
+    ByteArrayOutputStream lost = new ByteArrayOutputStream();
+    lost.writeBytes(before);
+    for (String area : file.lost()) {
+      // A file that a person keeps as it is loses the same area in each run.
+      if (!known.contains(area)) {
+        lost.writeBytes(
+            lost.size() == 0
+                ? area.getBytes(file.charset())
+                : FileCharsets.continued(area, file.charset()));
       }
-      start = text.indexOf(PLACEHOLDER_START, start + 1);
     }
-    append(text, from, text.length(), marks, filled);
-    String whole = filled.textOf(all);
-    filled.marksOf(all).ifPresent(origins -> run.tracing().file(path, whole, origins));
-    return whole;
-  }
-
-  private static void append(
-      String text, int from, int to, Optional<OriginMarks> marks, OutputBuffer filled) {
-    String part = text.substring(from, to);
-    if (marks.isEmpty()) {
-      filled.append(part);
-    } else {
-      filled.append(part, marks.get().between(from, to));
-    }
-  }
-
-  /** Saves the areas that the file has no longer, beside it. */
-  private void keepLost(String path, Charset charset, Open closed) {
-    String lostPath = path + ".lost";
-    String before = earlier.apply(lostPath).map(content -> new String(content, charset)).orElse("");
-    StringBuilder lost = new StringBuilder(before);
-    closed
-        .areas()
-        .forEach(
-            (id, content) -> {
-              if (!closed.ids().contains(id)) {
-                lost.append(ProtectedAreas.START).append(id).append(content);
-                lost.append(ProtectedAreas.END).append('\n');
-                run.warn(
-                    "m2t.protected.lost",
-                    SourceLocation.of(path),
-                    "The protected area '"
-                        + id
-                        + "' is no longer generated; its content was saved"
-                        + " in '"
-                        + lostPath
-                        + "'.",
-                    "Move the content to where it belongs now, and delete the file.");
-              }
-            });
-    if (lost.length() > 0) {
-      put(lostPath, lost.toString().getBytes(charset));
-    }
+    return lost.toByteArray();
   }
 
   /** Notes an area; false if there can be none of this id here, which has been reported. */
   boolean beginArea(SourceLocation place, String id) {
-    String problem = "";
-    if (open.isEmpty()) {
-      problem = "stands outside of any file";
-    } else if (id.isEmpty() || id.indexOf('\n') >= 0 || id.indexOf('\r') >= 0) {
-      problem = "has an id that is not one line of text";
-    } else if (!open.element().ids().add(id)) {
-      problem = "has an id that another area of the file has";
+    begun++;
+    Block block = open.peek();
+    if (block != null
+        && block.area == null
+        && !FileCharsets.agreesWithAscii(block.file.charset())) {
+      run.error(
+          FileCharsets.ID,
+          block.tag.charsetPlace(),
+          "Protected areas cannot be found again in "
+              + block.file.charset()
+              + ", so '"
+              + OutputPath.shown(id)
+              + "' is left out.",
+          "Write the file in UTF-8, or without protected areas.");
+      return false;
     }
+    String problem = problem(block, id);
     if (!problem.isEmpty()) {
-      run.error(
-          "m2t.protected.id",
-          place,
-          "The protected area '" + OutputPath.shown(id) + "' " + problem + ".",
-          "Give each area of a file an id of its own.");
+      GeneratedFile.refuse(id, problem, place, run);
+      return false;
     }
-    return problem.isEmpty();
+    block.area = id;
+    return true;
   }
 
-  /**
-   * A placeholder for what people wrote into an area of the file that is being written; nothing if
-   * there is no such area yet.
-   */
-  Optional<String> keptArea(String id) {
-    Open file = open.element();
-    String content = file.areas().get(id);
-    if (content == null) {
-      return Optional.empty();
+  private String problem(Block block, String id) {
+    if (block == null) {
+      return "stands outside of any file";
     }
-    file.kept().add(content);
-    return Optional.of(Open.placeholder(file.kept().size() - 1));
+    if (block.area != null) {
+      return "stands inside the area '" + OutputPath.shown(block.area) + "'";
+    }
+    if (id.isEmpty() || id.indexOf('\n') >= 0 || id.indexOf('\r') >= 0) {
+      return "has an id that is not one line of text";
+    }
+    return block.file.has(id, run.output()) ? "has an id that another area of the file has" : "";
   }
 
-  private Optional<Charset> charset(SourceLocation place, String name) {
-    if (name.isEmpty()) {
-      return Optional.of(StandardCharsets.UTF_8);
-    }
-    try {
-      return Optional.of(Charset.forName(name));
-    } catch (IllegalCharsetNameException | UnsupportedCharsetException e) {
-      run.error("m2t.charset", place, "There is no charset '" + name + "'.", "Write 'UTF-8'.");
-      return Optional.empty();
-    }
+  /** Notes that the mark of the area that was begun comes next. */
+  void startArea() {
+    Block block = open.element();
+    block.file.begin(block.area, run.output());
   }
 
-  private byte[] bytes(SourceLocation place, String path, String text, Charset charset) {
-    if (charset.equals(StandardCharsets.UTF_8)) {
-      byte[] bytes = text.getBytes(charset);
-      if (bytes.length == text.length()) {
-        return bytes; // nothing but ASCII, of which nothing can have been lost
-      }
-    }
-    try {
-      ByteBuffer encoded = charset.newEncoder().encode(CharBuffer.wrap(text));
-      byte[] bytes = new byte[encoded.remaining()];
-      encoded.get(bytes);
-      return bytes;
-    } catch (CharacterCodingException e) {
-      run.error(
-          "m2t.charset",
-          place,
-          "The text of '" + path + "' has characters that " + charset + " lacks; they became '?'.",
-          "Write the file in UTF-8.");
-      return text.getBytes(charset);
-    }
-  }
-
-  private static byte[] joined(byte[] first, byte[] second) {
-    ByteArrayOutputStream joined = new ByteArrayOutputStream(first.length + second.length);
-    joined.writeBytes(first);
-    joined.writeBytes(second);
-    return joined.toByteArray();
+  /** Ends the area that was begun. */
+  void endArea() {
+    open.element().area = null;
   }
 }

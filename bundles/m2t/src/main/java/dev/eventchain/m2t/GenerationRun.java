@@ -324,8 +324,17 @@ final class GenerationRun {
 
   // --- findings
 
+  /** A warning for the element at work that may be added later. */
+  Diagnostic warning(String id, SourceLocation location, String message, String hint) {
+    return Diagnostic.warning(id, message, inModel(location)).withHint(withCalls(hint));
+  }
+
+  void add(Diagnostic finding) {
+    findings.add(finding);
+  }
+
   void warn(String id, SourceLocation location, String message, String hint) {
-    findings.add(Diagnostic.warning(id, message, inModel(location)).withHint(withCalls(hint)));
+    add(warning(id, location, message, hint));
   }
 
   void error(String id, SourceLocation location, String message, String hint) {

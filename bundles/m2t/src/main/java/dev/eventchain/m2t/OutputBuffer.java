@@ -136,6 +136,12 @@ final class OutputBuffer {
     return new Part(text.length(), indentation, lineStart, lastBreak);
   }
 
+  /** Whether the text has some part of text at an offset. */
+  boolean hasAt(int offset, String part) {
+    int end = offset + part.length();
+    return end <= text.length() && part.contentEquals(text.subSequence(offset, end));
+  }
+
   /** The text since the start of a part. */
   String textOf(Part part) {
     return text.substring(part.start());

@@ -130,7 +130,9 @@ public final class OutputFolder implements AutoCloseable {
       return new Written(Outcome.UNCHANGED, Optional.empty());
     }
     Optional<Diagnostic> finding = Optional.empty();
-    if (present.isPresent() && !records.isOurs(path, present.get())) {
+    if (present.isPresent()
+        && !records.isOurs(path, present.get())
+        && !addsLostAreas(path, present.get(), content)) {
       if (onEdit == OnEdit.KEEP) {
         return new Written(Outcome.KEPT, Optional.of(kept(path)));
       }
@@ -140,6 +142,13 @@ public final class OutputFolder implements AutoCloseable {
     storage.replace(path, content);
     records.put(path, fingerprint);
     return new Written(Outcome.WRITTEN, finding);
+  }
+
+  /** Whether lost areas come behind what there is, of which a person may have taken some away. */
+  private static boolean addsLostAreas(String path, byte[] present, byte[] content) {
+    return path.endsWith(ProtectedAreas.LOST)
+        && content.length > present.length
+        && Arrays.equals(present, 0, present.length, content, 0, present.length);
   }
 
   /**

@@ -1,31 +1,51 @@
 package dev.eventchain.m2t;
 
 import java.nio.charset.StandardCharsets;
-import java.util.LinkedHashMap;
-import java.util.Map;
+import java.util.ArrayList;
+import java.util.List;
 
 /**
- * The parts of a generated text that belong to people. An area runs from the text {@code Start of
- * user code ID}, whose id ends with its line, to the text {@code End of user code}.
+ * The parts of a generated text that belong to people. An area runs from the line of the text
+ * {@code Start of user code ID} to the text {@code End of user code}.
  */
 final class ProtectedAreas {
   static final String START = "Start of user code ";
   static final String END = "End of user code";
 
+  /** What the name of a file ends with that has the areas which another one lost. */
+  static final String LOST = ".lost";
+
+  /**
+   * An area of a text.
+   *
+   * @param line what stands behind the start mark on its line: the id, and perhaps text of the
+   *     template such as the end of a comment
+   * @param start where the content starts, at the end of that line
+   * @param end where the content ends, before the end mark; the start if the area has one line only
+   */
+  record Area(String line, int start, int end) {
+    String content(String text) {
+      return text.substring(start, end);
+    }
+  }
+
   private ProtectedAreas() {}
 
-  /** The areas of a text by id: from the end of the start's line to the start of the end mark. */
-  static Map<String, String> of(String text) {
-    Map<String, String> areas = new LinkedHashMap<>();
+  /** The areas of a text. */
+  static List<Area> in(String text) {
     int start = text.indexOf(START);
+    if (start < 0) {
+      return List.of();
+    }
+    List<Area> areas = new ArrayList<>();
     while (start >= 0) {
-      int idEnd = endOfLine(text, start);
-      int end = text.indexOf(END, idEnd);
+      int line = start + START.length();
+      int end = text.indexOf(END, line);
       if (end < 0) {
-        return areas;
+        break;
       }
-      String id = text.substring(start + START.length(), idEnd);
-      areas.putIfAbsent(id, text.substring(idEnd, end));
+      int lineEnd = Math.min(endOfLine(text, line), end);
+      areas.add(new Area(text.substring(line, lineEnd), lineEnd, end));
       start = text.indexOf(START, end);
     }
     return areas;
@@ -37,31 +57,32 @@ final class ProtectedAreas {
   }
 
   /**
-   * The bytes outside the areas, which a generator alone decides. The marks are ASCII, so this
-   * needs no encoding for any charset that agrees with ASCII.
+   * The bytes outside the areas, which a generator alone decides, without blanks that an editor may
+   * have left behind an id. The marks are ASCII, so this needs no encoding for any charset that
+   * agrees with ASCII.
    */
   static byte[] withoutAreas(byte[] content) {
     String text = new String(content, StandardCharsets.ISO_8859_1);
-    int start = text.indexOf(START);
-    if (start < 0) {
+    List<Area> areas = in(text);
+    if (areas.isEmpty()) {
       return content;
     }
     StringBuilder kept = new StringBuilder(text.length());
     int from = 0;
-    while (start >= 0) {
-      int idEnd = endOfLine(text, start);
-      int end = text.indexOf(END, idEnd);
-      if (end < 0) {
-        break;
+    for (Area area : areas) {
+      if (area.end() > area.start()) {
+        int lineEnd = area.start();
+        while (text.charAt(lineEnd - 1) == ' ' || text.charAt(lineEnd - 1) == '\t') {
+          lineEnd--;
+        }
+        kept.append(text, from, lineEnd);
+        from = area.end();
       }
-      kept.append(text, from, idEnd);
-      from = end;
-      start = text.indexOf(START, end);
     }
     return kept.append(text, from, text.length()).toString().getBytes(StandardCharsets.ISO_8859_1);
   }
 
-  private static int endOfLine(String text, int from) {
+  static int endOfLine(String text, int from) {
     for (int i = from; i < text.length(); i++) {
       if (text.charAt(i) == '\n' || text.charAt(i) == '\r') {
         return i;

@@ -12,7 +12,10 @@ import java.util.function.Predicate;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.impl.BasicEObjectImpl;
 
-/** A query: an expression with a name, whose values are kept for the length of a run. */
+/**
+ * A query: an expression with a name, whose values are kept for the length of a run; not those for
+ * which a file or a protected area was begun, because they belong where they were asked for.
+ */
 final class Query extends Callable {
   /** What is kept for null. */
   private static final Object NULL = new Object();
@@ -60,9 +63,12 @@ final class Query extends Callable {
     Object call = arguments.size() == 1 ? arguments.get(0) : arguments;
     Object known = run.known(this, call);
     if (known == null) {
+      int begun = run.files().begun();
       Object computed = evaluate(arguments, run);
       known = computed == null ? NULL : computed;
-      run.keep(this, call, known);
+      if (begun == run.files().begun()) {
+        run.keep(this, call, known);
+      }
     }
     return known == NULL ? null : known;
   }

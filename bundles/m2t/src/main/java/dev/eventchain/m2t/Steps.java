@@ -1,5 +1,6 @@
 package dev.eventchain.m2t;
 
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.ocl.Expression;
 import dev.eventchain.ocl.Invalid;
 import java.util.ArrayList;
@@ -263,13 +264,12 @@ final class Steps {
         return;
       }
       FileMode actual = Boolean.TRUE.equals(append) ? FileMode.APPEND : mode;
-      run.files()
-          .write(
-              name.location(),
-              Texts.of(fileName),
-              actual,
-              charsetName == null ? "" : Texts.of(charsetName),
-              body);
+      Optional<String> named =
+          Optional.ofNullable(charsetName).map(Texts::of).filter(text -> !text.isEmpty());
+      SourceLocation place = name.location();
+      SourceLocation charsetPlace = charset.map(Expression::location).orElse(place);
+      var tag = new GeneratedFiles.Tag(place, Texts.of(fileName), actual, charsetPlace, named);
+      run.files().write(tag, body);
     }
   }
 
@@ -280,7 +280,10 @@ final class Steps {
     CREATE
   }
 
-  /** An area that people may fill. */
+  /**
+   * An area that people may fill. It always gets the text of its block; what people wrote takes the
+   * place of that when the text has reached its file.
+   */
   record Protected(
       Expression id, Optional<Expression> startPrefix, Optional<Expression> endPrefix, Step body)
       implements Step {
@@ -294,16 +297,16 @@ final class Steps {
       if (!run.files().beginArea(id.location(), marker)) {
         return;
       }
-      Decoration.writeText(startPrefix, run);
-      run.append(ProtectedAreas.START + marker, id);
-      Optional<String> kept = run.files().keptArea(marker);
-      if (kept.isPresent()) {
-        run.append(kept.get(), id);
-      } else {
+      try {
+        Decoration.writeText(startPrefix, run);
+        run.files().startArea();
+        run.append(ProtectedAreas.START + marker, id);
         body.write(run);
         Decoration.writeText(endPrefix, run);
+        run.append(ProtectedAreas.END, id);
+      } finally {
+        run.files().endArea();
       }
-      run.append(ProtectedAreas.END, id);
     }
   }
 

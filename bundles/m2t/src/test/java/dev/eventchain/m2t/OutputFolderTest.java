@@ -11,6 +11,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.m2t.OutputFolder.OnEdit;
 import dev.eventchain.m2t.OutputFolder.Outcome;
+import dev.eventchain.m2t.OutputFolder.Written;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -18,6 +19,7 @@ import java.nio.file.attribute.FileTime;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -202,6 +204,35 @@ class OutputFolderTest {
       assertFalse(folder.isEdited("x"));
       files.put("x", bytes(generated.replace("b\n", "B\n")));
       assertTrue(folder.isEdited("x"));
+      files.put("x", bytes(generated.replace("code id\n", "code id \t\n")));
+      assertFalse(folder.isEdited("x"), "an editor left blanks");
+    }
+  }
+
+  @Test
+  void anAreaOnOneLineIsNoneThatKeepsChanges() {
+    String generated = "Start of user code id x End of user code\nb\nEnd of user code\n";
+    Map<String, byte[]> files = new HashMap<>();
+    try (OutputFolder folder = OutputFolder.inMemory(files)) {
+      folder.write("x", bytes(generated));
+      files.put("x", bytes(generated.replace(" x ", " y ")));
+      assertTrue(folder.isEdited("x"));
+      files.put("x", bytes(generated.replace("b\n", "B\n")));
+      assertTrue(folder.isEdited("x"));
+    }
+  }
+
+  @Test
+  void addsLostAreasToThoseThatAPersonTidied() {
+    String lost = "Start of user code a\nmine\nEnd of user code\n";
+    Map<String, byte[]> files = new HashMap<>();
+    try (OutputFolder folder = OutputFolder.inMemory(files)) {
+      folder.write("x.lost", bytes(lost + lost.replace("a\n", "b\n")));
+      files.put("x.lost", bytes(lost));
+      byte[] more = bytes(lost + lost.replace("a\n", "c\n"));
+      assertEquals(new Written(Outcome.WRITTEN, Optional.empty()), folder.write("x.lost", more));
+      files.put("x.lost", bytes("mine"));
+      assertEquals(Outcome.KEPT, folder.write("x.lost", more).outcome());
     }
   }
 
