@@ -91,3 +91,16 @@ def test_topics_are_resolved_as_the_node_calls_them(simulation: Simulation) -> N
     named = Node("node", namespace="front")
     names = [named.resolve_topic_name(topic) for topic in ("scan", "/scan", "~/scan")]
     assert names == ["/front/scan", "/scan", "/front/node/scan"]
+
+
+def test_a_parameter_of_dynamic_type_takes_values_of_others_within_their_ranges(simulation: Simulation) -> None:
+    from rcl_interfaces.msg import IntegerRange, ParameterDescriptor
+
+    span = IntegerRange(from_value=1, to_value=9)
+    started = node(rate=4)
+    of_both = limits(0.5, 9.0, dynamic_typing=True, integer_range=[span])
+    assert started.declare_parameter("rate", 1.0, of_both).value == 4
+    (result,) = started.set_parameters([Parameter("rate", value=10)])
+    assert not result.successful
+    anything = ParameterDescriptor(dynamic_typing=True)
+    assert node(rate="fast").declare_parameter("rate", None, anything).value == "fast"

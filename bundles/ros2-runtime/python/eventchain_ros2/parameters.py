@@ -106,7 +106,8 @@ class Parameters:
         Args:
             name: its name.
             value: its default, or only its type.
-            descriptor: a `rcl_interfaces/msg/ParameterDescriptor`; ranges and `read_only` are kept to.
+            descriptor: a `rcl_interfaces/msg/ParameterDescriptor`; ranges, `read_only` and
+                `dynamic_typing` are kept to.
             ignore_override: whether it starts with the default whatever the node was started with.
 
         """
@@ -115,7 +116,7 @@ class Parameters:
         is_type = isinstance(value, ParameterType)
         first = Parameter(name, value) if is_type else Parameter(name, value=value)
         if name in self._overrides and not ignore_override:
-            _require_type(first, self._overrides[name])
+            _require_type(first, self._overrides[name], descriptor)
             first = self._overrides[name]
         reason = _outside(first, descriptor)
         if reason:
@@ -144,7 +145,7 @@ class Parameters:
         name = parameter.name
         if name not in self._declared:
             raise ParameterNotDeclaredException(f"The following parameters are not declared: {name}")
-        _require_type(self._declared[name], parameter)
+        _require_type(self._declared[name], parameter, self._descriptors[name])
         if getattr(self._descriptors[name], "read_only", False):
             return f"Trying to set a read-only parameter: {name}."
         reason = _outside(parameter, self._descriptors[name])
@@ -156,7 +157,9 @@ class Parameters:
         return name in self._declared
 
 
-def _require_type(current: Parameter, parameter: Parameter) -> None:
+def _require_type(current: Parameter, parameter: Parameter, descriptor: Any) -> None:
+    if getattr(descriptor, "dynamic_typing", False):
+        return
     if current.type_ not in (ParameterType.NOT_SET, parameter.type_):
         raise InvalidParameterTypeException(
             f"Trying to set parameter '{parameter.name}' to '{parameter.value}' of type '{parameter.type_.name}', "

@@ -1,4 +1,4 @@
-"""Executes a launch file against stand-ins for launch and launch_ros: python launch_recorder.py FILE.
+"""Executes a launch file against stand-ins for launch and launch_ros: python launch_recorder.py FILE [NAME:=VALUE]...
 
 They record what they are given, as JSON, and know no more arguments than what generated files use; whether ROS 2's
 own classes take these is not shown by that.
@@ -22,6 +22,23 @@ def recorder(name, *positional, keywords=()):
     return record
 
 
+class LaunchConfiguration(dict):
+    """Records its name, and has the value of the command line; else none, as if that were the default."""
+
+    def __init__(self, name):
+        super().__init__({"class": "LaunchConfiguration", "name": name})
+
+    def perform(self, context):
+        """Its value."""
+        return context.get(self["name"], "")
+
+
+def started(function):
+    """Records what the function starts."""
+    arguments = dict(argument.split(":=") for argument in sys.argv[2:])
+    return {"class": "OpaqueFunction", "entities": function(arguments)}
+
+
 def provide(module, **members):
     """Make a module importable."""
     sys.modules[module] = ModuleType(module)
@@ -34,10 +51,11 @@ provide(
     DeclareLaunchArgument=recorder(
         "DeclareLaunchArgument", "name", keywords=["default_value", "description", "choices"]
     ),
+    OpaqueFunction=started,
 )
 provide(
     "launch.substitutions",
-    LaunchConfiguration=recorder("LaunchConfiguration", "name"),
+    LaunchConfiguration=LaunchConfiguration,
     PathJoinSubstitution=recorder("PathJoinSubstitution", "parts"),
 )
 provide("launch_ros")

@@ -2,6 +2,7 @@ package dev.eventchain.m2t;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -14,6 +15,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -45,7 +47,7 @@ class GeneratedPackageTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"aeb", "fork-and-join", "hostile", "names"})
+  @ValueSource(strings = {"aeb", "fork-and-join", "hostile", "names", "topics"})
   void theLinterFindsNothing(String name) throws Exception {
     Path folder = write(name);
     for (List<String> settings :
@@ -65,11 +67,11 @@ class GeneratedPackageTest {
   }
 
   @ParameterizedTest
-  @ValueSource(strings = {"aeb", "fork-and-join"})
-  void itsOwnTestsPass(String name) throws Exception {
+  @CsvSource({"aeb, 38", "fork-and-join, 51", "topics, 31"})
+  void itsOwnTestsPass(String name, int number) throws Exception {
     Path folder = writeComplete(name);
     String output = test(folder).expect(0);
-    assertTrue(output.matches("(?s).*\\b(29|39) passed.*"), output);
+    assertTrue(output.contains(" " + number + " passed"), output);
     assertTrue(output.contains("test_chain.py"), output);
   }
 
@@ -94,14 +96,41 @@ class GeneratedPackageTest {
       })
   void itsTestsNoticeAMistake(String node, String right, String wrong, String noticedBy)
       throws Exception {
-    Path folder = writeComplete("aeb");
-    Path module = folder.resolve("aeb").resolve(node + "_node.py");
+    notices("aeb", node, right, wrong, noticedBy);
+  }
+
+  /** What the test itself sends does not stand in for what the node publishes on the same topic. */
+  @ParameterizedTest
+  @CsvSource({
+    "self.publisher_level.publish(message), pass, are_published",
+    "self.publisher_valid.publish(message), pass, are_published",
+    "'float(output[\"next\"])', 'self.received[\"level\"]', are_published",
+    "self.on_a_b__2, self.on_a_b__1, gets_what_was_sent",
+    "self.on_a_b_2__4, self.on_a_b_2__3, gets_what_was_sent"
+  })
+  void itsTestsTellTopicsApart(String right, String wrong, String noticedBy) throws Exception {
+    notices("topics", "frequency", right, wrong, noticedBy);
+  }
+
+  private void notices(String name, String node, String right, String wrong, String noticedBy)
+      throws Exception {
+    Path folder = writeComplete(name);
+    Path module = folder.resolve(folder.getFileName()).resolve(node + "_node.py");
     String text = Files.readString(module);
     assertTrue(text.contains(right), right);
     Files.writeString(module, text.replace(right, wrong));
     Ended ended = test(folder, "-k", noticedBy);
     assertEquals(1, ended.code(), ended.output());
     assertTrue(ended.output().matches("(?s).*\\d+ failed.*"), ended.output());
+  }
+
+  /** Tests must neither be heard by the nodes of a vehicle nor hear them. */
+  @Test
+  void itsTestsKeepToThemselves() throws Exception {
+    Path folder = writeComplete("topics");
+    String isolation = RESOURCES.resolve("packages/test_isolation.py").toString();
+    Files.copy(Path.of(isolation), folder.resolve("test/test_isolation.py"));
+    test(folder, "-k", "isolation").expect(0);
   }
 
   @Test
@@ -124,7 +153,24 @@ class GeneratedPackageTest {
           recorded);
     }
     assertEquals(5, recorded.split("\\{\"class\": \"Node\"", -1).length, recorded);
-    assertEquals(5, recorded.split("\\{\"use_sim_time\": ", -1).length, recorded);
+    assertFalse(recorded.contains("{\"use_sim_time\": "), recorded);
+  }
+
+  /** Else a file with parameters could not say where time comes from. */
+  @ParameterizedTest
+  @CsvSource({"true, true", "True, true", "false, false", "False, false"})
+  void theLaunchFileStatesTheTimeIfItIsGiven(String given, String stated) throws Exception {
+    String recorder = RESOURCES.resolve("packages/launch_recorder.py").toString();
+    String recorded =
+        python(
+                write("fork-and-join"),
+                List.of(recorder, "launch/lane_fusion.launch.py", "use_sim_time:=" + given))
+            .expect(0);
+    assertTrue(recorded.contains("\"" + given + "\""), recorded);
+    String parameters =
+        "\"parameters\": [{\"class\": \"LaunchConfiguration\", \"name\": \"parameters\"},"
+            + " {\"use_sim_time\": %s}]".formatted(stated);
+    assertEquals(5, recorded.split(Pattern.quote(parameters), -1).length, recorded);
   }
 
   @Test

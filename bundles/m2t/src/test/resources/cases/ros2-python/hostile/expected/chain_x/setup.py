@@ -21,7 +21,7 @@ setup(
     zip_safe=True,
     maintainer="Eventchain user",
     maintainer_email="maintainer@example.com",
-    description='</description>""" --> & more',
+    description='</description>""" --> & more?daer next line ---',
     license="Proprietary",
     entry_points={
         "console_scripts": [

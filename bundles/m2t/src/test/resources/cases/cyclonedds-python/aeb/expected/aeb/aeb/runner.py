@@ -12,8 +12,10 @@ from cyclonedds.domain import DomainParticipant
 
 
 def run(node_class):
-    """Run a node until SIGINT or SIGTERM; a second one ends the process at once.
+    """Run a node until SIGINT or SIGTERM, and end after the execution that runs.
 
+    A second signal ends the process at once, once Python code has run since the first: while an
+    execution is in C code, Python does not see signals.
     ROS_DOMAIN_ID is the domain, as for the nodes of ROS 2.
     """
     logging.basicConfig(level=logging.INFO, format="[%(levelname)s] [%(name)s]: %(message)s")

@@ -27,7 +27,7 @@ class a___node:
             "a__",
             "self_",
         ]
-        self.reader_a_b_1 = DataReader(
+        self.reader_a_b__1 = DataReader(
             participant,
             Topic(participant, "rt/a/b", messages.sensor_msgs__Image),
             qos=Qos(
@@ -37,7 +37,7 @@ class a___node:
                 Policy.DataRepresentation(use_cdrv0_representation=True),
             ),
         )
-        self.reader_a_b_2 = DataReader(
+        self.reader_a_b__2 = DataReader(
             participant,
             Topic(participant, "rt/a_b", messages.other_msgs__Image),
             qos=Qos(
@@ -49,7 +49,7 @@ class a___node:
         )
         self.reader__ = DataReader(
             participant,
-            Topic(participant, "rt/\\", messages.std_msgs__x),
+            Topic(participant, "rt/\\???", messages.std_msgs__x),
             qos=Qos(
                 Policy.Reliability.Reliable(max_blocking_time=duration(infinite=True)),
                 Policy.Durability.Volatile,
@@ -57,7 +57,7 @@ class a___node:
                 Policy.DataRepresentation(use_cdrv0_representation=True),
             ),
         )
-        self.writer_t__x__ = DataWriter(
+        self.writer_t_x_ = DataWriter(
             participant,
             Topic(participant, "rt/t/[x/]", messages.std_msgs__class_),
             qos=Qos(
@@ -80,10 +80,10 @@ class a___node:
 
     def receive(self):
         """Keep what has arrived since the last execution."""
-        message = runner.newest(self.reader_a_b_1)
+        message = runner.newest(self.reader_a_b__1)
         if message is not None:
             self.received["class_"] = message.class_
-        message = runner.newest(self.reader_a_b_2)
+        message = runner.newest(self.reader_a_b__2)
         if message is not None:
             self.received["a__"] = message.x__import_os  # m import os
         message = runner.newest(self.reader__)
@@ -107,7 +107,7 @@ class a___node:
         message = messages.std_msgs__class_()
         message.covariance_0_ = output["out_put"]
         message.lambda_.None_ = output["out_put"]
-        self.writer_t__x__.write(message)
+        self.writer_t_x_.write(message)
         message = messages.std_msgs___()
         message = output["_"]
         self.writer__.write(message)

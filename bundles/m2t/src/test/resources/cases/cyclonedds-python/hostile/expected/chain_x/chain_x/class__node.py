@@ -14,7 +14,7 @@ from chain_x.components.class_ import class_ as Component
 
 
 class class__node:
-    """Runs the component."""
+    """?seen? as it is"""
 
     period = 1.0 / 1.0e-4  # s
 
@@ -26,7 +26,7 @@ class class__node:
             "_",
             "_2fast",
         ]
-        self.reader___1 = DataReader(
+        self.reader____1 = DataReader(
             participant,
             Topic(participant, "rt/", messages.std_msgs___),
             qos=Qos(
@@ -36,7 +36,7 @@ class class__node:
                 Policy.DataRepresentation(use_cdrv0_representation=True),
             ),
         )
-        self.reader___2 = DataReader(
+        self.reader____2 = DataReader(
             participant,
             Topic(participant, "rt/\n", messages.std_msgs___),
             qos=Qos(
@@ -66,10 +66,10 @@ class class__node:
 
     def receive(self):
         """Keep what has arrived since the last execution."""
-        message = runner.newest(self.reader___1)
+        message = runner.newest(self.reader____1)
         if message is not None:
             self.received["_"] = message
-        message = runner.newest(self.reader___2)
+        message = runner.newest(self.reader____2)
         if message is not None:
             self.received["_2fast"] = message
 

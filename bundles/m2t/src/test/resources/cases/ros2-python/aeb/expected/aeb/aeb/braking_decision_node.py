@@ -8,7 +8,7 @@ import rclpy.node
 import rclpy.qos
 import std_msgs.msg
 
-from aeb.components.Braking_Decision import Braking_Decision
+from aeb.components.Braking_Decision import Braking_Decision as Component
 
 
 class Braking_Decision_node(rclpy.node.Node):
@@ -22,15 +22,22 @@ class Braking_Decision_node(rclpy.node.Node):
             rcl_interfaces.msg.ParameterDescriptor(
                 description="Executions of the component in a second (Hz)",
                 read_only=True,
+                dynamic_typing=True,  # 50 is as good as 50.0
                 floating_point_range=[
                     rcl_interfaces.msg.FloatingPointRange(
                         from_value=0.000001,
                         to_value=1000000.0,
                     ),
                 ],
+                integer_range=[
+                    rcl_interfaces.msg.IntegerRange(
+                        from_value=1,
+                        to_value=1000000,
+                    ),
+                ],
             ),
         )
-        self.component = Braking_Decision()
+        self.component = Component()
         self.received = {}
         self.awaited = [
             "ttc",
@@ -57,6 +64,8 @@ class Braking_Decision_node(rclpy.node.Node):
             ),
         )
         frequency = self.get_parameter("frequency").value
+        if not isinstance(frequency, int | float):
+            raise TypeError(f"the frequency has to be a number (Hz), not {frequency!r}")
         self.timer = self.create_timer(1.0 / frequency, self.execute)
 
     def on_aeb_ttc(self, message):

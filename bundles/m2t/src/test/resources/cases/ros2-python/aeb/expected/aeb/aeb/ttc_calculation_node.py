@@ -14,15 +14,16 @@ import rclpy.qos
 import sensor_msgs.msg
 import std_msgs.msg
 
-from aeb.components.TTC_Calculation import TTC_Calculation
+from aeb.components.TTC_Calculation import TTC_Calculation as Component
 
 
 class TTC_Calculation_node(rclpy.node.Node):
     """Runs the component TTC_Calculation.
 
-    Computes the time to collision as the smallest distance ahead divided by the closing speed. The
-    closing speed comes from successive distances; until there are two of them, the speed of the ego
-    vehicle stands in for it. Infinity where the distance does not get smaller.
+    Computes the time to collision as the smallest distance ahead divided by the closing
+    speed. The closing speed comes from successive distances; until there are two of them, the
+    speed of the ego vehicle stands in for it. Infinity where the distance does not get
+    smaller.
     """
 
     def __init__(self, **options):
@@ -33,15 +34,22 @@ class TTC_Calculation_node(rclpy.node.Node):
             rcl_interfaces.msg.ParameterDescriptor(
                 description="Executions of the component in a second (Hz)",
                 read_only=True,
+                dynamic_typing=True,  # 50 is as good as 50.0
                 floating_point_range=[
                     rcl_interfaces.msg.FloatingPointRange(
                         from_value=0.000001,
                         to_value=1000000.0,
                     ),
                 ],
+                integer_range=[
+                    rcl_interfaces.msg.IntegerRange(
+                        from_value=1,
+                        to_value=1000000,
+                    ),
+                ],
             ),
         )
-        self.component = TTC_Calculation()
+        self.component = Component()
         self.received = {}
         self.awaited = [
             "ranges",
@@ -83,6 +91,8 @@ class TTC_Calculation_node(rclpy.node.Node):
             ),
         )
         frequency = self.get_parameter("frequency").value
+        if not isinstance(frequency, int | float):
+            raise TypeError(f"the frequency has to be a number (Hz), not {frequency!r}")
         self.timer = self.create_timer(1.0 / frequency, self.execute)
 
     def on_scan(self, message):

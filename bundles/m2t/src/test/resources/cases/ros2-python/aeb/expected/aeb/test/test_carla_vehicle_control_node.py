@@ -23,6 +23,15 @@ def plain(value):
     return value.tolist() if hasattr(value, "tolist") else value
 
 
+def values_on_carla_ego_vehicle_vehicle_control_cmd(message):
+    """What a message carries that the node publishes."""
+    return [
+        plain(message.throttle),
+        plain(message.brake),
+        plain(message.manual_gear_shift),
+    ]
+
+
 MESSAGES = {
     "/vehicle/brake_force": message_on_vehicle_brake_force,
 }
@@ -56,8 +65,8 @@ INPUTS = {
 }
 
 OUTPUTS = {
-    "throttle": 1.5,
-    "brake": 2.5,
+    "throttle": 2.5,
+    "brake": 3.5,
     "manual_gear_shift": True,
 }
 
@@ -84,11 +93,7 @@ def frequency(value):
 @pytest.fixture
 def tested(monkeypatch):
     """The class of the node, with the stand-in for its component."""
-    monkeypatch.setattr(
-        carla_vehicle_control_node,
-        "Carla_Vehicle_Control",
-        StandIn,
-    )
+    monkeypatch.setattr(carla_vehicle_control_node, "Component", StandIn)
     return carla_vehicle_control_node.Carla_Vehicle_Control_node
 
 
@@ -114,7 +119,7 @@ def test_topics_types_and_quality_of_service_are_those_of_the_model(world, teste
 def test_the_component_gets_what_was_sent(world, tested):
     """Each input is the value of its field."""
     node = world.add(tested(parameter_overrides=frequency(100.0)))
-    publishers = world.offer(SUBSCRIPTIONS)
+    publishers = world.offer(SUBSCRIPTIONS, node)
     world.repeat(lambda: send_all(publishers))
     world.spin_until(lambda: node.component.executed)
     assert node.component.inputs == INPUTS
@@ -124,7 +129,7 @@ def test_the_component_gets_what_was_sent(world, tested):
 def test_the_component_waits_for_every_topic(world, tested, missing):
     """Nothing is executed before the last topic has had a message."""
     node = world.add(tested(parameter_overrides=frequency(100.0)))
-    publishers = world.offer(SUBSCRIPTIONS)
+    publishers = world.offer(SUBSCRIPTIONS, node)
     last = publishers.pop(missing)
     world.repeat(lambda: send_all(publishers))
     world.spin(100)
@@ -135,15 +140,19 @@ def test_the_component_waits_for_every_topic(world, tested, missing):
 
 def test_the_outputs_are_published(world, tested):
     """Each output gets into its field."""
-    world.add(tested(parameter_overrides=frequency(100.0)))
-    received = world.listen(PUBLICATIONS)
-    publishers = world.offer(SUBSCRIPTIONS)
+    node = world.add(tested(parameter_overrides=frequency(100.0)))
+    received = world.listen(PUBLICATIONS, node)
+    publishers = world.offer(SUBSCRIPTIONS, node)
     world.repeat(lambda: send_all(publishers))
-    world.spin_until(lambda: all(received.values()))
-    message = received["/carla/ego_vehicle/vehicle_control_cmd"][-1]
-    assert plain(message.throttle) == OUTPUTS["throttle"]
-    assert plain(message.brake) == OUTPUTS["brake"]
-    assert plain(message.manual_gear_shift) == OUTPUTS["manual_gear_shift"]
+    world.wait_for_values(
+        received["/carla/ego_vehicle/vehicle_control_cmd"],
+        values_on_carla_ego_vehicle_vehicle_control_cmd,
+        [
+            OUTPUTS["throttle"],
+            OUTPUTS["brake"],
+            OUTPUTS["manual_gear_shift"],
+        ],
+    )
 
 
 def test_the_frequency_is_a_parameter(world, tested):
@@ -151,12 +160,19 @@ def test_the_frequency_is_a_parameter(world, tested):
     node = world.add(tested())
     assert node.get_parameter("frequency").value == 20.0
     assert node.timer.timer_period_ns == pytest.approx(1e9 / 20.0, abs=1.0)
-    node = world.add(tested(parameter_overrides=frequency(50.0)))
-    assert node.timer.timer_period_ns == pytest.approx(20e6, abs=1.0)
+    for value in (50.0, 50):
+        node = world.add(tested(parameter_overrides=frequency(value)))
+        assert node.timer.timer_period_ns == pytest.approx(20e6, abs=1.0)
 
 
-@pytest.mark.parametrize("value", [0.0, -1.0, float("nan"), float("inf")])
+@pytest.mark.parametrize("value", [0.0, -1.0, float("nan"), float("inf"), 0, -1])
 def test_a_frequency_that_no_timer_can_have_is_refused(world, tested, value):
     """The node does not start."""
     with pytest.raises(rclpy.exceptions.InvalidParameterValueException):
         tested(parameter_overrides=frequency(value))
+
+
+def test_a_frequency_that_is_no_number_is_refused(world, tested):
+    """The node does not start."""
+    with pytest.raises(TypeError):
+        tested(parameter_overrides=frequency("fast"))

@@ -9,17 +9,14 @@ NODES = [
     (
         "aeb.ttc_calculation_node",
         "TTC_Calculation_node",
-        "TTC_Calculation",
     ),
     (
         "aeb.braking_decision_node",
         "Braking_Decision_node",
-        "Braking_Decision",
     ),
     (
         "aeb.carla_vehicle_control_node",
         "Carla_Vehicle_Control_node",
-        "Carla_Vehicle_Control",
     ),
 ]
 
@@ -32,9 +29,9 @@ def test_publishers_reach_the_subscriptions_of_their_topics(world, monkeypatch):
     """Neither types nor quality of service keep a node from what another one publishes."""
     frequency = rclpy.parameter.Parameter("frequency", value=1.0)
     subscribed = []
-    for module_name, class_name, component in NODES:
+    for module_name, class_name in NODES:
         module = importlib.import_module(module_name)
-        monkeypatch.setattr(module, component, StandIn)
+        monkeypatch.setattr(module, "Component", StandIn)
         node = world.add(getattr(module, class_name)(parameter_overrides=[frequency]))
         subscribed += [known.topic_name for known in node.subscriptions]
     for node in world.nodes:

@@ -13,7 +13,7 @@ import rclpy.qos
 import sensor_msgs.msg
 import std_msgs.msg
 
-from lane_fusion.components.Vehicle_Detection import Vehicle_Detection
+from lane_fusion.components.Vehicle_Detection import Vehicle_Detection as Component
 
 
 class Vehicle_Detection_node(rclpy.node.Node):
@@ -27,15 +27,22 @@ class Vehicle_Detection_node(rclpy.node.Node):
             rcl_interfaces.msg.ParameterDescriptor(
                 description="Executions of the component in a second (Hz)",
                 read_only=True,
+                dynamic_typing=True,  # 50 is as good as 50.0
                 floating_point_range=[
                     rcl_interfaces.msg.FloatingPointRange(
                         from_value=0.000001,
                         to_value=1000000.0,
                     ),
                 ],
+                integer_range=[
+                    rcl_interfaces.msg.IntegerRange(
+                        from_value=1,
+                        to_value=1000000,
+                    ),
+                ],
             ),
         )
-        self.component = Vehicle_Detection()
+        self.component = Component()
         self.received = {}
         self.awaited = [
             "second_exposure",
@@ -73,6 +80,8 @@ class Vehicle_Detection_node(rclpy.node.Node):
             ),
         )
         frequency = self.get_parameter("frequency").value
+        if not isinstance(frequency, int | float):
+            raise TypeError(f"the frequency has to be a number (Hz), not {frequency!r}")
         self.timer = self.create_timer(1.0 / frequency, self.execute)
 
     def on_camera_exposures(self, message):

@@ -7,18 +7,52 @@ ros2 launch lane_fusion lane_fusion.launch.py [use_sim_time:=true] [parameters:=
 from launch import LaunchDescription
 
 # isort: split
-from launch.actions import DeclareLaunchArgument
+from launch.actions import DeclareLaunchArgument, OpaqueFunction
 from launch.substitutions import LaunchConfiguration, PathJoinSubstitution
 from launch_ros.actions import Node
 from launch_ros.substitutions import FindPackageShare
 
 
+def nodes(context):
+    """The nodes with the parameters of the file, and where time comes from if that is given."""
+    parameters = [LaunchConfiguration("parameters")]
+    simulated = LaunchConfiguration("use_sim_time").perform(context)
+    if simulated:
+        parameters.append({"use_sim_time": simulated.lower() == "true"})
+    return [
+        Node(
+            package="lane_fusion",
+            executable="camera_node",
+            name="Camera",
+            output="screen",
+            parameters=parameters,
+        ),
+        Node(
+            package="lane_fusion",
+            executable="lane_detection_node",
+            name="Lane_Detection",
+            output="screen",
+            parameters=parameters,
+        ),
+        Node(
+            package="lane_fusion",
+            executable="vehicle_detection_node",
+            name="Vehicle_Detection",
+            output="screen",
+            parameters=parameters,
+        ),
+        Node(
+            package="lane_fusion",
+            executable="steering_node",
+            name="Steering",
+            output="screen",
+            parameters=parameters,
+        ),
+    ]
+
+
 def generate_launch_description():
     """Describe what `ros2 launch` starts."""
-    parameters = [
-        LaunchConfiguration("parameters"),
-        {"use_sim_time": LaunchConfiguration("use_sim_time")},
-    ]
     return LaunchDescription(
         [
             DeclareLaunchArgument(
@@ -34,37 +68,10 @@ def generate_launch_description():
             ),
             DeclareLaunchArgument(
                 "use_sim_time",
-                default_value="false",
-                choices=["true", "false"],
-                description="Whether time comes from the topic /clock",
+                default_value="",
+                choices=["", "true", "True", "false", "False"],
+                description="Whether time comes from the topic /clock; else as the file says",
             ),
-            Node(
-                package="lane_fusion",
-                executable="camera_node",
-                name="Camera",
-                output="screen",
-                parameters=parameters,
-            ),
-            Node(
-                package="lane_fusion",
-                executable="lane_detection_node",
-                name="Lane_Detection",
-                output="screen",
-                parameters=parameters,
-            ),
-            Node(
-                package="lane_fusion",
-                executable="vehicle_detection_node",
-                name="Vehicle_Detection",
-                output="screen",
-                parameters=parameters,
-            ),
-            Node(
-                package="lane_fusion",
-                executable="steering_node",
-                name="Steering",
-                output="screen",
-                parameters=parameters,
-            ),
+            OpaqueFunction(function=nodes),
         ]
     )

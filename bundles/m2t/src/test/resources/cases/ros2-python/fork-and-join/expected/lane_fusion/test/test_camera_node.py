@@ -23,6 +23,20 @@ def plain(value):
     return value.tolist() if hasattr(value, "tolist") else value
 
 
+def values_on_camera_brightness(message):
+    """What a message carries that the node publishes."""
+    return [
+        plain(message.data),
+    ]
+
+
+def values_on_camera_exposures(message):
+    """What a message carries that the node publishes."""
+    return [
+        plain(message.position),
+    ]
+
+
 MESSAGES = {
     "/road": message_on_road,
 }
@@ -65,8 +79,8 @@ INPUTS = {
 }
 
 OUTPUTS = {
-    "brightness": 1.5,
-    "exposures": [2.5, 3.5],
+    "brightness": 2.5,
+    "exposures": [3.5, 4.5],
 }
 
 
@@ -92,11 +106,7 @@ def frequency(value):
 @pytest.fixture
 def tested(monkeypatch):
     """The class of the node, with the stand-in for its component."""
-    monkeypatch.setattr(
-        camera_node,
-        "Camera",
-        StandIn,
-    )
+    monkeypatch.setattr(camera_node, "Component", StandIn)
     return camera_node.Camera_node
 
 
@@ -122,7 +132,7 @@ def test_topics_types_and_quality_of_service_are_those_of_the_model(world, teste
 def test_the_component_gets_what_was_sent(world, tested):
     """Each input is the value of its field."""
     node = world.add(tested(parameter_overrides=frequency(100.0)))
-    publishers = world.offer(SUBSCRIPTIONS)
+    publishers = world.offer(SUBSCRIPTIONS, node)
     world.repeat(lambda: send_all(publishers))
     world.spin_until(lambda: node.component.executed)
     assert node.component.inputs == INPUTS
@@ -132,7 +142,7 @@ def test_the_component_gets_what_was_sent(world, tested):
 def test_the_component_waits_for_every_topic(world, tested, missing):
     """Nothing is executed before the last topic has had a message."""
     node = world.add(tested(parameter_overrides=frequency(100.0)))
-    publishers = world.offer(SUBSCRIPTIONS)
+    publishers = world.offer(SUBSCRIPTIONS, node)
     last = publishers.pop(missing)
     world.repeat(lambda: send_all(publishers))
     world.spin(100)
@@ -143,15 +153,24 @@ def test_the_component_waits_for_every_topic(world, tested, missing):
 
 def test_the_outputs_are_published(world, tested):
     """Each output gets into its field."""
-    world.add(tested(parameter_overrides=frequency(100.0)))
-    received = world.listen(PUBLICATIONS)
-    publishers = world.offer(SUBSCRIPTIONS)
+    node = world.add(tested(parameter_overrides=frequency(100.0)))
+    received = world.listen(PUBLICATIONS, node)
+    publishers = world.offer(SUBSCRIPTIONS, node)
     world.repeat(lambda: send_all(publishers))
-    world.spin_until(lambda: all(received.values()))
-    message = received["/camera/brightness"][-1]
-    assert plain(message.data) == OUTPUTS["brightness"]
-    message = received["/camera/exposures"][-1]
-    assert plain(message.position) == OUTPUTS["exposures"]
+    world.wait_for_values(
+        received["/camera/brightness"],
+        values_on_camera_brightness,
+        [
+            OUTPUTS["brightness"],
+        ],
+    )
+    world.wait_for_values(
+        received["/camera/exposures"],
+        values_on_camera_exposures,
+        [
+            OUTPUTS["exposures"],
+        ],
+    )
 
 
 def test_the_frequency_is_a_parameter(world, tested):
@@ -159,12 +178,19 @@ def test_the_frequency_is_a_parameter(world, tested):
     node = world.add(tested())
     assert node.get_parameter("frequency").value == 20.0
     assert node.timer.timer_period_ns == pytest.approx(1e9 / 20.0, abs=1.0)
-    node = world.add(tested(parameter_overrides=frequency(50.0)))
-    assert node.timer.timer_period_ns == pytest.approx(20e6, abs=1.0)
+    for value in (50.0, 50):
+        node = world.add(tested(parameter_overrides=frequency(value)))
+        assert node.timer.timer_period_ns == pytest.approx(20e6, abs=1.0)
 
 
-@pytest.mark.parametrize("value", [0.0, -1.0, float("nan"), float("inf")])
+@pytest.mark.parametrize("value", [0.0, -1.0, float("nan"), float("inf"), 0, -1])
 def test_a_frequency_that_no_timer_can_have_is_refused(world, tested, value):
     """The node does not start."""
     with pytest.raises(rclpy.exceptions.InvalidParameterValueException):
         tested(parameter_overrides=frequency(value))
+
+
+def test_a_frequency_that_is_no_number_is_refused(world, tested):
+    """The node does not start."""
+    with pytest.raises(TypeError):
+        tested(parameter_overrides=frequency("fast"))

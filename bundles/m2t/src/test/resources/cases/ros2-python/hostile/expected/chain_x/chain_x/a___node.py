@@ -10,7 +10,7 @@ import rclpy.qos
 import sensor_msgs.msg
 import std_msgs.msg
 
-from chain_x.components.a__ import a__
+from chain_x.components.a__ import a__ as Component
 
 
 class a___node(rclpy.node.Node):
@@ -27,15 +27,22 @@ class a___node(rclpy.node.Node):
             rcl_interfaces.msg.ParameterDescriptor(
                 description="Executions of the component in a second (Hz)",
                 read_only=True,
+                dynamic_typing=True,  # 50 is as good as 50.0
                 floating_point_range=[
                     rcl_interfaces.msg.FloatingPointRange(
                         from_value=0.000001,
                         to_value=1000000.0,
                     ),
                 ],
+                integer_range=[
+                    rcl_interfaces.msg.IntegerRange(
+                        from_value=1,
+                        to_value=1000000,
+                    ),
+                ],
             ),
         )
-        self.component = a__()
+        self.component = Component()
         self.received = {}
         self.awaited = [
             "class_",
@@ -45,7 +52,7 @@ class a___node(rclpy.node.Node):
         self.create_subscription(
             sensor_msgs.msg.Image,
             "/a/b",
-            self.on_a_b_1,
+            self.on_a_b__1,
             rclpy.qos.QoSProfile(
                 reliability=rclpy.qos.ReliabilityPolicy.RELIABLE,
                 durability=rclpy.qos.DurabilityPolicy.VOLATILE,
@@ -56,7 +63,7 @@ class a___node(rclpy.node.Node):
         self.create_subscription(
             other_msgs.msg.Image,
             "/a_b",
-            self.on_a_b_2,
+            self.on_a_b__2,
             rclpy.qos.QoSProfile(
                 reliability=rclpy.qos.ReliabilityPolicy.RELIABLE,
                 durability=rclpy.qos.DurabilityPolicy.VOLATILE,
@@ -66,7 +73,7 @@ class a___node(rclpy.node.Node):
         )
         self.create_subscription(
             std_msgs.msg.x,
-            "\\",
+            "\\???",
             self.on__,
             rclpy.qos.QoSProfile(
                 reliability=rclpy.qos.ReliabilityPolicy.RELIABLE,
@@ -75,7 +82,7 @@ class a___node(rclpy.node.Node):
                 depth=10,
             ),
         )
-        self.publisher_t__x__ = self.create_publisher(
+        self.publisher_t_x_ = self.create_publisher(
             std_msgs.msg.class_,
             "/t/[x/]",
             rclpy.qos.QoSProfile(
@@ -96,13 +103,15 @@ class a___node(rclpy.node.Node):
             ),
         )
         frequency = self.get_parameter("frequency").value
+        if not isinstance(frequency, int | float):
+            raise TypeError(f"the frequency has to be a number (Hz), not {frequency!r}")
         self.timer = self.create_timer(1.0 / frequency, self.execute)
 
-    def on_a_b_1(self, message):
+    def on_a_b__1(self, message):
         """Keep what arrived on the topic until the next execution."""
         self.received["class_"] = message.class_
 
-    def on_a_b_2(self, message):
+    def on_a_b__2(self, message):
         """Keep what arrived on the topic until the next execution."""
         self.received["a__"] = message.x__import_os  # m import os
 
@@ -126,7 +135,7 @@ class a___node(rclpy.node.Node):
         message = std_msgs.msg.class_()
         message.covariance[0] = float(output["out_put"])
         message.lambda_.None_ = output["out_put"]
-        self.publisher_t__x__.publish(message)
+        self.publisher_t_x_.publish(message)
         message = std_msgs.msg._()
         message = output["_"]
         self.publisher__.publish(message)

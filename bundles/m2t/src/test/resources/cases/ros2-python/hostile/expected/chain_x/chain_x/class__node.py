@@ -9,11 +9,14 @@ import rclpy.node
 import rclpy.qos
 import std_msgs.msg
 
-from chain_x.components.class_ import class_
+from chain_x.components.class_ import class_ as Component
 
 
 class class__node(rclpy.node.Node):
-    """Runs the component class_."""
+    """Runs the component class_.
+
+    ?seen? as it is
+    """
 
     def __init__(self, **options):
         super().__init__("class_", **options)
@@ -23,15 +26,22 @@ class class__node(rclpy.node.Node):
             rcl_interfaces.msg.ParameterDescriptor(
                 description="Executions of the component in a second (Hz)",
                 read_only=True,
+                dynamic_typing=True,  # 50 is as good as 50.0
                 floating_point_range=[
                     rcl_interfaces.msg.FloatingPointRange(
                         from_value=0.000001,
                         to_value=1000000.0,
                     ),
                 ],
+                integer_range=[
+                    rcl_interfaces.msg.IntegerRange(
+                        from_value=1,
+                        to_value=1000000,
+                    ),
+                ],
             ),
         )
-        self.component = class_()
+        self.component = Component()
         self.received = {}
         self.awaited = [
             "_",
@@ -40,7 +50,7 @@ class class__node(rclpy.node.Node):
         self.create_subscription(
             std_msgs.msg._,
             "",
-            self.on___1,
+            self.on____1,
             rclpy.qos.QoSProfile(
                 reliability=rclpy.qos.ReliabilityPolicy.RELIABLE,
                 durability=rclpy.qos.DurabilityPolicy.VOLATILE,
@@ -51,7 +61,7 @@ class class__node(rclpy.node.Node):
         self.create_subscription(
             std_msgs.msg._,
             "\n",
-            self.on___2,
+            self.on____2,
             rclpy.qos.QoSProfile(
                 reliability=rclpy.qos.ReliabilityPolicy.RELIABLE,
                 durability=rclpy.qos.DurabilityPolicy.TRANSIENT_LOCAL,
@@ -70,13 +80,15 @@ class class__node(rclpy.node.Node):
             ),
         )
         frequency = self.get_parameter("frequency").value
+        if not isinstance(frequency, int | float):
+            raise TypeError(f"the frequency has to be a number (Hz), not {frequency!r}")
         self.timer = self.create_timer(1.0 / frequency, self.execute)
 
-    def on___1(self, message):
+    def on____1(self, message):
         """Keep what arrived on the topic until the next execution."""
         self.received["_"] = message
 
-    def on___2(self, message):
+    def on____2(self, message):
         """Keep what arrived on the topic until the next execution."""
         self.received["_2fast"] = message
 

@@ -5,11 +5,10 @@ import rcl_interfaces.msg
 import rclpy
 import rclpy.executors
 import rclpy.node
-import rclpy.parameter
 import rclpy.qos
 import std_msgs.msg
 
-from chain_x.components.Gr__e___file___x__ import Gr__e___file___x__
+from chain_x.components.Gr__e___file___x__ import Gr__e___file___x__ as Component
 
 
 class Gr__e___file___x___node(rclpy.node.Node):
@@ -19,19 +18,26 @@ class Gr__e___file___x___node(rclpy.node.Node):
         super().__init__("Gr__e___file___x__", **options)
         self.declare_parameter(
             "frequency",
-            rclpy.parameter.Parameter.Type.DOUBLE,  # the model states no value
+            None,  # the model states no value
             rcl_interfaces.msg.ParameterDescriptor(
                 description="Executions of the component in a second (Hz)",
                 read_only=True,
+                dynamic_typing=True,  # 50 is as good as 50.0
                 floating_point_range=[
                     rcl_interfaces.msg.FloatingPointRange(
                         from_value=0.000001,
                         to_value=1000000.0,
                     ),
                 ],
+                integer_range=[
+                    rcl_interfaces.msg.IntegerRange(
+                        from_value=1,
+                        to_value=1000000,
+                    ),
+                ],
             ),
         )
-        self.component = Gr__e___file___x__()
+        self.component = Component()
         self.received = {}
         self.awaited = []
         self.publisher_x = self.create_publisher(
@@ -45,6 +51,8 @@ class Gr__e___file___x___node(rclpy.node.Node):
             ),
         )
         frequency = self.get_parameter("frequency").value
+        if not isinstance(frequency, int | float):
+            raise TypeError(f"the frequency has to be a number (Hz), not {frequency!r}")
         self.timer = self.create_timer(1.0 / frequency, self.execute)
 
     def execute(self):

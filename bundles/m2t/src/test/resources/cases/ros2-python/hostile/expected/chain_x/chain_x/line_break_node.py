@@ -5,11 +5,10 @@ import rcl_interfaces.msg
 import rclpy
 import rclpy.executors
 import rclpy.node
-import rclpy.parameter
 import rclpy.qos
 import std_msgs.msg
 
-from chain_x.components.line_break import line_break
+from chain_x.components.line_break import line_break as Component
 
 
 class line_break_node(rclpy.node.Node):
@@ -19,19 +18,26 @@ class line_break_node(rclpy.node.Node):
         super().__init__("line_break", **options)
         self.declare_parameter(
             "frequency",
-            rclpy.parameter.Parameter.Type.DOUBLE,  # the model states no value
+            None,  # the model states no value
             rcl_interfaces.msg.ParameterDescriptor(
                 description="Executions of the component in a second (Hz)",
                 read_only=True,
+                dynamic_typing=True,  # 50 is as good as 50.0
                 floating_point_range=[
                     rcl_interfaces.msg.FloatingPointRange(
                         from_value=0.000001,
                         to_value=1000000.0,
                     ),
                 ],
+                integer_range=[
+                    rcl_interfaces.msg.IntegerRange(
+                        from_value=1,
+                        to_value=1000000,
+                    ),
+                ],
             ),
         )
-        self.component = line_break()
+        self.component = Component()
         self.received = {}
         self.awaited = [
             "x",
@@ -48,6 +54,8 @@ class line_break_node(rclpy.node.Node):
             ),
         )
         frequency = self.get_parameter("frequency").value
+        if not isinstance(frequency, int | float):
+            raise TypeError(f"the frequency has to be a number (Hz), not {frequency!r}")
         self.timer = self.create_timer(1.0 / frequency, self.execute)
 
     def on_x(self, message):

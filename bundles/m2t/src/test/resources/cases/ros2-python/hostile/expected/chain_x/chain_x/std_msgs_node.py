@@ -8,7 +8,7 @@ import rclpy.node
 import rclpy.qos
 import std_msgs.msg
 
-from chain_x.components.std_msgs import std_msgs as component_class
+from chain_x.components.std_msgs import std_msgs as Component
 
 
 class std_msgs_node(rclpy.node.Node):
@@ -22,15 +22,22 @@ class std_msgs_node(rclpy.node.Node):
             rcl_interfaces.msg.ParameterDescriptor(
                 description="Executions of the component in a second (Hz)",
                 read_only=True,
+                dynamic_typing=True,  # 50 is as good as 50.0
                 floating_point_range=[
                     rcl_interfaces.msg.FloatingPointRange(
                         from_value=0.000001,
                         to_value=1000000.0,
                     ),
                 ],
+                integer_range=[
+                    rcl_interfaces.msg.IntegerRange(
+                        from_value=1,
+                        to_value=1000000,
+                    ),
+                ],
             ),
         )
-        self.component = component_class()
+        self.component = Component()
         self.received = {}
         self.awaited = [
             "x",
@@ -57,6 +64,8 @@ class std_msgs_node(rclpy.node.Node):
             ),
         )
         frequency = self.get_parameter("frequency").value
+        if not isinstance(frequency, int | float):
+            raise TypeError(f"the frequency has to be a number (Hz), not {frequency!r}")
         self.timer = self.create_timer(1.0 / frequency, self.execute)
 
     def on_x(self, message):

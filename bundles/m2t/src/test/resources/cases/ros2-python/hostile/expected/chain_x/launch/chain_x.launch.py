@@ -7,18 +7,66 @@ ros2 launch chain_x chain_x.launch.py [use_sim_time:=true] [parameters:=FILE]
 from launch import LaunchDescription
 
 # isort: split
-from launch.actions import DeclareLaunchArgument
+from launch.actions import DeclareLaunchArgument, OpaqueFunction
 from launch.substitutions import LaunchConfiguration, PathJoinSubstitution
 from launch_ros.actions import Node
 from launch_ros.substitutions import FindPackageShare
 
 
+def nodes(context):
+    """The nodes with the parameters of the file, and where time comes from if that is given."""
+    parameters = [LaunchConfiguration("parameters")]
+    simulated = LaunchConfiguration("use_sim_time").perform(context)
+    if simulated:
+        parameters.append({"use_sim_time": simulated.lower() == "true"})
+    return [
+        Node(
+            package="chain_x",
+            executable="a___node",
+            name="a__",
+            output="screen",
+            parameters=parameters,
+        ),
+        Node(
+            package="chain_x",
+            executable="class__node",
+            name="class_",
+            output="screen",
+            parameters=parameters,
+        ),
+        Node(
+            package="chain_x",
+            executable="line_break_node",
+            name="line_break",
+            output="screen",
+            parameters=parameters,
+        ),
+        Node(
+            package="chain_x",
+            executable="gr__e___file___x___node",
+            name="Gr__e___file___x__",
+            output="screen",
+            parameters=parameters,
+        ),
+        Node(
+            package="chain_x",
+            executable="__node",
+            name="_",
+            output="screen",
+            parameters=parameters,
+        ),
+        Node(
+            package="chain_x",
+            executable="std_msgs_node",
+            name="std_msgs",
+            output="screen",
+            parameters=parameters,
+        ),
+    ]
+
+
 def generate_launch_description():
     """Describe what `ros2 launch` starts."""
-    parameters = [
-        LaunchConfiguration("parameters"),
-        {"use_sim_time": LaunchConfiguration("use_sim_time")},
-    ]
     return LaunchDescription(
         [
             DeclareLaunchArgument(
@@ -34,51 +82,10 @@ def generate_launch_description():
             ),
             DeclareLaunchArgument(
                 "use_sim_time",
-                default_value="false",
-                choices=["true", "false"],
-                description="Whether time comes from the topic /clock",
+                default_value="",
+                choices=["", "true", "True", "false", "False"],
+                description="Whether time comes from the topic /clock; else as the file says",
             ),
-            Node(
-                package="chain_x",
-                executable="a___node",
-                name="a__",
-                output="screen",
-                parameters=parameters,
-            ),
-            Node(
-                package="chain_x",
-                executable="class__node",
-                name="class_",
-                output="screen",
-                parameters=parameters,
-            ),
-            Node(
-                package="chain_x",
-                executable="line_break_node",
-                name="line_break",
-                output="screen",
-                parameters=parameters,
-            ),
-            Node(
-                package="chain_x",
-                executable="gr__e___file___x___node",
-                name="Gr__e___file___x__",
-                output="screen",
-                parameters=parameters,
-            ),
-            Node(
-                package="chain_x",
-                executable="__node",
-                name="_",
-                output="screen",
-                parameters=parameters,
-            ),
-            Node(
-                package="chain_x",
-                executable="std_msgs_node",
-                name="std_msgs",
-                output="screen",
-                parameters=parameters,
-            ),
+            OpaqueFunction(function=nodes),
         ]
     )

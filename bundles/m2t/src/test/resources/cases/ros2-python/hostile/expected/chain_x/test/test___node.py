@@ -46,11 +46,7 @@ def frequency(value):
 @pytest.fixture
 def tested(monkeypatch):
     """The class of the node, with the stand-in for its component."""
-    monkeypatch.setattr(
-        __node,
-        "_",
-        StandIn,
-    )
+    monkeypatch.setattr(__node, "Component", StandIn)
     return __node.__node
 
 
@@ -76,7 +72,7 @@ def test_topics_types_and_quality_of_service_are_those_of_the_model(world, teste
 def test_the_component_gets_what_was_sent(world, tested):
     """Each input is the value of its field."""
     node = world.add(tested(parameter_overrides=frequency(100.0)))
-    publishers = world.offer(SUBSCRIPTIONS)
+    publishers = world.offer(SUBSCRIPTIONS, node)
     world.repeat(lambda: send_all(publishers))
     world.spin_until(lambda: node.component.executed)
     assert node.component.inputs == INPUTS
@@ -87,12 +83,19 @@ def test_the_frequency_is_a_parameter(world, tested):
     node = world.add(tested())
     assert node.get_parameter("frequency").value == 5.0
     assert node.timer.timer_period_ns == pytest.approx(1e9 / 5.0, abs=1.0)
-    node = world.add(tested(parameter_overrides=frequency(50.0)))
-    assert node.timer.timer_period_ns == pytest.approx(20e6, abs=1.0)
+    for value in (50.0, 50):
+        node = world.add(tested(parameter_overrides=frequency(value)))
+        assert node.timer.timer_period_ns == pytest.approx(20e6, abs=1.0)
 
 
-@pytest.mark.parametrize("value", [0.0, -1.0, float("nan"), float("inf")])
+@pytest.mark.parametrize("value", [0.0, -1.0, float("nan"), float("inf"), 0, -1])
 def test_a_frequency_that_no_timer_can_have_is_refused(world, tested, value):
     """The node does not start."""
     with pytest.raises(rclpy.exceptions.InvalidParameterValueException):
         tested(parameter_overrides=frequency(value))
+
+
+def test_a_frequency_that_is_no_number_is_refused(world, tested):
+    """The node does not start."""
+    with pytest.raises(TypeError):
+        tested(parameter_overrides=frequency("fast"))

@@ -12,13 +12,13 @@ import std_msgs.msg
 from chain_x import a___node
 
 
-def message_on_a_b_1():
+def message_on_a_b__1():
     """A message on a topic that the node subscribes to."""
     message = sensor_msgs.msg.Image()
     return message
 
 
-def message_on_a_b_2():
+def message_on_a_b__2():
     """A message on a topic that the node subscribes to."""
     message = other_msgs.msg.Image()
     return message
@@ -35,10 +35,25 @@ def plain(value):
     return value.tolist() if hasattr(value, "tolist") else value
 
 
+def values_on_t_x_(message):
+    """What a message carries that the node publishes."""
+    return [
+        plain(message.covariance[0]),
+        plain(message.lambda_.None_),
+    ]
+
+
+def values_on__(message):
+    """What a message carries that the node publishes."""
+    return [
+        plain(message),
+    ]
+
+
 MESSAGES = {
-    "/a/b": message_on_a_b_1,
-    "/a_b": message_on_a_b_2,
-    "\\": message_on__,
+    "/a/b": message_on_a_b__1,
+    "/a_b": message_on_a_b__2,
+    "\\???": message_on__,
 }
 
 SUBSCRIPTIONS = {
@@ -60,7 +75,7 @@ SUBSCRIPTIONS = {
             depth=10,
         ),
     ),
-    "\\": (
+    "\\???": (
         std_msgs.msg.x,
         rclpy.qos.QoSProfile(
             reliability=rclpy.qos.ReliabilityPolicy.RELIABLE,
@@ -93,13 +108,13 @@ PUBLICATIONS = {
 }
 
 INPUTS = {
-    "class_": plain(message_on_a_b_1().class_),
-    "a__": plain(message_on_a_b_2().x__import_os),
+    "class_": plain(message_on_a_b__1().class_),
+    "a__": plain(message_on_a_b__2().x__import_os),
     "self_": plain(message_on__().position[2].data),
 }
 
 OUTPUTS = {
-    "out_put": 1.5,
+    "out_put": 4.5,
     "_": plain(std_msgs.msg._()),
 }
 
@@ -126,11 +141,7 @@ def frequency(value):
 @pytest.fixture
 def tested(monkeypatch):
     """The class of the node, with the stand-in for its component."""
-    monkeypatch.setattr(
-        a___node,
-        "a__",
-        StandIn,
-    )
+    monkeypatch.setattr(a___node, "Component", StandIn)
     return a___node.a___node
 
 
@@ -156,7 +167,7 @@ def test_topics_types_and_quality_of_service_are_those_of_the_model(world, teste
 def test_the_component_gets_what_was_sent(world, tested):
     """Each input is the value of its field."""
     node = world.add(tested(parameter_overrides=frequency(100.0)))
-    publishers = world.offer(SUBSCRIPTIONS)
+    publishers = world.offer(SUBSCRIPTIONS, node)
     world.repeat(lambda: send_all(publishers))
     world.spin_until(lambda: node.component.executed)
     assert node.component.inputs == INPUTS
@@ -166,7 +177,7 @@ def test_the_component_gets_what_was_sent(world, tested):
 def test_the_component_waits_for_every_topic(world, tested, missing):
     """Nothing is executed before the last topic has had a message."""
     node = world.add(tested(parameter_overrides=frequency(100.0)))
-    publishers = world.offer(SUBSCRIPTIONS)
+    publishers = world.offer(SUBSCRIPTIONS, node)
     last = publishers.pop(missing)
     world.repeat(lambda: send_all(publishers))
     world.spin(100)
@@ -177,16 +188,25 @@ def test_the_component_waits_for_every_topic(world, tested, missing):
 
 def test_the_outputs_are_published(world, tested):
     """Each output gets into its field."""
-    world.add(tested(parameter_overrides=frequency(100.0)))
-    received = world.listen(PUBLICATIONS)
-    publishers = world.offer(SUBSCRIPTIONS)
+    node = world.add(tested(parameter_overrides=frequency(100.0)))
+    received = world.listen(PUBLICATIONS, node)
+    publishers = world.offer(SUBSCRIPTIONS, node)
     world.repeat(lambda: send_all(publishers))
-    world.spin_until(lambda: all(received.values()))
-    message = received["/t/[x/]"][-1]
-    assert plain(message.covariance[0]) == OUTPUTS["out_put"]
-    assert plain(message.lambda_.None_) == OUTPUTS["out_put"]
-    message = received[""][-1]
-    assert plain(message) == OUTPUTS["_"]
+    world.wait_for_values(
+        received["/t/[x/]"],
+        values_on_t_x_,
+        [
+            OUTPUTS["out_put"],
+            OUTPUTS["out_put"],
+        ],
+    )
+    world.wait_for_values(
+        received[""],
+        values_on__,
+        [
+            OUTPUTS["_"],
+        ],
+    )
 
 
 def test_the_frequency_is_a_parameter(world, tested):
@@ -194,12 +214,19 @@ def test_the_frequency_is_a_parameter(world, tested):
     node = world.add(tested())
     assert node.get_parameter("frequency").value == 20.0
     assert node.timer.timer_period_ns == pytest.approx(1e9 / 20.0, abs=1.0)
-    node = world.add(tested(parameter_overrides=frequency(50.0)))
-    assert node.timer.timer_period_ns == pytest.approx(20e6, abs=1.0)
+    for value in (50.0, 50):
+        node = world.add(tested(parameter_overrides=frequency(value)))
+        assert node.timer.timer_period_ns == pytest.approx(20e6, abs=1.0)
 
 
-@pytest.mark.parametrize("value", [0.0, -1.0, float("nan"), float("inf")])
+@pytest.mark.parametrize("value", [0.0, -1.0, float("nan"), float("inf"), 0, -1])
 def test_a_frequency_that_no_timer_can_have_is_refused(world, tested, value):
     """The node does not start."""
     with pytest.raises(rclpy.exceptions.InvalidParameterValueException):
         tested(parameter_overrides=frequency(value))
+
+
+def test_a_frequency_that_is_no_number_is_refused(world, tested):
+    """The node does not start."""
+    with pytest.raises(TypeError):
+        tested(parameter_overrides=frequency("fast"))

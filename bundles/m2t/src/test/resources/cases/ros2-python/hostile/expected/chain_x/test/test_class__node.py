@@ -11,13 +11,13 @@ import std_msgs.msg
 from chain_x import class__node
 
 
-def message_on___1():
+def message_on____1():
     """A message on a topic that the node subscribes to."""
     message = std_msgs.msg._()
     return message
 
 
-def message_on___2():
+def message_on____2():
     """A message on a topic that the node subscribes to."""
     message = std_msgs.msg._()
     return message
@@ -28,9 +28,16 @@ def plain(value):
     return value.tolist() if hasattr(value, "tolist") else value
 
 
+def values_on__(message):
+    """What a message carries that the node publishes."""
+    return [
+        plain(message._),
+    ]
+
+
 MESSAGES = {
-    "": message_on___1,
-    "\n": message_on___2,
+    "": message_on____1,
+    "\n": message_on____2,
 }
 
 SUBSCRIPTIONS = {
@@ -67,8 +74,8 @@ PUBLICATIONS = {
 }
 
 INPUTS = {
-    "_": plain(message_on___1()),
-    "_2fast": plain(message_on___2()),
+    "_": plain(message_on____1()),
+    "_2fast": plain(message_on____2()),
 }
 
 OUTPUTS = {
@@ -98,11 +105,7 @@ def frequency(value):
 @pytest.fixture
 def tested(monkeypatch):
     """The class of the node, with the stand-in for its component."""
-    monkeypatch.setattr(
-        class__node,
-        "class_",
-        StandIn,
-    )
+    monkeypatch.setattr(class__node, "Component", StandIn)
     return class__node.class__node
 
 
@@ -128,7 +131,7 @@ def test_topics_types_and_quality_of_service_are_those_of_the_model(world, teste
 def test_the_component_gets_what_was_sent(world, tested):
     """Each input is the value of its field."""
     node = world.add(tested(parameter_overrides=frequency(100.0)))
-    publishers = world.offer(SUBSCRIPTIONS)
+    publishers = world.offer(SUBSCRIPTIONS, node)
     world.repeat(lambda: send_all(publishers))
     world.spin_until(lambda: node.component.executed)
     assert node.component.inputs == INPUTS
@@ -138,7 +141,7 @@ def test_the_component_gets_what_was_sent(world, tested):
 def test_the_component_waits_for_every_topic(world, tested, missing):
     """Nothing is executed before the last topic has had a message."""
     node = world.add(tested(parameter_overrides=frequency(100.0)))
-    publishers = world.offer(SUBSCRIPTIONS)
+    publishers = world.offer(SUBSCRIPTIONS, node)
     last = publishers.pop(missing)
     world.repeat(lambda: send_all(publishers))
     world.spin(100)
@@ -149,13 +152,17 @@ def test_the_component_waits_for_every_topic(world, tested, missing):
 
 def test_the_outputs_are_published(world, tested):
     """Each output gets into its field."""
-    world.add(tested(parameter_overrides=frequency(100.0)))
-    received = world.listen(PUBLICATIONS)
-    publishers = world.offer(SUBSCRIPTIONS)
+    node = world.add(tested(parameter_overrides=frequency(100.0)))
+    received = world.listen(PUBLICATIONS, node)
+    publishers = world.offer(SUBSCRIPTIONS, node)
     world.repeat(lambda: send_all(publishers))
-    world.spin_until(lambda: all(received.values()))
-    message = received["/é"][-1]
-    assert plain(message._) == OUTPUTS["_"]
+    world.wait_for_values(
+        received["/é"],
+        values_on__,
+        [
+            OUTPUTS["_"],
+        ],
+    )
 
 
 def test_the_frequency_is_a_parameter(world, tested):
@@ -163,12 +170,19 @@ def test_the_frequency_is_a_parameter(world, tested):
     node = world.add(tested())
     assert node.get_parameter("frequency").value == 1.0e-4
     assert node.timer.timer_period_ns == pytest.approx(1e9 / 1.0e-4, abs=1.0)
-    node = world.add(tested(parameter_overrides=frequency(50.0)))
-    assert node.timer.timer_period_ns == pytest.approx(20e6, abs=1.0)
+    for value in (50.0, 50):
+        node = world.add(tested(parameter_overrides=frequency(value)))
+        assert node.timer.timer_period_ns == pytest.approx(20e6, abs=1.0)
 
 
-@pytest.mark.parametrize("value", [0.0, -1.0, float("nan"), float("inf")])
+@pytest.mark.parametrize("value", [0.0, -1.0, float("nan"), float("inf"), 0, -1])
 def test_a_frequency_that_no_timer_can_have_is_refused(world, tested, value):
     """The node does not start."""
     with pytest.raises(rclpy.exceptions.InvalidParameterValueException):
         tested(parameter_overrides=frequency(value))
+
+
+def test_a_frequency_that_is_no_number_is_refused(world, tested):
+    """The node does not start."""
+    with pytest.raises(TypeError):
+        tested(parameter_overrides=frequency("fast"))

@@ -11,7 +11,7 @@ import rclpy.node
 import rclpy.qos
 import sensor_msgs.msg
 
-from fusion.components.LaserScan import LaserScan
+from fusion.components.LaserScan import LaserScan as Component
 
 
 class LaserScan_node(rclpy.node.Node):
@@ -25,15 +25,22 @@ class LaserScan_node(rclpy.node.Node):
             rcl_interfaces.msg.ParameterDescriptor(
                 description="Executions of the component in a second (Hz)",
                 read_only=True,
+                dynamic_typing=True,  # 50 is as good as 50.0
                 floating_point_range=[
                     rcl_interfaces.msg.FloatingPointRange(
                         from_value=0.000001,
                         to_value=1000000.0,
                     ),
                 ],
+                integer_range=[
+                    rcl_interfaces.msg.IntegerRange(
+                        from_value=1,
+                        to_value=1000000,
+                    ),
+                ],
             ),
         )
-        self.component = LaserScan()
+        self.component = Component()
         self.received = {}
         self.awaited = [
             "front",
@@ -85,6 +92,8 @@ class LaserScan_node(rclpy.node.Node):
             ),
         )
         frequency = self.get_parameter("frequency").value
+        if not isinstance(frequency, int | float):
+            raise TypeError(f"the frequency has to be a number (Hz), not {frequency!r}")
         self.timer = self.create_timer(1.0 / frequency, self.execute)
 
     def on_front(self, message):

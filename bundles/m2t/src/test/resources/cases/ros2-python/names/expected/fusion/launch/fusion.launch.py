@@ -7,18 +7,38 @@ ros2 launch fusion fusion.launch.py [use_sim_time:=true] [parameters:=FILE]
 from launch import LaunchDescription
 
 # isort: split
-from launch.actions import DeclareLaunchArgument
+from launch.actions import DeclareLaunchArgument, OpaqueFunction
 from launch.substitutions import LaunchConfiguration, PathJoinSubstitution
 from launch_ros.actions import Node
 from launch_ros.substitutions import FindPackageShare
 
 
+def nodes(context):
+    """The nodes with the parameters of the file, and where time comes from if that is given."""
+    parameters = [LaunchConfiguration("parameters")]
+    simulated = LaunchConfiguration("use_sim_time").perform(context)
+    if simulated:
+        parameters.append({"use_sim_time": simulated.lower() == "true"})
+    return [
+        Node(
+            package="fusion",
+            executable="laserscan_node",
+            name="LaserScan",
+            output="screen",
+            parameters=parameters,
+        ),
+        Node(
+            package="fusion",
+            executable="sink_node",
+            name="Sink",
+            output="screen",
+            parameters=parameters,
+        ),
+    ]
+
+
 def generate_launch_description():
     """Describe what `ros2 launch` starts."""
-    parameters = [
-        LaunchConfiguration("parameters"),
-        {"use_sim_time": LaunchConfiguration("use_sim_time")},
-    ]
     return LaunchDescription(
         [
             DeclareLaunchArgument(
@@ -34,23 +54,10 @@ def generate_launch_description():
             ),
             DeclareLaunchArgument(
                 "use_sim_time",
-                default_value="false",
-                choices=["true", "false"],
-                description="Whether time comes from the topic /clock",
+                default_value="",
+                choices=["", "true", "True", "false", "False"],
+                description="Whether time comes from the topic /clock; else as the file says",
             ),
-            Node(
-                package="fusion",
-                executable="laserscan_node",
-                name="LaserScan",
-                output="screen",
-                parameters=parameters,
-            ),
-            Node(
-                package="fusion",
-                executable="sink_node",
-                name="Sink",
-                output="screen",
-                parameters=parameters,
-            ),
+            OpaqueFunction(function=nodes),
         ]
     )

@@ -9,12 +9,10 @@ NODES = [
     (
         "fusion.laserscan_node",
         "LaserScan_node",
-        "LaserScan",
     ),
     (
         "fusion.sink_node",
         "Sink_node",
-        "Sink",
     ),
 ]
 
@@ -27,9 +25,9 @@ def test_publishers_reach_the_subscriptions_of_their_topics(world, monkeypatch):
     """Neither types nor quality of service keep a node from what another one publishes."""
     frequency = rclpy.parameter.Parameter("frequency", value=1.0)
     subscribed = []
-    for module_name, class_name, component in NODES:
+    for module_name, class_name in NODES:
         module = importlib.import_module(module_name)
-        monkeypatch.setattr(module, component, StandIn)
+        monkeypatch.setattr(module, "Component", StandIn)
         node = world.add(getattr(module, class_name)(parameter_overrides=[frequency]))
         subscribed += [known.topic_name for known in node.subscriptions]
     for node in world.nodes:
