@@ -60,7 +60,12 @@ final class GenerationRun {
   private Expression current;
   private boolean stopped;
 
-  GenerationRun(Collection<? extends EObject> roots, GenerationContext context) {
+  /** Whether Java services may change the model. */
+  private final boolean modelChanges;
+
+  GenerationRun(
+      Collection<? extends EObject> roots, GenerationContext context, boolean modelChanges) {
+    this.modelChanges = modelChanges;
     this.evaluation = Evaluation.over(roots).attach(this);
     this.context = context;
     this.tracing = context.traced() ? new Tracing(context.locator()) : null;
@@ -135,7 +140,7 @@ final class GenerationRun {
 
   /** The same for a caller that only walks through it: {@link Expression#read}. */
   Object read(Expression expression) {
-    return evaluate(expression, null, true);
+    return evaluate(expression, null, !modelChanges);
   }
 
   /** {@link Expression#evaluateCalls}; an invalid value has been reported. */

@@ -39,7 +39,7 @@ final class ModelWalk {
     }
     EReference[] features = latestContainments;
     if (features == UNUSUAL) {
-      object.eContents().forEach(this::visit);
+      List.copyOf(object.eContents()).forEach(this::visit);
       return;
     }
     for (EReference feature : features) {
@@ -50,7 +50,7 @@ final class ModelWalk {
           visit((EObject) contents.get(i));
         }
       } else if (value instanceof List<?> contents) {
-        contents.forEach(each -> visit((EObject) each));
+        List.copyOf(contents).forEach(each -> visit((EObject) each));
       } else if (value != null) {
         visit((EObject) value);
       }

@@ -22,11 +22,14 @@ public final class TemplateModule {
   private final SourceText source;
   private final List<Template> mains;
   private final List<Diagnostic> warnings;
+  private final boolean hasServices;
 
-  private TemplateModule(SourceText source, List<Template> mains, List<Diagnostic> warnings) {
+  private TemplateModule(
+      SourceText source, List<Template> mains, List<Diagnostic> warnings, boolean hasServices) {
     this.source = source;
     this.mains = mains;
     this.warnings = warnings;
+    this.hasServices = hasServices;
   }
 
   /**
@@ -84,7 +87,8 @@ public final class TemplateModule {
           DiagnosticException.Reason.INPUT, found.stream().sorted().distinct().toList());
     }
     List<Template> mains = templates.stream().filter(Template::isMain).toList();
-    return new TemplateModule(main, mains, found.stream().sorted().distinct().toList());
+    List<Diagnostic> warnings = found.stream().sorted().distinct().toList();
+    return new TemplateModule(main, mains, warnings, services.isPresent());
   }
 
   /** What the compiler warns of. */
@@ -106,7 +110,7 @@ public final class TemplateModule {
 
   private GenerationResult generateHere(
       Collection<? extends EObject> roots, GenerationContext context) {
-    GenerationRun run = new GenerationRun(roots, context);
+    GenerationRun run = new GenerationRun(roots, context, hasServices);
     try {
       for (Template main : mains) {
         generate(main, roots, run);
@@ -147,7 +151,7 @@ public final class TemplateModule {
                 main.call(List.of(object), run);
               }
             });
-    roots.forEach(walk::visit);
+    List.copyOf(roots).forEach(walk::visit);
   }
 
   private void nothingGenerated(GenerationRun run) {

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.util.EcoreUtil;
 
 /** The Java services of the cases. */
 public class CaseServices {
@@ -79,6 +80,12 @@ public class CaseServices {
   public static List<Object> objects() {
     return List.of(
         new StringBuilder("built"), Optional.of("held"), Optional.empty(), new int[] {1, 2});
+  }
+
+  /** Puts a copy of an object beside it, in its file. */
+  public static String grow(EObject object) {
+    object.eResource().getContents().add(EcoreUtil.copy(object));
+    return "grown";
   }
 
   public static Object iterator() {

@@ -25,6 +25,8 @@ import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EcoreFactory;
 import org.eclipse.emf.ecore.EcorePackage;
+import org.eclipse.emf.ecore.resource.Resource;
+import org.eclipse.emf.ecore.resource.impl.ResourceImpl;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -163,5 +165,49 @@ class TemplateModuleTest {
       GenerationResult result = module.generate(List.of(model), context);
       return folder.write("out.txt", result.files().get("out.txt")).outcome();
     }
+  }
+
+  private static TemplateModule ofPackages(String body) {
+    String text =
+        "[module t('http://www.eclipse.org/emf/2002/Ecore')]\n"
+            + "[template public main(p : EPackage)]\n[comment @main /]\n[file ('out.txt', true)]\n"
+            + body
+            + "\n[/file]\n[/template]\n";
+    return TemplateModule.compile(
+        SourceText.of("t.mtl", text),
+        name -> Optional.empty(),
+        List.of(EcorePackage.eINSTANCE),
+        Optional.of(CaseServices.class.getClassLoader()));
+  }
+
+  @Test
+  void aServiceMayAddToTheModelThatTheTemplatesWalkThrough() {
+    Resource resource = new ResourceImpl();
+    resource.getContents().add(model(1));
+    resource.getContents().add(model(2));
+    String call =
+        "[invoke('dev.eventchain.m2t.CaseServices', 'grow(org.eclipse.emf.ecore.EObject)',"
+            + " Sequence{p})/]";
+    GenerationResult result =
+        ofPackages(call).generate(resource.getContents(), each -> SourceLocation.NONE);
+    assertEquals(List.of(), result.diagnostics());
+    assertEquals("grown\ngrown\n", new String(result.files().get("out.txt"), UTF_8));
+    assertEquals(4, resource.getContents().size());
+  }
+
+  @Test
+  void anErrorOfTheProgramKeepsItsClass() {
+    TemplateModule module = ofPackages("[p.eClassifiers->at(7).name/]");
+    List<EPackage> model = List.of(model(1));
+    LinkageError thrown =
+        assertThrows(
+            LinkageError.class,
+            () ->
+                module.generate(
+                    model,
+                    each -> {
+                      throw new LinkageError("a class is missing");
+                    }));
+    assertEquals("a class is missing", thrown.getMessage());
   }
 }

@@ -4,12 +4,16 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import java.io.File;
 import java.io.IOException;
+import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import javax.tools.ToolProvider;
+import org.eclipse.emf.common.util.EList;
+import org.eclipse.emf.ecore.EObject;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -85,6 +89,8 @@ class JavaServicesTest {
     Path place = Files.createDirectories(folder.resolve("src/demo"));
     List<String> arguments =
         new ArrayList<>(List.of("-proc:none", "-Xlint:none", "-d", classes.toString()));
+    String libraries = library(EObject.class) + File.pathSeparator + library(EList.class);
+    arguments.addAll(List.of("-classpath", libraries));
     for (String source : sources) {
       String name = source.replaceFirst("(?s).*?public class (\\w+).*", "$1");
       Path file = Files.writeString(place.resolve(name + ".java"), "package demo;\n" + source);
@@ -94,6 +100,11 @@ class JavaServicesTest {
         ToolProvider.getSystemJavaCompiler()
             .run(null, null, null, arguments.toArray(String[]::new));
     assertEquals(0, failed);
+  }
+
+  /** The JAR that a class is in. */
+  private static Path library(Class<?> type) {
+    return Path.of(URI.create(type.getProtectionDomain().getCodeSource().getLocation().toString()));
   }
 
   private List<Diagnostic> generate(String body) throws IOException {
@@ -256,5 +267,28 @@ class JavaServicesTest {
     String twice = call("demo.Counter", "count()").repeat(2);
     assertEquals("12\n", output(twice));
     assertEquals("12\n", output(twice));
+  }
+
+  @Test
+  void aServiceMayAddToTheListThatALoopWalksThrough() throws IOException {
+    compile(
+        "import org.eclipse.emf.ecore.EObject;\n"
+            + "import org.eclipse.emf.ecore.util.EcoreUtil;\n"
+            + "public class Garden {\n"
+            + "  @SuppressWarnings(\"unchecked\")\n"
+            + "  public static int grow(EObject plant) {\n"
+            + "    var plants = (java.util.List<EObject>)\n"
+            + "        plant.eContainer().eGet(plant.eContainingFeature());\n"
+            + "    plants.add(EcoreUtil.copy(plant));\n"
+            + "    return plants.size();\n"
+            + "  }\n"
+            + "}");
+    String grow = "[invoke('demo.Garden', 'grow(org.eclipse.emf.ecore.EObject)', Sequence{b})/]";
+    assertEquals(
+        "north3 south4 4\n",
+        output(
+            "[for (b : Shop | shop.branches)][b.name/]"
+                + grow
+                + " [/for][shop.branches->size()/]"));
   }
 }

@@ -9,6 +9,8 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
+import java.util.Arrays;
+import javax.tools.ToolProvider;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -187,6 +189,40 @@ class AnyMetamodelTest {
     FileTime before = Files.getLastModifiedTime(file);
     new Program().run(command).expect(0);
     assertEquals(before, Files.getLastModifiedTime(file));
+  }
+
+  @Test
+  void aTemplateCallsTheServicesThatTheCommandNames() throws IOException {
+    Path source =
+        Files.writeString(
+            folder.resolve("Words.java"),
+            "public class Words extends Thread {\n"
+                + "  public static String loud(String word) { return word.toUpperCase(); }\n"
+                + "}\n");
+    Path classes = Files.createDirectories(folder.resolve("classes"));
+    int failed =
+        ToolProvider.getSystemJavaCompiler()
+            .run(null, null, null, "-d", classes.toString(), source.toString());
+    assertEquals(0, failed);
+    String call = "[invoke('Words', 'loud(String)', Sequence{book.title})/]";
+    Path template =
+        Files.writeString(folder.resolve("main.mtl"), TEMPLATE.replace("[book.title/]", call));
+    Path out = folder.resolve("out");
+    Object[] command = {"generate", "--metamodel", ecore, "--template", template, model, "-o", out};
+    new Program().run(command).expect(2).says("[m2t.service]").says("main.mtl:6:");
+    Object[] withServices = Arrays.copyOf(command, command.length + 2);
+    withServices[command.length] = "--services";
+    withServices[command.length + 1] = classes;
+    new Program().run(withServices).expect(0);
+    assertEquals("GOOD has 100 pages.\n", Files.readString(out.resolve("good.txt")));
+    String inherited = "[invoke('Words', 'getAllStackTraces()', Sequence{})/]";
+    Files.writeString(template, TEMPLATE.replace("[book.title/]", inherited));
+    new Program()
+        .run(withServices)
+        .expect(1)
+        .says("[m2t.service]")
+        .says("its class has no such public method");
+    assertEquals("GOOD has 100 pages.\n", Files.readString(out.resolve("good.txt")));
   }
 
   private Path ocl(String text) throws IOException {
