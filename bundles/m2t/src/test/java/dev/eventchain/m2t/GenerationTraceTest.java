@@ -214,6 +214,43 @@ class GenerationTraceTest {
   }
 
   @Test
+  void keptAreasOfAllBlocksOfAFileComeFromNobody() {
+    String earlier =
+        """
+        <!-- Start of user code x -->
+        mine
+        <!-- End of user code -->
+        # Start of user code y
+        mine
+        mine too
+        # End of user code
+        """;
+    String template =
+        """
+        [file ('o', true)]
+        <!-- [protected ('x')] -->
+        nothing
+        <!-- [/protected] -->
+        [/file]
+        [file ('o', true)]
+        [let area : String = p.area()]
+        [area/]
+        [/let]
+        [/file]
+        [/template]
+        [template public area(p : EPackage)]
+        # [protected ('y')]
+        nothing
+        # [/protected]
+        [/template]
+        """;
+    assertTrace(
+        earlier,
+        "1-1: 5model; 3-3: 5model 7model; 4-4: 11model; 7-7: 11model",
+        generate(template, Map.of("o", earlier)));
+  }
+
+  @Test
   void appendedTextGoesOnWhereTheFirstEnded() {
     String template =
         """

@@ -157,6 +157,20 @@ class TemplateModuleTest {
     assertTrue(third.contains("my_code()") && third.endsWith("2\n"), third);
   }
 
+  @Test
+  void aPersonsWorkBetweenCommentsOfXmlSurvivesAnEditorThatLeavesBlanks() {
+    TemplateModule module =
+        compile("<!-- [protected (p.name)] -->\n<none/>\n<!-- [/protected] -->\n");
+    Map<String, byte[]> files = new HashMap<>();
+    assertEquals(Outcome.WRITTEN, generateInto(files, module, model(1)));
+    String first = new String(files.get("out.txt"), UTF_8);
+    String mine = first.replace("<none/>", "<mine/>");
+    files.put("out.txt", mine.replaceFirst("-->\n", "-->  \n").getBytes(UTF_8));
+    assertEquals(Outcome.WRITTEN, generateInto(files, module, model(1)));
+    assertEquals(mine, new String(files.get("out.txt"), UTF_8));
+    assertEquals(Outcome.UNCHANGED, generateInto(files, module, model(1)));
+  }
+
   private static Outcome generateInto(
       Map<String, byte[]> files, TemplateModule module, EPackage model) {
     try (OutputFolder folder = OutputFolder.inMemory(files)) {
