@@ -59,8 +59,6 @@ final class GenerationRun {
   private final Tracing tracing;
   private Expression current;
   private boolean stopped;
-
-  /** Whether Java services may change the model. */
   private final boolean modelChanges;
 
   GenerationRun(
@@ -138,7 +136,7 @@ final class GenerationRun {
     return evaluate(expression, null, false);
   }
 
-  /** The same for a caller that only walks through it: {@link Expression#read}. */
+  /** {@link Expression#read}; where Java services may change the model, {@link #evaluate}. */
   Object read(Expression expression) {
     return evaluate(expression, null, !modelChanges);
   }
@@ -360,14 +358,11 @@ final class GenerationRun {
   }
 
   private void undefined(Expression expression, Invalid invalid) {
-    SourceLocation place = invalid.location();
-    if (place.line() == 0) {
-      place = expression.location();
-    }
+    boolean placed = invalid.location().line() > 0;
     boolean service = invalid.cause() instanceof ServiceException;
     error(
         service ? "m2t.service" : "m2t.undefined",
-        place,
+        placed ? invalid.location() : expression.location(),
         "The value is undefined" + modelElement() + ": " + invalid.reason() + ".",
         service
             ? "Mend the service, or what it is given."
@@ -375,23 +370,20 @@ final class GenerationRun {
   }
 
   private String modelElement() {
-    Optional<EObject> element = element();
-    if (element.isEmpty()) {
+    EObject element = origin();
+    if (element == null) {
       return "";
     }
-    SourceLocation place = context.locator().apply(element.get());
+    SourceLocation place = context.locator().apply(element);
     String shown = place.toString().isEmpty() ? place.element() : place.toString();
-    return " for " + Texts.label(element.get()) + (shown.isEmpty() ? "" : " (" + shown + ")");
+    return " for " + Texts.label(element) + (shown.isEmpty() ? "" : " (" + shown + ")");
   }
 
   private SourceLocation inModel(SourceLocation location) {
-    return element()
-        .map(object -> location.withElement(context.locator().apply(object).element()))
-        .orElse(location);
-  }
-
-  private Optional<EObject> element() {
-    return Optional.ofNullable(origin());
+    EObject element = origin();
+    return element == null
+        ? location
+        : location.withElement(context.locator().apply(element).element());
   }
 
   private String withCalls(String hint) {
