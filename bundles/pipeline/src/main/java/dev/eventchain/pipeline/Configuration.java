@@ -15,6 +15,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.List;
 import java.util.Map;
+import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
@@ -31,6 +32,8 @@ import java.util.regex.Pattern;
  * @param models the model for each task, by task
  * @param repairs how often a failed check goes back to the model
  * @param template the folder of the template set, under templates/
+ * @param packageFacts what the generated package says of itself, by the properties that templates
+ *     get: {@code package.license} and so on; only what is given
  */
 record Configuration(
     String name,
@@ -39,7 +42,8 @@ record Configuration(
     String llm,
     Map<String, String> models,
     int repairs,
-    String template) {
+    String template,
+    SortedMap<String, String> packageFacts) {
 
   private static final double DEFAULT_FREQUENCY = 20;
   private static final String DEFAULT_MODEL = "person";
@@ -56,7 +60,8 @@ record Configuration(
           "llm", "a text",
           "models", "a mapping from tasks to models",
           "repairs", "a whole number",
-          "template", "a text");
+          "template", "a text",
+          "package", "a mapping with texts for license, maintainer and email");
 
   private static final ObjectMapper YAML =
       YAMLMapper.builder()
@@ -72,7 +77,28 @@ record Configuration(
       @JsonProperty("llm") String llm,
       @JsonProperty("models") Map<String, String> models,
       @JsonProperty("repairs") Integer repairs,
-      @JsonProperty("template") String template) {}
+      @JsonProperty("template") String template,
+      @JsonProperty("package") PackageFacts packageFacts) {}
+
+  private record PackageFacts(
+      @JsonProperty("license") String license,
+      @JsonProperty("maintainer") String maintainer,
+      @JsonProperty("email") String email) {
+
+    private SortedMap<String, String> properties() {
+      SortedMap<String, String> properties = new TreeMap<>();
+      put(properties, "license", license);
+      put(properties, "maintainer", maintainer);
+      put(properties, "email", email);
+      return properties;
+    }
+
+    private static void put(SortedMap<String, String> properties, String name, String value) {
+      if (value != null && !value.isBlank()) {
+        properties.put("package." + name, value);
+      }
+    }
+  }
 
   /**
    * Reads the configuration.
@@ -89,7 +115,8 @@ record Configuration(
             document.llm == null ? "replay" : document.llm,
             document.models == null ? Map.of() : new TreeMap<>(document.models),
             document.repairs == null ? DEFAULT_REPAIRS : document.repairs,
-            document.template == null ? "ros2-python" : document.template);
+            document.template == null ? "ros2-python" : document.template,
+            document.packageFacts == null ? new TreeMap<>() : document.packageFacts.properties());
     configuration.check(text);
     return configuration;
   }

@@ -16,12 +16,15 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /**
  * The model to a package for the middleware: the nodes by templates, and the components beside
@@ -30,6 +33,8 @@ import java.util.TreeMap;
 final class GenerateStage implements StageWork {
 
   private static final String COMPONENTS = "components/";
+  private static final Pattern PACKAGE =
+      Pattern.compile("^([^/]+)/\\1/" + COMPONENTS + "__init__[.]py$");
 
   @Override
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
@@ -39,6 +44,10 @@ final class GenerateStage implements StageWork {
         .addFile(run.project().softwareBase().resolve("signals.json"))
         .addFiles(run.project().messageFiles())
         .addFile(run.file(Constraints.GENERATED));
+    run.project()
+        .configuration()
+        .packageFacts()
+        .forEach((name, value) -> fingerprint.add(name).add(value));
     run.project().ownConstraints().ifPresent(fingerprint::addFile);
     fingerprint.addFiles(
         run.softwareBase().components().stream().map(SoftwareBase.Component::file).toList());
@@ -75,23 +84,24 @@ final class GenerateStage implements StageWork {
     }
     // Errors are among them only if they are suppressed, for as long as that holds.
     found.addAll(checked.diagnostics());
+    String name = packageName(model.chain(), generated.files().keySet());
     SortedMap<String, byte[]> files = new TreeMap<>();
-    generated.files().forEach((name, content) -> files.put(folder + "/" + name, content));
-    components(run, model.chain(), folder, files);
+    generated.files().forEach((file, content) -> files.put(folder + "/" + file, content));
+    components(run, model.chain(), folder + "/" + name + "/" + name + "/" + COMPONENTS, files);
     files.forEach(run::write);
     run.writeResult(
         TraceFile.NAME, TraceFile.content(generated.trace(), folder + "/", run.baseFolders()));
     found.addAll(run.output().removeOthers(folder, files.keySet()));
-    String details = files.size() + " files in " + folder + "/" + packageName(model.chain());
+    String details = files.size() + " files in " + folder + "/" + name;
     List<String> outputs = new ArrayList<>(files.keySet());
     outputs.add(TraceFile.NAME);
     return StageResult.of(details, outputs, found);
   }
 
-  /** What the first lines of generated files say. */
+  /** What the first lines of generated files say, and what the package says of itself. */
   private static Map<String, String> properties(RunContext run) {
     String version = GenerateStage.class.getPackage().getImplementationVersion();
-    Map<String, String> properties = new TreeMap<>();
+    Map<String, String> properties = new TreeMap<>(run.project().configuration().packageFacts());
     properties.put("provenance.model", run.model().getFileName().toString());
     if (version != null) {
       properties.put("provenance.version", version);
@@ -99,14 +109,25 @@ final class GenerateStage implements StageWork {
     return properties;
   }
 
-  /** The name of the generated package, as the templates derive it. */
-  static String packageName(EventChain chain) {
-    return chain.getName().toLowerCase(Locale.ROOT);
+  /**
+   * The name of the generated package: that of the folder in a folder of the same name that has
+   * components. A project's own templates may write none; then it is the chain's.
+   *
+   * @param files the names of the generated files
+   */
+  static String packageName(EventChain chain, Collection<String> files) {
+    String plain = chain.getName().toLowerCase(Locale.ROOT);
+    List<String> found =
+        files.stream()
+            .map(PACKAGE::matcher)
+            .filter(Matcher::find)
+            .map(matcher -> matcher.group(1))
+            .toList();
+    return found.isEmpty() || found.contains(plain) ? plain : found.get(0);
   }
 
   private static void components(
-      RunContext run, EventChain chain, String output, SortedMap<String, byte[]> files) {
-    String folder = output + "/" + packageName(chain) + "/" + packageName(chain) + "/" + COMPONENTS;
+      RunContext run, EventChain chain, String folder, SortedMap<String, byte[]> files) {
     for (SoftwareNode node : chain.getSoftware()) {
       if (node.getImplementation() == ComponentImplementation.COMPONENT) {
         String text = SourceText.read(componentFile(run, node)).text();

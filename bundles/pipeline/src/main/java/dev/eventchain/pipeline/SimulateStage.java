@@ -15,6 +15,7 @@ import dev.eventchain.simulation.ScenarioVerdict;
 import dev.eventchain.simulation.Simulation;
 import dev.eventchain.simulation.SimulationRequest;
 import dev.eventchain.simulation.SimulationResult;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -117,7 +118,7 @@ final class SimulateStage implements StageWork {
         SimulationRequest.of(
             chain,
             packageFolder(run, chain),
-            GenerateStage.packageName(chain),
+            packageFolder(run, chain).getFileName().toString(),
             run.project().messageFolders(),
             scenarios);
     AtomicInteger done = new AtomicInteger();
@@ -162,7 +163,11 @@ final class SimulateStage implements StageWork {
 
   /** The folder of the generated package, which holds the Python package of the same name. */
   private static Path packageFolder(RunContext run, EventChain chain) {
-    String name = GenerateStage.packageName(chain);
+    Path all = run.file(Templates.folder(run.project()));
+    List<Path> found = Files.isDirectory(all) ? Project.below(all) : List.of();
+    List<String> files =
+        found.stream().map(file -> all.relativize(file).toString().replace('\\', '/')).toList();
+    String name = GenerateStage.packageName(chain, files);
     String folder = Templates.folder(run.project()) + "/" + name;
     run.required(folder + "/" + name + "/__init__.py", Stage.GENERATE);
     return run.file(folder);

@@ -6,9 +6,13 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.EventchainFactory;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -26,6 +30,33 @@ class ProjectTest {
     assertEquals("replay", configuration.llm());
     assertEquals("ros2-python", configuration.template());
     assertEquals("person", configuration.model(Stage.DESIGN));
+    assertEquals(Map.of(), configuration.packageFacts());
+  }
+
+  @Test
+  void whatThePackageSaysOfItselfIsForTheTemplates() throws IOException {
+    String yaml = "name: aeb\npackage: {license: EPL-2.0, maintainer: Åsa, email: a@b.example}\n";
+    assertEquals(
+        Map.of(
+            "package.license", "EPL-2.0",
+            "package.maintainer", "Åsa",
+            "package.email", "a@b.example"),
+        open(yaml).configuration().packageFacts());
+    assertEquals(
+        Map.of("package.license", "MIT"),
+        open("name: aeb\npackage:\n  license: MIT\n  email:\n").configuration().packageFacts());
+  }
+
+  @Test
+  void thePackageIsThatOfTheGeneratedFiles() {
+    EventChain chain = EventchainFactory.eINSTANCE.createEventChain();
+    chain.setName("A__b");
+    List<String> files = List.of("a_b/setup.py", "a_b/a_b/components/__init__.py");
+    assertEquals("a_b", GenerateStage.packageName(chain, files));
+    assertEquals("a__b", GenerateStage.packageName(chain, List.of("a_b/setup.py")));
+    chain.setName("A_b");
+    String other = "a_a/a_a/components/__init__.py";
+    assertEquals("a_b", GenerateStage.packageName(chain, List.of(other, files.get(1))));
   }
 
   @ParameterizedTest(name = "{index}: {0}")
@@ -44,6 +75,8 @@ class ProjectTest {
         "name: aeb; repairs: 1000|2|repairs",
         "name: aeb; models: {dessign: x}|2|no task 'dessign'",
         "name: aeb; models: [1]|2|a mapping",
+        "name: aeb; package: MIT|2|a mapping with texts",
+        "name: aeb; package: {licence: MIT}|2|no setting 'licence'",
       })
   void whatIsNotUnderstoodIsSaidWithItsPlace(String yaml, int line, String message) {
     DiagnosticException e =
