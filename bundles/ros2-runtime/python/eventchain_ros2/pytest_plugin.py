@@ -3,11 +3,13 @@
     PYTHONPATH=FOLDER python -m pytest -p eventchain_ros2.pytest_plugin [--messages MESSAGES]... test
 
 FOLDER holds this package, and each MESSAGES is a folder with `<package>/msg/*.msg`. The plugin makes the message
-packages importable; the rest is `rclpy` of this runtime. With a sourced ROS 2, leave it out.
+packages importable, and the packages whose tests run, as an installation would; the rest is `rclpy` of this runtime.
+With a sourced ROS 2, leave it out.
 """
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -23,5 +25,11 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
-    """Serve the imports of message packages, before any test is imported."""
+    """Serve the imports of packages, before any test is imported."""
     Messages(Path(folder) for folder in config.getoption("messages")).install()
+    for argument in config.args:
+        place = Path(config.invocation_params.dir, argument.partition("::")[0]).resolve()
+        for folder in (place, *place.parents):
+            if (folder / "package.xml").is_file():
+                sys.path.insert(0, str(folder))
+                break
