@@ -279,7 +279,7 @@ final class GenerationRun {
     if (tracing == null) {
       output.append(text);
     } else if (!text.isEmpty()) {
-      output.append(text, tracing.origin(tag.location(), 0, origin()));
+      output.append(text, tracing.origin(tag, 0, origin()));
     }
   }
 
@@ -305,12 +305,12 @@ final class GenerationRun {
       output.append(text, hasBreak);
       return;
     }
-    SourceLocation place = start.location();
+    EObject element = origin();
     int line = 0;
     for (int from = 0; from < text.length(); line++) {
       int lineBreak = text.indexOf('\n', from);
       int end = lineBreak < 0 ? text.length() : lineBreak + 1;
-      output.append(text.substring(from, end), tracing.origin(place, line, origin()));
+      output.append(text.substring(from, end), tracing.origin(start, line, element));
       from = end;
     }
   }

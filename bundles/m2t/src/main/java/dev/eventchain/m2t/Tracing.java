@@ -46,22 +46,35 @@ final class Tracing {
   private final List<Origin> origins = new ArrayList<>();
   private final IdentityHashMap<EObject, SourceLocation> elements = new IdentityHashMap<>();
   private final IdentityHashMap<Expression, SourceLocation> expressions = new IdentityHashMap<>();
+  private final IdentityHashMap<Place, SourceLocation> places = new IdentityHashMap<>();
   private final SortedMap<String, Lines> files = new TreeMap<>();
+
+  /** The origins of the line at work. */
+  private int[] line = new int[16];
+
+  private int lineSize;
 
   Tracing(Function<EObject, SourceLocation> locator) {
     this.locator = locator;
   }
 
   /** The number of an origin: a line of a template, at work on an element or on none (null). */
-  int origin(SourceLocation place, int linesBelow, EObject element) {
-    int line = place.line() + linesBelow;
-    return numbers.computeIfAbsent(
-        new Key(place.file(), line, element),
-        key -> {
-          SourceLocation template = new SourceLocation(place.file(), line, 0, "", "");
-          origins.add(new Origin(template, locate(element)));
-          return origins.size() - 1;
-        });
+  private int origin(SourceLocation place, int linesBelow, EObject element) {
+    int below = place.line() + linesBelow;
+    Key key = new Key(place.file(), below, element);
+    Integer known = numbers.get(key);
+    if (known != null) {
+      return known;
+    }
+    SourceLocation template = new SourceLocation(place.file(), below, 0, "", "");
+    origins.add(new Origin(template, locate(element)));
+    numbers.put(key, origins.size() - 1);
+    return origins.size() - 1;
+  }
+
+  /** The number of the origin that a line below a place is. */
+  int origin(Place place, int linesBelow, EObject element) {
+    return origin(places.computeIfAbsent(place, Place::location), linesBelow, element);
   }
 
   /** The number of the origin that an expression is. */
@@ -83,25 +96,45 @@ final class Tracing {
       while (mark + 1 < marks.size() && marks.start(mark + 1) <= start) {
         mark++;
       }
-      IntStream.Builder found = IntStream.builder();
+      lineSize = 0;
       for (int i = mark; i < marks.size() && marks.start(i) < end; i++) {
-        if (marks.origin(i) != OriginMarks.NONE) {
-          found.add(marks.origin(i));
-        }
+        addToLine(marks.origin(i));
       }
-      add(found.build(), lines);
+      add(lines);
       lines.open = lineBreak < 0;
       start = end;
     }
   }
 
-  private static void add(IntStream line, Lines lines) {
-    IntStream all = line;
+  /** Adds the line at work, which may go on with the last one. */
+  private void add(Lines lines) {
     if (lines.open) {
-      all = IntStream.concat(all, IntStream.of(lines.origins.remove(lines.origins.size() - 1)));
+      for (int origin : lines.origins.remove(lines.origins.size() - 1)) {
+        addToLine(origin);
+      }
       lines.open = false;
     }
-    lines.origins.add(all.sorted().distinct().toArray());
+    lines.origins.add(Arrays.copyOf(line, lineSize));
+  }
+
+  /** Keeps the origins of the line at work sorted, each once. */
+  private void addToLine(int origin) {
+    if (origin == OriginMarks.NONE) {
+      return;
+    }
+    int at = lineSize;
+    while (at > 0 && line[at - 1] > origin) {
+      at--;
+    }
+    if (at > 0 && line[at - 1] == origin) {
+      return;
+    }
+    if (lineSize == line.length) {
+      line = Arrays.copyOf(line, lineSize * 2);
+    }
+    System.arraycopy(line, at, line, at + 1, lineSize - at);
+    line[at] = origin;
+    lineSize++;
   }
 
   /** The trace of everything so far. */
@@ -126,6 +159,9 @@ final class Tracing {
   }
 
   private List<Origin> origins(int[] numbersOfLine) {
+    if (numbersOfLine.length == 1) {
+      return List.of(origins.get(numbersOfLine[0]));
+    }
     return IntStream.of(numbersOfLine).mapToObj(origins::get).sorted().distinct().toList();
   }
 }
