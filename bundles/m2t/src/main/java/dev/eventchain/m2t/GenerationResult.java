@@ -10,8 +10,8 @@ import java.util.TreeMap;
  * What a generation made. Files are complete as far as the model allowed: a part whose value is
  * undefined is left out, and an error says so.
  *
- * @param files the content of each file, by its name relative to the output folder; sorted, and
- *     every name fit for {@link OutputFolder#write}
+ * @param files the content of each file, by its name relative to the output folder, in {@link
+ *     OutputFolder#WRITING_ORDER}; every name is fit for {@link OutputFolder#write}
  * @param diagnostics what was found on the way, in the order of generation
  * @param trace where the lines of the files come from, if the context asked for it
  */
@@ -20,7 +20,9 @@ public record GenerationResult(
 
   /** Takes copies. */
   public GenerationResult {
-    files = Collections.unmodifiableSortedMap(new TreeMap<>(files));
+    SortedMap<String, byte[]> ordered = new TreeMap<>(OutputFolder.WRITING_ORDER);
+    ordered.putAll(files);
+    files = Collections.unmodifiableSortedMap(ordered);
     diagnostics = List.copyOf(diagnostics);
   }
 }

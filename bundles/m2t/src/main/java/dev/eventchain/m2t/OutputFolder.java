@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -52,6 +53,14 @@ public final class OutputFolder implements AutoCloseable {
    *     replaced, an error {@code output.path.refused} for a refused name
    */
   public record Written(Outcome outcome, Optional<Diagnostic> finding) {}
+
+  /**
+   * The order in which the files of a generation are written: first those that save what people
+   * wrote in areas that are no longer generated, so that a killed run loses none; then by name.
+   */
+  public static final Comparator<String> WRITING_ORDER =
+      Comparator.comparing((String name) -> !name.endsWith(ProtectedAreas.LOST))
+          .thenComparing(Comparator.naturalOrder());
 
   private final OutputStorage storage;
   private final FileRecords records;

@@ -20,6 +20,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -265,6 +267,14 @@ class OutputFolderTest {
       assertEquals(1, folder.removeOthers("", List.of()).size());
     }
     assertTrue(files.containsKey("x"));
+  }
+
+  @Test
+  void whatPeopleWroteIsSavedBeforeTheFileThatLosesIt() {
+    SortedMap<String, byte[]> files = new TreeMap<>();
+    List.of("a", "b", "b.lost", "c").forEach(name -> files.put(name, bytes(name)));
+    GenerationResult result = new GenerationResult(files, List.of(), GenerationTrace.NONE);
+    assertEquals(List.of("b.lost", "a", "b", "c"), List.copyOf(result.files().keySet()));
   }
 
   @Test

@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.m2t.GenerationContext;
 import dev.eventchain.m2t.GenerationResult;
+import dev.eventchain.m2t.OutputFolder;
 import dev.eventchain.m2t.TemplateModule;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.metamodel.eventchain.ComponentImplementation;
@@ -85,7 +86,7 @@ final class GenerateStage implements StageWork {
     // Errors are among them only if they are suppressed, for as long as that holds.
     found.addAll(checked.diagnostics());
     String name = packageName(model.chain(), generated.files().keySet());
-    SortedMap<String, byte[]> files = new TreeMap<>();
+    SortedMap<String, byte[]> files = new TreeMap<>(OutputFolder.WRITING_ORDER);
     generated.files().forEach((file, content) -> files.put(folder + "/" + file, content));
     components(run, model.chain(), folder + "/" + name + "/" + name + "/" + COMPONENTS, files);
     files.forEach(run::write);
