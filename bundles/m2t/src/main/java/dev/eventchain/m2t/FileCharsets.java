@@ -67,7 +67,8 @@ final class FileCharsets {
     byte[] bytes;
     try {
       ByteBuffer encoded = charset.newEncoder().encode(CharBuffer.wrap(text));
-      bytes = Arrays.copyOf(encoded.array(), encoded.limit());
+      bytes = new byte[encoded.remaining()];
+      encoded.get(bytes);
     } catch (CharacterCodingException e) {
       run.error(
           ID,

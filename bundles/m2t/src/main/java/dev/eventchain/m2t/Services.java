@@ -94,7 +94,8 @@ final class Services {
   private static String withoutGenerics(String signature) {
     StringBuilder bare = new StringBuilder();
     int depth = 0;
-    for (char each : signature.toCharArray()) {
+    for (int i = 0; i < signature.length(); i++) {
+      char each = signature.charAt(i);
       if (each == '<') {
         depth++;
       } else if (each == '>') {

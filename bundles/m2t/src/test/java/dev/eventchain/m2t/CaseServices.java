@@ -1,5 +1,6 @@
 package dev.eventchain.m2t;
 
+import java.net.URI;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
@@ -79,8 +80,7 @@ public class CaseServices {
 
   /** Objects that have a text, and ones that hold something or nothing. */
   public static List<Object> objects() {
-    return List.of(
-        new StringBuilder("built"), Optional.of("held"), Optional.empty(), new int[] {1, 2});
+    return List.of(URI.create("built"), Optional.of("held"), Optional.empty(), new int[] {1, 2});
   }
 
   /** Puts a copy of an object beside it, in its file. */
@@ -95,6 +95,7 @@ public class CaseServices {
 
   public static Object nullAsText() {
     return new Object() {
+      @SuppressWarnings("ToStringReturnsNull") // what a service may get wrong
       @Override
       public String toString() {
         return null;

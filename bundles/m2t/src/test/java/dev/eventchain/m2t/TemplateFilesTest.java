@@ -25,8 +25,12 @@ import org.junit.jupiter.api.io.TempDir;
 class TemplateFilesTest {
 
   private static final String HEAD =
-      "[module t('http://www.eclipse.org/emf/2002/Ecore')]\n"
-          + "[template public main(p : EPackage)]\n[comment @main /]\n[file ('out.txt')]\n";
+      """
+      [module t('http://www.eclipse.org/emf/2002/Ecore')]
+      [template public main(p : EPackage)]
+      [comment @main /]
+      [file ('out.txt')]
+      """;
   private static final String FOOT = "\n[/file]\n[/template]\n";
 
   @TempDir Path temporary;
@@ -63,9 +67,11 @@ class TemplateFilesTest {
   @Test
   void anImportedFileIsReadInItsOwnEncoding() throws IOException {
     String module =
-        "[comment encoding = ISO-8859-1 /]\n"
-            + "[module o('http://www.eclipse.org/emf/2002/Ecore')]\n"
-            + "[query public green(p : EPackage) : String = p.name.concat('gr\u00fcn') /]\n";
+        """
+        [comment encoding = ISO-8859-1 /]
+        [module o('http://www.eclipse.org/emf/2002/Ecore')]
+        [query public green(p : EPackage) : String = p.name.concat('gr\u00fcn') /]
+        """;
     Files.write(temporary.resolve("o.mtl"), module.getBytes(ISO_8859_1));
     String head = HEAD.replace("[template", "[import o]\n[template");
     assertArrayEquals(

@@ -191,12 +191,14 @@ class JavaServicesTest {
 
   @Test
   void aClassThatLacksALibraryIsNamed() throws IOException {
-    compile(
-        "public class Library {}",
-        "public class User {\n"
-            + "  public static String fine() { return \"fine\"; }\n"
-            + "  public static String use(Library library) { return \"used\"; }\n"
-            + "}");
+    String source =
+        """
+        public class User {
+          public static String fine() { return "fine"; }
+          public static String use(Library library) { return "used"; }
+        }
+        """;
+    compile("public class Library {}", source);
     Files.delete(classes.resolve("demo/Library.class"));
     assertEquals(
         "'demo.User.fine()' threw java.lang.NoClassDefFoundError: demo/Library",
@@ -205,11 +207,14 @@ class JavaServicesTest {
 
   @Test
   void aClassThatCannotBeInitialisedSaysWhy() throws IOException {
-    compile(
-        "public class Broken {\n"
-            + "  static final int SIZE = Integer.parseInt(\"many\");\n"
-            + "  public static String size() { return \"\" + SIZE; }\n"
-            + "}");
+    String source =
+        """
+        public class Broken {
+          static final int SIZE = Integer.parseInt("many");
+          public static String size() { return "" + SIZE; }
+        }
+        """;
+    compile(source);
     assertEquals(
         "'demo.Broken.size()' threw java.lang.NumberFormatException: For input string: \"many\"",
         refused(call("demo.Broken", "size()")));
@@ -217,26 +222,32 @@ class JavaServicesTest {
 
   @Test
   void anExceptionWhoseMessageThrowsIsNamedWithoutIt() throws IOException {
-    compile(
-        "public class Evil extends RuntimeException {\n"
-            + "  public String getMessage() { throw new Evil(); }\n"
-            + "  public static String fail() { throw new Evil(); }\n"
-            + "}");
+    String source =
+        """
+        public class Evil extends RuntimeException {
+          public String getMessage() { throw new Evil(); }
+          public static String fail() { throw new Evil(); }
+        }
+        """;
+    compile(source);
     assertEquals("'demo.Evil.fail()' threw demo.Evil", refused(call("demo.Evil", "fail()")));
   }
 
   @Test
   void anObjectIsWrittenAsItsTextAndRefusedIfThatFails() throws IOException {
-    compile(
-        "public class Money {\n"
-            + "  public static Object some() { return new Money(); }\n"
-            + "  public static Object[] other() { return new Object[] {new Other()}; }\n"
-            + "  public static Object plain() { return new Object(); }\n"
-            + "  public String toString() { return \"5 euros\"; }\n"
-            + "  static class Other {\n"
-            + "    public String toString() { throw new IllegalStateException(\"no text\"); }\n"
-            + "  }\n"
-            + "}");
+    String source =
+        """
+        public class Money {
+          public static Object some() { return new Money(); }
+          public static Object[] other() { return new Object[] {new Other()}; }
+          public static Object plain() { return new Object(); }
+          public String toString() { return "5 euros"; }
+          static class Other {
+            public String toString() { throw new IllegalStateException("no text"); }
+          }
+        }
+        """;
+    compile(source);
     assertEquals("5 euros\n", output(call("demo.Money", "some()")));
     assertEquals(
         "'demo.Money.other()' threw java.lang.IllegalStateException: no text",
@@ -248,10 +259,13 @@ class JavaServicesTest {
 
   @Test
   void theTypesOfAnotherMethodAreShownAsJavaWritesThem() throws IOException {
-    compile(
-        "public class Words {\n"
-            + "  public static String all(String[] words, int[][] n) { return \"\"; }\n"
-            + "}");
+    String source =
+        """
+        public class Words {
+          public static String all(String[] words, int[][] n) { return ""; }
+        }
+        """;
+    compile(source);
     assertEquals(
         "'demo.Words.all()' is absent: there is only all(java.lang.String[], int[][])",
         refused(call("demo.Words", "all()")));
@@ -259,11 +273,14 @@ class JavaServicesTest {
 
   @Test
   void everyRunHasAnInstanceOfItsOwn() throws IOException {
-    compile(
-        "public class Counter {\n"
-            + "  private long calls;\n"
-            + "  public long count() { return ++calls; }\n"
-            + "}");
+    String source =
+        """
+        public class Counter {
+          private long calls;
+          public long count() { return ++calls; }
+        }
+        """;
+    compile(source);
     String twice = call("demo.Counter", "count()").repeat(2);
     assertEquals("12\n", output(twice));
     assertEquals("12\n", output(twice));
@@ -271,18 +288,21 @@ class JavaServicesTest {
 
   @Test
   void aServiceMayAddToTheListThatALoopWalksThrough() throws IOException {
-    compile(
-        "import org.eclipse.emf.ecore.EObject;\n"
-            + "import org.eclipse.emf.ecore.util.EcoreUtil;\n"
-            + "public class Garden {\n"
-            + "  @SuppressWarnings(\"unchecked\")\n"
-            + "  public static int grow(EObject plant) {\n"
-            + "    var plants = (java.util.List<EObject>)\n"
-            + "        plant.eContainer().eGet(plant.eContainingFeature());\n"
-            + "    plants.add(EcoreUtil.copy(plant));\n"
-            + "    return plants.size();\n"
-            + "  }\n"
-            + "}");
+    String source =
+        """
+        import org.eclipse.emf.ecore.EObject;
+        import org.eclipse.emf.ecore.util.EcoreUtil;
+        public class Garden {
+          @SuppressWarnings("unchecked")
+          public static int grow(EObject plant) {
+            var plants = (java.util.List<EObject>)
+                plant.eContainer().eGet(plant.eContainingFeature());
+            plants.add(EcoreUtil.copy(plant));
+            return plants.size();
+          }
+        }
+        """;
+    compile(source);
     String grow = "[invoke('demo.Garden', 'grow(org.eclipse.emf.ecore.EObject)', Sequence{b})/]";
     assertEquals(
         "north3 south4 4\n",

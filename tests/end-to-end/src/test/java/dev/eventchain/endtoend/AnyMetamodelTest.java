@@ -193,12 +193,13 @@ class AnyMetamodelTest {
 
   @Test
   void aTemplateCallsTheServicesThatTheCommandNames() throws IOException {
-    Path source =
-        Files.writeString(
-            folder.resolve("Words.java"),
-            "public class Words extends Thread {\n"
-                + "  public static String loud(String word) { return word.toUpperCase(); }\n"
-                + "}\n");
+    String words =
+        """
+        public class Words extends Thread {
+          public static String loud(String word) { return word.toUpperCase(); }
+        }
+        """;
+    Path source = Files.writeString(folder.resolve("Words.java"), words);
     Path classes = Files.createDirectories(folder.resolve("classes"));
     int failed =
         ToolProvider.getSystemJavaCompiler()

@@ -25,9 +25,11 @@ import org.junit.jupiter.params.provider.CsvSource;
 class BadTemplateTest {
 
   private static final String HEAD =
-      "[module main('http://example.org/library')]\n"
-          + "[template public main(library : Library)]\n"
-          + "[comment @main /]\n";
+      """
+      [module main('http://example.org/library')]
+      [template public main(library : Library)]
+      [comment @main /]
+      """;
 
   private static final int MANY = 1_000;
 
