@@ -125,10 +125,6 @@ final class GenerationRun {
     return tracing;
   }
 
-  boolean isStopped() {
-    return stopped;
-  }
-
   // --- evaluation
 
   /** The value of an expression; an invalid one has been reported. */

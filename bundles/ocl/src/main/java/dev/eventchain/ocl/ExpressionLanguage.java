@@ -315,11 +315,6 @@ public final class ExpressionLanguage {
     return collectionOf(CollectionKind.SET_LITERAL, elementType);
   }
 
-  /** The type of ordered sets of this type of elements. */
-  public EClassifier orderedSetOf(EClassifier elementType) {
-    return collectionOf(CollectionKind.ORDERED_SET_LITERAL, elementType);
-  }
-
   /** A collection type of the same kind as another one, for other elements. */
   public EClassifier collectionLike(EClassifier collectionType, EClassifier elementType) {
     return collectionOf(((CollectionType<?, ?>) collectionType).getKind(), elementType);
