@@ -79,7 +79,10 @@ final class GeneratedLines {
     return lines;
   }
 
-  /** Elements may have the same name; no two stand on the same line and have it. */
+  /**
+   * Elements may have the same name. Those that also stand on the same line, as in a model written
+   * on one line by hand, cannot be told apart and share their lines.
+   */
   private static String key(String element, int line) {
     return line + " " + element;
   }
