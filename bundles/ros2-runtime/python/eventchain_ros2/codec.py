@@ -17,12 +17,8 @@ from struct import Struct
 from typing import Any, NamedTuple
 
 from eventchain_ros2 import validation
-from eventchain_ros2.definitions import Definition, Field
+from eventchain_ros2.definitions import CODES, Definition, Field
 
-# struct codes; also those of `array.array`, except for `?` and `c`, whose sequences are Python lists
-CODES = {"bool": "?", "byte": "c", "char": "B", "float32": "f", "float64": "d"}
-CODES.update({"int8": "b", "int16": "h", "int32": "i", "int64": "q"})
-CODES.update({"uint8": "B", "uint16": "H", "uint32": "I", "uint64": "Q"})
 _PYTHON_TYPES = {"?": "bool", "c": "bytes", "f": "float", "d": "float"}
 _ZEROS = {"?": False, "c": b"\0", "f": 0.0, "d": 0.0}
 _PADDING = tuple(bytes(length) for length in range(8))

@@ -18,6 +18,11 @@ _LITERALS = {"bool": bool, "byte": int, "char": int, "float32": float, "float64"
 _LITERALS.update({f"{sign}int{bits}": int for sign in ("", "u") for bits in (8, 16, 32, 64)})
 PRIMITIVES = frozenset(_LITERALS)
 
+# struct codes; also those of `array.array`, except for `?` and `c`, whose sequences are Python lists
+CODES = {"bool": "?", "byte": "c", "char": "B", "float32": "f", "float64": "d"}
+CODES.update({"int8": "b", "int16": "h", "int32": "i", "int64": "q"})
+CODES.update({"uint8": "B", "uint16": "H", "uint32": "I", "uint64": "Q"})
+
 _TYPE = re.compile(r"(?P<base>[A-Za-z][\w/]*)(<=(?P<string>\d+))?(\[((?P<bound><=)?(?P<size>\d+))?\])?$")
 _NAME = re.compile(r"[A-Za-z]\w*$", re.ASCII)
 _FULL_NAME = re.compile(r"[a-z]\w*/msg/[A-Z]\w*$", re.ASCII)

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from eventchain_ros2.messages import Message, from_cdr, to_cdr, type_name
-from eventchain_ros2.qos import QoSProfile
-
-if TYPE_CHECKING:
-    from eventchain_ros2.simulation import Process, Sample, Simulation
+from eventchain_ros2.qos import DurabilityPolicy, QoSProfile
+from eventchain_ros2.simulation import Process, Sample, Simulation
+from eventchain_ros2.simulation import Subscription as Receiver
 
 
 class Publisher:
@@ -25,8 +24,9 @@ class Publisher:
         self.type_name = type_name(message_class)
         self.topic = simulation.topic(topic)
         self.qos_profile = qos_profile
-        self.matched: list[Subscription] = []
-        self.retained: deque[Sample] = deque(maxlen=qos_profile.capacity())
+        self.matched: list[Receiver] = []
+        transient = qos_profile.durability == DurabilityPolicy.TRANSIENT_LOCAL
+        self.retained: deque[Sample] = deque(maxlen=qos_profile.capacity() if transient else 0)
         simulation.add_publisher(self)
 
     @property

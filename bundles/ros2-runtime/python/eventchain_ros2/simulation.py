@@ -8,16 +8,14 @@ else until then. At one instant, samples come before timers, and timers in the o
 from __future__ import annotations
 
 import sys
+from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from heapq import heappop, heappush
 from time import perf_counter_ns
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
 
-from eventchain_ros2.qos import DurabilityPolicy, incompatible_policies
-
-if TYPE_CHECKING:
-    from eventchain_ros2.endpoints import Publisher, Subscription, Timer
+from eventchain_ros2.qos import DurabilityPolicy, QoSProfile, incompatible_policies
 
 _SAMPLE, _TIMER = 0, 1  # rank of events at one instant
 
@@ -50,6 +48,59 @@ class Warned(NamedTuple):
     id: str
     topic: str
     message: str
+
+
+class Publisher(Protocol):
+    """What the simulation knows of a publisher: who is `matched` gets its samples, who joins later those `retained`."""
+
+    process: Process
+    topic: Topic
+    type_name: str
+    qos_profile: QoSProfile
+    matched: list[Subscription]
+    retained: deque[Sample]
+
+
+class Subscription(Protocol):
+    """What the simulation knows of a subscription."""
+
+    process: Process
+    topic: Topic
+    type_name: str
+    qos_profile: QoSProfile
+
+    def receive(self, sample: Sample) -> None:
+        """Call back."""
+
+
+class Timer(Protocol):
+    """What the simulation knows of a timer: it fires when it is `due`, unless its `token` has changed by then."""
+
+    process: Process
+    index: int
+    due: int
+    token: int
+
+    def advance(self, now: int) -> None:
+        """Move on to the next period that has not passed."""
+
+    def run(self, _: None) -> None:
+        """Call back."""
+
+
+class Event(NamedTuple):
+    """Something that happens. Events have an order, and `number` is theirs alone, so that actions are never compared.
+
+    `process` and `timer` are the indices of a timer that fires, and 0 for samples.
+    """
+
+    time: int
+    rank: int
+    process: int
+    timer: int
+    number: int
+    action: Callable[[Any], None]
+    argument: Any
 
 
 class Topic:
@@ -97,7 +148,7 @@ class Simulation:
         self.topics: dict[str, Topic] = {}
         self.warnings: list[Warned] = []
         self.current: Process | None = None  # whose code runs, or has failed
-        self._events: list[tuple[int, int, int, int, int, Callable[[Any], None], Any]] = []
+        self._events: list[Event] = []
         self._count = 0
         self._starting: Process | None = None
 
@@ -183,15 +234,16 @@ class Simulation:
         process = timer.process
         self._count += 1
         time = max(timer.due, process.busy_until)
-        event = (time, _TIMER, process.index, timer.index, self._count, self._fire, (timer, timer.token))
-        heappush(self._events, event)
+        fire = (self._fire, (timer, timer.token))
+        heappush(self._events, Event(time, _TIMER, process.index, timer.index, self._count, *fire))
 
     def advance(self, until: int) -> None:
         """Let time pass. What is due exactly at `until` happens in the next call, after the samples published then."""
         events = self._events
-        while events and events[0][0] < until and self.running:
-            self.now, _, _, _, _, action, argument = heappop(events)
-            action(argument)
+        while events and events[0].time < until and self.running:
+            event = heappop(events)
+            self.now = event.time
+            event.action(event.argument)
         self.now, self.current = until, None
 
     def spin_once(self, processes: set[Process], timeout: int | None) -> bool:
@@ -215,7 +267,7 @@ class Simulation:
             process.paused = process not in processes
             if process.inbox and not process.paused:
                 self._schedule(max(self.now, process.busy_until), self._wake, process)
-        late: list[tuple[int, int, int, int, int, Callable[[Any], None], Any]] = []
+        late: list[Event] = []
         try:
             return self._run_until_callback(limit, late)
         finally:
@@ -224,18 +276,16 @@ class Simulation:
             for event in late:
                 heappush(self._events, event)
 
-    def _run_until_callback(
-        self, limit: int | None, late: list[tuple[int, int, int, int, int, Callable[[Any], None], Any]]
-    ) -> bool:
+    def _run_until_callback(self, limit: int | None, late: list[Event]) -> bool:
         """Run events up to the limit or the first callback; timers of processes that are paused become late."""
         events = self._events
-        while self.running and events and (limit is None or events[0][0] <= limit):
+        while self.running and events and (limit is None or events[0].time <= limit):
             event = heappop(events)
-            if event[1] == _TIMER and event[6][0].process.paused:
+            if event.rank == _TIMER and self.processes[event.process].paused:
                 late.append(event)
                 continue
-            self.now, self.current = max(self.now, event[0]), None
-            event[5](event[6])
+            self.now, self.current = max(self.now, event.time), None
+            event.action(event.argument)
             if self.current is not None:
                 return True
         if limit is None and self.running:
@@ -245,12 +295,11 @@ class Simulation:
 
     def _schedule(self, time: int, action: Callable[[Any], None], argument: object) -> None:
         self._count += 1
-        heappush(self._events, (time, _SAMPLE, self._count, 0, 0, action, argument))
+        heappush(self._events, Event(time, _SAMPLE, 0, 0, self._count, action, argument))
 
     def _deliver(self, published: tuple[Publisher, Sample]) -> None:
         publisher, sample = published
-        if publisher.qos_profile.durability == DurabilityPolicy.TRANSIENT_LOCAL:
-            publisher.retained.append(sample)
+        publisher.retained.append(sample)
         for subscription in publisher.matched:
             self._hand_over((subscription, sample))
 

@@ -10,7 +10,7 @@ from collections.abc import Sequence, Set
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
-from eventchain_ros2.definitions import PRIMITIVES, Field
+from eventchain_ros2.definitions import CODES, PRIMITIVES, Field
 
 if TYPE_CHECKING:
     import numpy as np
@@ -79,8 +79,6 @@ def _problem(field: Field, value: Any) -> str:
 
 def _is_number_array(field: Field, value: Any) -> bool:
     """Whether the value is the array type that rclpy itself uses for this field."""
-    from eventchain_ros2.codec import CODES
-
     code = CODES.get(field.type.base, "?")
     if code in "?c":
         return False
