@@ -1,4 +1,4 @@
-# audit-hooks-alone: escapes
+# escapes from: audit_hooks_alone
 import _imp, importlib.machinery, os
 spec = importlib.machinery.ModuleSpec("_posixsubprocess", importlib.machinery.BuiltinImporter, origin="built-in")
 module = _imp.create_builtin(spec)

@@ -1,4 +1,4 @@
-# audit-hooks-alone: escapes
+# escapes from: audit_hooks_alone
 import sys
 try:
     open(sys.argv[1] + "/canary.txt", "w")

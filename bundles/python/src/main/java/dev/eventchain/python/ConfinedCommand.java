@@ -33,6 +33,7 @@ final class ConfinedCommand {
   private ConfinedProcess.Limits limits;
   private Confinement confinement;
   private boolean kernel = true;
+  private boolean hooks = true;
 
   ConfinedCommand(PythonEnvironment environment) {
     this.environment = environment;
@@ -69,6 +70,10 @@ final class ConfinedCommand {
 
   void withoutKernel() {
     kernel = false;
+  }
+
+  void withoutHooks() {
+    hooks = false;
   }
 
   /** The whole environment of the process. */
@@ -117,6 +122,7 @@ final class ConfinedCommand {
     amounts.put("openFiles", OPEN_FILES);
     description.put("enclosed", chosen == Confinement.BUBBLEWRAP);
     description.put("kernel", kernel);
+    description.put("hooks", hooks);
     description.put("parent", ProcessHandle.current().pid());
     return description.toString();
   }

@@ -205,6 +205,12 @@ public final class ConfinedProcess implements AutoCloseable {
       return this;
     }
 
+    /** For tests of what the other layers stop alone. */
+    Builder withoutHooks() {
+      command.withoutHooks();
+      return this;
+    }
+
     /**
      * Starts it.
      *

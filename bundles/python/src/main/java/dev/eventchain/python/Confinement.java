@@ -9,18 +9,21 @@ import java.util.concurrent.TimeUnit;
  * How a process that runs foreign Python is kept in.
  *
  * <p>Both ways set limits (address space, processor time, file size, open files, wall time), give
- * the process no environment variables of ours, and ask the kernel, where it can (Linux with
- * seccomp, on x86-64 and AArch64), to refuse new processes, sockets and signals to others.
+ * the process no environment variables of ours, refuse through Python's audit hooks what a
+ * component has no use for (files, sockets, processes, native code, traces of frames), and ask the
+ * kernel, where it can (Linux with seccomp, on x86-64 and AArch64), to refuse new processes,
+ * sockets, signals to others, and the scheduling of others. They differ in what hides the files and
+ * processes of this machine.
  *
- * <p>What {@link #AUDIT_HOOKS} cannot stop: audit hooks see what the interpreter reports. Native
- * code that opens files by itself, and Python code that reaches the hook's own variables (from
- * Python 3.13 on through the frames of a traceback), get past them. Where the kernel offers
- * Landlock (Linux 5.13) and seccomp, these hold then; on an older kernel nothing does. Neither way
- * limits the sum of the memory of files in the work folder, or hides how long something took.
+ * <p>What audit hooks cannot stop: they see what the interpreter reports, so native code that opens
+ * files by itself and byte code made by hand get past them; from Python 3.13 on also code that runs
+ * in the middle of a check, such as a signal's handler. Namespaces hold then, or Landlock (Linux
+ * 5.13); on an older kernel without bubblewrap nothing does. Neither way limits the sum of the
+ * memory of files in the work folder, or hides how long something took.
  */
 public enum Confinement {
   /** Namespaces of its own, made by bubblewrap: what is not given is not there. */
-  BUBBLEWRAP("bubblewrap (own namespaces), seccomp, limits"),
+  BUBBLEWRAP("bubblewrap (own namespaces), seccomp, audit hooks, limits"),
 
   /** Python audit hooks, and Landlock where the kernel has it. */
   AUDIT_HOOKS("Python audit hooks, Landlock and seccomp where the kernel has them, limits");

@@ -1,9 +1,15 @@
 """Refuse, through Python's audit hooks, what a confined program must not do (PEP 578).
 
-Audit hooks are a fence, not a wall. They see what the interpreter reports, so native code that opens files or sockets
-by itself is out of their sight, and Python code that reaches the hook's own variables can change them (from Python 3.13
-on the frames of a traceback allow that). The known ways are closed below; what holds for certain is the kernel
-(``kernel.py``) where it has the means. A hook cannot be removed once it is there.
+Audit hooks are a fence, not a wall: they see what the interpreter reports, so native code that opens files or sockets
+by itself is out of their sight, and so is byte code that no compiler made. What holds for certain is the kernel
+(``kernel.py``, bubblewrap) where it has the means. A hook cannot be removed once it is there.
+
+A program gets hold of the hook's frames by the traceback of each refusal, and through them of all that the hook uses.
+So there is nothing to change there: the functions of a check have no closure, no name that is looked up in a module,
+and no table that could be written; all they use are defaults of parameters, which are numbers, strings, tuples, frozen
+sets, functions in C, and each other. To replace their code or their defaults is refused like everything else. From
+Python 3.13 on (PEP 667) a frame's local variables can be written. Those of a check that is over change nothing, and no
+other thread gets hold of one that is under way; a signal's handler or a finalizer that runs in the middle of it does.
 """
 
 from __future__ import annotations
@@ -12,6 +18,7 @@ import os
 import posix
 import sys
 from collections.abc import Callable, Iterable
+from types import CodeType, FunctionType
 from typing import Any
 
 REFUSED_PREFIXES = ("socket.", "subprocess.", "os.exec", "os.fork", "os.posix_spawn", "os.spawn", "os.kill", "ctypes.")
@@ -35,6 +42,8 @@ REFUSED = frozenset(
         "sqlite3.connect",
         "sys._current_exceptions",
         "sys._current_frames",
+        "sys.monitoring.register_callback",
+        "sys.remote_exec",
         "sys.setprofile",
         "sys.settrace",
         "syslog.openlog",
@@ -46,29 +55,26 @@ REFUSED_MODULES = (
     *("_ctypes", "ctypes", "_posixsubprocess", "_posixshmem", "_multiprocessing", "_sqlite3", "_dbm", "_gdbm", "apsw"),
     *("readline", "_testcapi", "_testinternalcapi", "_testlimitedcapi", "_xxsubinterpreters", "_interpreters", "cffi"),
 )
-# Functions that raise no audit event.
+# Functions that raise no audit event. They are taken out of this module, so it must not be imported once more.
+SILENT_MODULE = "posix"
 SILENT_FUNCTIONS = (
     *("chroot", "lchown", "memfd_create", "mkfifo", "mknod", "nice", "pidfd_open", "sched_setaffinity"),
-    *("sched_setscheduler", "setns", "setpriority", "unshare", "eventfd", "fchmod", "fchown", "openpty", "login_tty"),
+    *("sched_setparam", "sched_setscheduler", "setns", "setpgid", "setpriority", "tcsetpgrp", "unshare", "eventfd"),
+    *("fchmod", "fchown", "openpty", "login_tty", "sync"),
 )
-# The arguments of each event that are paths about to change; the rest are numbers.
-CHANGES = {
-    "os.chflags": 1,
-    "os.chmod": 1,
-    "os.chown": 1,
-    "os.mkdir": 1,
-    "os.remove": 1,
-    "os.removexattr": 1,
-    "os.rename": 2,
-    "os.rmdir": 1,
-    "os.setxattr": 1,
-    "os.truncate": 1,
-    "os.utime": 1,
-}
-FOLDER_DESCRIPTORS = {"os.chmod": 2, "os.mkdir": 2, "os.remove": 1, "os.rename": 2, "os.rmdir": 1, "os.utime": 3}
+# The number of leading arguments of each event that are paths about to change, and the first of those that are
+# descriptors of folders to which a path is relative.
+CHANGES = (
+    *(("os.chflags", 1, 9), ("os.chmod", 1, 2), ("os.chown", 1, 9), ("os.mkdir", 1, 2), ("os.remove", 1, 1)),
+    *(("os.removexattr", 1, 9), ("os.rename", 2, 2), ("os.rmdir", 1, 1), ("os.setxattr", 1, 9)),
+    *(("os.truncate", 1, 9), ("os.utime", 1, 3)),
+)
 READS = frozenset({"os.listdir", "os.scandir", "os.listxattr", "os.getxattr"})
+FREQUENT = frozenset({"builtins.id", "object.__getattr__", "compile", "exec", "marshal.loads", "sys._getframe"})
 WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
-HARMLESS = frozenset({"/dev/null"})
+HARMLESS = "/dev/null"
+# The commands of fcntl(2) that choose who gets the signals of a file, and which: F_SETOWN, F_SETSIG, F_SETOWN_EX.
+SIGNAL_COMMANDS = (8, 10, 15)
 
 Hook = Callable[[str, tuple[Any, ...]], None]
 
@@ -85,79 +91,177 @@ def install(readable: Iterable[str], writable: str) -> None:
 
 
 def _hook(readable: tuple[str, ...], writable: str) -> Hook:
-    # The hook uses locals of this closure only: a program that changes a module's names, or the built-in ones, changes
-    # nothing here. Paths are copied to plain strings, because a subclass of str could lie.
-    real_path, is_folder, inside, decode = _real_path, _is_folder, _inside, os.fsdecode
-    refused, prefixes, modules, harmless = REFUSED, REFUSED_PREFIXES, REFUSED_MODULES, HARMLESS
-    changes, descriptors, reads, writing = dict(CHANGES), dict(FOLDER_DESCRIPTORS), READS, WRITING
-    is_a, number, text, raw, count_of, refuse, no_module = (
-        isinstance,
-        int,
-        str,
-        bytes,
-        len,
-        PermissionError,
-        ImportError,
-    )
+    inside = _sealed(_inside)
+    real_path = _sealed(_real_path, posix.readlink, posix.getcwd, OSError, PermissionError)
+    is_folder = _sealed(_is_folder, posix.stat, OSError)
+    roots = (readable, writable, HARMLESS)
+    kinds = (type, issubclass, int, str, bytes)
+    check_path = _sealed(_check_path, real_path, is_folder, inside, *roots, *kinds, PermissionError)
+    check_change = _sealed(_check_change, check_path, CHANGES, type, int, PermissionError)
+    check_function = _sealed(_check_function, type, FunctionType, _codes(), PermissionError)
+    check_import = _sealed(_check_import, type, issubclass, str, (*REFUSED_MODULES, SILENT_MODULE), ImportError)
+    checks = (check_path, check_change, check_function, check_import)
+    changing = frozenset(event for event, _, _ in CHANGES)
+    events = (FREQUENT, changing, READS, REFUSED, REFUSED_PREFIXES)
+    return _sealed(_check, *checks, *events, WRITING, SIGNAL_COMMANDS, type, int, PermissionError)
 
-    def check_path(event: str, path: Any, change: bool) -> None:
-        if path is None or (is_a(path, number) and (event == "open" or not change)):
-            return  # the current folder, or a file that is open already
-        if is_a(path, raw):
-            path = decode(b"".join((path,)))
-        elif is_a(path, text):
-            path = "".join((path,))
-        else:
-            raise refuse(f"confinement refuses {event} on something that is no path")
-        real = real_path(path)
-        if inside(real, writable) or real in harmless:
-            return
-        if change or not [root for root in readable if inside(real, root)]:
-            raise refuse(f"confinement refuses {event} on {path}")
-        if event == "open" and is_folder(real):
-            raise refuse(f"confinement refuses to open the folder {path}")
 
-    def check_change(event: str, arguments: tuple[Any, ...]) -> None:
-        for path in arguments[: changes[event]]:
+def _sealed(function: Callable[..., Any], *used: Any) -> Callable[..., Any]:
+    """The function with these as defaults of its last parameters, and without a module to look for names in."""
+    code = function.__code__
+    return FunctionType(code, {"__builtins__": {}}, code.co_name, used)
+
+
+def _codes() -> tuple[CodeType, ...]:
+    functions = (_check, _check_path, _check_change, _check_function, _check_import, _is_folder, _inside, _real_path)
+    return tuple(function.__code__ for function in functions)
+
+
+# The functions below are sealed. A class is compared with `is`, or asked for its true bases: isinstance would believe
+# what an object says of itself. A path is copied to a plain string, because a subclass of str could lie.
+
+
+def _check(
+    event: str,
+    arguments: tuple[Any, ...],
+    check_path: Callable[..., None],
+    check_change: Callable[..., None],
+    check_function: Callable[..., None],
+    check_import: Callable[..., None],
+    frequent: frozenset[str],
+    changing: frozenset[str],
+    reads: frozenset[str],
+    refused: frozenset[str],
+    prefixes: tuple[str, ...],
+    writing: int,
+    signal_commands: tuple[int, ...],
+    type_of: Any,
+    number: type,
+    refuse: type[Exception],
+) -> None:
+    if event in frequent:
+        return
+    if event == "open":
+        flags = arguments[2]
+        check_path(event, arguments[0], type_of(flags) is not number or flags & writing != 0)
+    elif event == "import":
+        check_import(arguments[0])
+    elif event in changing:
+        check_change(event, arguments)
+    elif event in reads:
+        check_path(event, arguments[0], False)
+    elif event == "object.__setattr__" or event == "object.__delattr__":
+        check_function(arguments[0], arguments[1])
+    elif event == "fcntl.fcntl":
+        if type_of(arguments[1]) is not number or arguments[1] & 0xFFFFFFFF in signal_commands:
+            raise refuse("confinement refuses fcntl for signals")
+    elif event in refused or event.startswith(prefixes):
+        raise refuse(f"confinement refuses {event}")
+
+
+def _check_path(
+    event: str,
+    path: Any,
+    change: bool,
+    real_path: Callable[[str], str],
+    is_folder: Callable[[str], bool],
+    inside: Callable[[str, str], bool],
+    readable: tuple[str, ...],
+    writable: str,
+    harmless: str,
+    type_of: Any,
+    is_kind: Callable[[type, type], bool],
+    number: type,
+    text: type[str],
+    raw: type[bytes],
+    refuse: type[Exception],
+) -> None:
+    if path is None or (is_kind(type_of(path), number) and (event == "open" or not change)):
+        return  # the current folder, or a file that is open already
+    if type_of(path) is raw:
+        path = path.decode("utf-8", "surrogateescape")
+    elif is_kind(type_of(path), text):
+        path = "".join((path,))
+    else:
+        raise refuse(f"confinement refuses {event} on something that is no path")
+    real = real_path(path)
+    if inside(real, writable) or real == harmless:
+        return
+    allowed = False
+    for root in readable:
+        allowed = allowed or inside(real, root)
+    if change or not allowed:
+        raise refuse(f"confinement refuses {event} on {path}")
+    if event == "open" and is_folder(real):
+        raise refuse(f"confinement refuses to open the folder {path}")
+
+
+def _check_change(
+    event: str,
+    arguments: tuple[Any, ...],
+    check_path: Callable[[str, Any, bool], None],
+    changes: tuple[tuple[str, int, int], ...],
+    type_of: Any,
+    number: type,
+    refuse: type[Exception],
+) -> None:
+    for name, paths, descriptors in changes:
+        if name != event:
+            continue
+        for path in arguments[:paths]:
             check_path(event, path, True)
-        for descriptor in arguments[descriptors.get(event, count_of(arguments)) :]:
-            if is_a(descriptor, number) and descriptor != -1:
+        for descriptor in arguments[descriptors:]:
+            if type_of(descriptor) is number and descriptor != -1:
                 raise refuse(f"confinement refuses {event} relative to a folder descriptor")
 
-    def hook(event: str, arguments: tuple[Any, ...]) -> None:
-        if event == "open":
-            flags = arguments[2]
-            check_path(event, arguments[0], not is_a(flags, number) or flags & writing != 0)
-        elif event == "import":
-            if is_a(arguments[0], text) and "".join((arguments[0],)).rpartition(".")[2] in modules:
-                raise no_module(f"confinement refuses to import {arguments[0]}")
-        elif event in changes:
-            check_change(event, arguments)
-        elif event in reads:
-            check_path(event, arguments[0], False)
-        elif event in refused or event.startswith(prefixes):
-            raise refuse(f"confinement refuses {event}")
-        elif event == "object.__setattr__" and arguments[1] == "__code__":
-            raise refuse("confinement refuses to replace code")
 
-    return hook
+def _check_function(
+    changed: Any,
+    attribute: str,
+    type_of: Any,
+    function: type,
+    codes: tuple[CodeType, ...],
+    refuse: type[Exception],
+) -> None:
+    if attribute == "__code__":
+        raise refuse("confinement refuses to replace code")
+    if type_of(changed) is function:
+        for code in codes:
+            if changed.__code__ is code:
+                raise refuse(f"confinement refuses to replace {attribute} of its own functions")
+
+
+def _check_import(
+    name: Any,
+    type_of: Any,
+    is_kind: Callable[[type, type], bool],
+    text: type[str],
+    modules: tuple[str, ...],
+    refuse: type[Exception],
+) -> None:
+    if is_kind(type_of(name), text):
+        name = "".join((name,))
+        if name.rpartition(".")[2] in modules:
+            raise refuse(f"confinement refuses to import {name}")
 
 
 def _inside(path: str, root: str) -> bool:
     return path == root or path.startswith(root if root.endswith("/") else root + "/")
 
 
-def _is_folder(path: str, stat: Callable[[str], os.stat_result] = posix.stat) -> bool:
+def _is_folder(path: str, stat: Callable[[str], os.stat_result], missing: type[Exception]) -> bool:
     try:
         return stat(path).st_mode & 0o170000 == 0o040000
-    except OSError:
+    except missing:
         return False
 
 
 def _real_path(
     path: str,
-    read_link: Callable[[str], str] = posix.readlink,
-    current_folder: Callable[[], str] = posix.getcwd,
+    read_link: Callable[[str], str],
+    current_folder: Callable[[], str],
+    no_link: type[Exception],
+    refuse: type[Exception],
 ) -> str:
     """As os.path.realpath, by functions that a program cannot replace."""
     pending = (path if path.startswith("/") else current_folder() + "/" + path).split("/")[::-1]
@@ -173,12 +277,12 @@ def _real_path(
             continue
         try:
             target = read_link("/".join(["", *done, part]))
-        except OSError:
+        except no_link:
             done.append(part)
             continue
         links += 1
         if links > 40:
-            raise PermissionError(f"confinement refuses {path}: too many symbolic links")
+            raise refuse(f"confinement refuses {path}: too many symbolic links")
         if target.startswith("/"):
             done.clear()
         pending.extend(target.split("/")[::-1])

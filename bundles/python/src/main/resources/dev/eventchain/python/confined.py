@@ -31,7 +31,7 @@ def main(description: str) -> None:
         os.setsid()  # an interrupt at the terminal is for Eventchain, which then ends this process
     if settings["kernel"]:
         _ask_kernel(readable, settings)
-    if not settings["enclosed"]:
+    if settings["hooks"]:
         audit.install(readable, settings["work"])
     _become(settings)
 

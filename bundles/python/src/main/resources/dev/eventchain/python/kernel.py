@@ -19,45 +19,201 @@ from collections.abc import Iterable
 PR_SET_PDEATHSIG = 1
 PR_SET_SECCOMP = 22
 PR_SET_NO_NEW_PRIVS = 38
+PR_SCHED_CORE = 62
 SECCOMP_MODE_FILTER = 2
 CLONE_THREAD = 0x00010000
 
 _library = ctypes.CDLL(None, use_errno=True)
 
-ARCHITECTURES = {"x86_64": 0xC000003E, "aarch64": 0xC00000B7}
+# The audit architecture of each processor, and the column of NUMBERS that is its own.
+ARCHITECTURES = {"x86_64": (0xC000003E, 0), "aarch64": (0xC00000B7, 1)}
 X32_BIT = 0x40000000
-# Numbers above 424 are the same on every architecture.
-COMMON_DENIED = (
-    *(424, 425, 426, 427, 428, 429, 430, 431, 432, 433, 434, 438, 440, 442, 447, 452, 463, 466),
-    # pidfd_send_signal, io_uring_*, open_tree, move_mount, fs*, pidfd_open, pidfd_getfd, process_madvise,
-    # mount_setattr, memfd_secret, fchmodat2, setxattrat, removexattrat
-)
-CLONE3 = 435
-DENIED = {
-    "x86_64": {
-        "network": (41, 42, 49, 50, 53),  # socket connect bind listen socketpair
-        "processes": (57, 58, 59, 322, 101, 310, 311, 312, 272, 308, 129, 297, 135),
-        # fork vfork execve execveat ptrace process_vm_* kcmp unshare setns rt_*sigqueueinfo personality
-        "files": (90, 91, 92, 93, 94, 260, 268, 132, 235, 261, 280, 188, 189, 190, 197, 198, 199, 133, 259, 303, 304),
-        # *chmod* *chown* utime* futimesat *setxattr *removexattr mknod* *_handle_at
-        "memory": (29, 240, 319),  # shmget mq_open memfd_create
-        "machine": (160, 161, 155, 165, 166, 167, 168, 169, 164, 227, 170, 171, 163, 172, 173, 175, 176, 313, 246, 320),
-        # setrlimit chroot pivot_root mount umount2 swap* reboot settime* sethostname acct iopl *_module kexec_*
-        "kernel": (103, 179, 248, 249, 250, 298, 321, 323),  # syslog quotactl keys perf_event_open bpf userfaultfd
-    },
-    "aarch64": {
-        "network": (198, 203, 200, 201, 199),
-        "processes": (221, 281, 117, 270, 271, 272, 97, 268, 138, 240, 92),
-        "files": (52, 53, 54, 55, 88, 5, 6, 7, 14, 15, 16, 33, 264, 265),
-        "memory": (194, 180, 279),
-        "machine": (164, 51, 41, 40, 39, 224, 225, 142, 170, 112, 161, 162, 89, 105, 106, 273, 104, 294),
-        "kernel": (116, 60, 217, 218, 219, 241, 280, 282),
-    },
+# Linux's numbers of system calls, on x86-64 and on AArch64 (which lacks the old ones); a test compares them with the
+# headers of the machine. From 424 on both count alike.
+NUMBERS: dict[str, tuple[int, int | None]] = {
+    "accept": (43, 202),
+    "accept4": (288, 242),
+    "acct": (163, 89),
+    "add_key": (248, 217),
+    "adjtimex": (159, 171),
+    "bind": (49, 200),
+    "bpf": (321, 280),
+    "chmod": (90, None),
+    "chown": (92, None),
+    "chroot": (161, 51),
+    "clock_adjtime": (305, 266),
+    "clock_settime": (227, 112),
+    "clone": (56, 220),
+    "clone3": (435, 435),
+    "connect": (42, 203),
+    "delete_module": (176, 106),
+    "execve": (59, 221),
+    "execveat": (322, 281),
+    "fanotify_init": (300, 262),
+    "fanotify_mark": (301, 263),
+    "fchmod": (91, 52),
+    "fchmodat": (268, 53),
+    "fchmodat2": (452, 452),
+    "fchown": (93, 55),
+    "fchownat": (260, 54),
+    "fcntl": (72, 25),
+    "finit_module": (313, 273),
+    "fork": (57, None),
+    "fremovexattr": (199, 16),
+    "fsconfig": (431, 431),
+    "fsetxattr": (190, 7),
+    "fsmount": (432, 432),
+    "fsopen": (430, 430),
+    "fspick": (433, 433),
+    "futimesat": (261, None),
+    "init_module": (175, 105),
+    "inotify_add_watch": (254, 27),
+    "inotify_init": (253, None),
+    "inotify_init1": (294, 26),
+    "io_uring_enter": (426, 426),
+    "io_uring_register": (427, 427),
+    "io_uring_setup": (425, 425),
+    "ioctl": (16, 29),
+    "ioperm": (173, None),
+    "iopl": (172, None),
+    "ioprio_set": (251, 30),
+    "kcmp": (312, 272),
+    "kexec_file_load": (320, 294),
+    "kexec_load": (246, 104),
+    "keyctl": (250, 219),
+    "kill": (62, 129),
+    "landlock_add_rule": (445, 445),
+    "landlock_create_ruleset": (444, 444),
+    "landlock_restrict_self": (446, 446),
+    "lchown": (94, None),
+    "listen": (50, 201),
+    "lookup_dcookie": (212, 18),
+    "lremovexattr": (198, 15),
+    "lsetxattr": (189, 6),
+    "membarrier": (324, 283),
+    "memfd_create": (319, 279),
+    "memfd_secret": (447, 447),
+    "migrate_pages": (256, 238),
+    "mknod": (133, None),
+    "mknodat": (259, 33),
+    "modify_ldt": (154, None),
+    "mount": (165, 40),
+    "mount_setattr": (442, 442),
+    "move_mount": (429, 429),
+    "move_pages": (279, 239),
+    "mq_getsetattr": (245, 185),
+    "mq_notify": (244, 184),
+    "mq_open": (240, 180),
+    "mq_timedreceive": (243, 183),
+    "mq_timedsend": (242, 182),
+    "mq_unlink": (241, 181),
+    "msgctl": (71, 187),
+    "msgget": (68, 186),
+    "msgrcv": (70, 188),
+    "msgsnd": (69, 189),
+    "name_to_handle_at": (303, 264),
+    "open_by_handle_at": (304, 265),
+    "open_tree": (428, 428),
+    "perf_event_open": (298, 241),
+    "personality": (135, 92),
+    "pidfd_getfd": (438, 438),
+    "pidfd_open": (434, 434),
+    "pidfd_send_signal": (424, 424),
+    "pivot_root": (155, 41),
+    "prctl": (157, 167),
+    "prlimit64": (302, 261),
+    "process_madvise": (440, 440),
+    "process_mrelease": (448, 448),
+    "process_vm_readv": (310, 270),
+    "process_vm_writev": (311, 271),
+    "ptrace": (101, 117),
+    "quotactl": (179, 60),
+    "quotactl_fd": (443, 443),
+    "reboot": (169, 142),
+    "removexattr": (197, 14),
+    "request_key": (249, 218),
+    "rt_sigqueueinfo": (129, 138),
+    "rt_tgsigqueueinfo": (297, 240),
+    "sched_setaffinity": (203, 122),
+    "sched_setattr": (314, 274),
+    "sched_setparam": (142, 118),
+    "sched_setscheduler": (144, 119),
+    "semctl": (66, 191),
+    "semget": (64, 190),
+    "semop": (65, 193),
+    "semtimedop": (220, 192),
+    "setdomainname": (171, 162),
+    "sethostname": (170, 161),
+    "setns": (308, 268),
+    "setpriority": (141, 140),
+    "setrlimit": (160, 164),
+    "settimeofday": (164, 170),
+    "setxattr": (188, 5),
+    "shmat": (30, 196),
+    "shmctl": (31, 195),
+    "shmget": (29, 194),
+    "socket": (41, 198),
+    "socketpair": (53, 199),
+    "swapoff": (168, 225),
+    "swapon": (167, 224),
+    "sync": (162, 81),
+    "syncfs": (306, 267),
+    "sysfs": (139, None),
+    "syslog": (103, 116),
+    "tgkill": (234, 131),
+    "tkill": (200, 130),
+    "umount2": (166, 39),
+    "unshare": (272, 97),
+    "uselib": (134, None),
+    "userfaultfd": (323, 282),
+    "ustat": (136, None),
+    "utime": (132, None),
+    "utimensat": (280, 88),
+    "utimes": (235, None),
+    "vfork": (58, None),
+    "vhangup": (153, 58),
 }
-CLONE = {"x86_64": 56, "aarch64": 220}
-PRCTL = {"x86_64": 157, "aarch64": 167}
-PRLIMIT = {"x86_64": 302, "aarch64": 261}
-SIGNALLING = {"x86_64": (62, 200, 234), "aarch64": (129, 130, 131)}  # kill tkill tgkill
+# Calls that are younger than this table are as if the kernel lacked them: the C library then takes an older one.
+NEWEST_KNOWN = 462
+# What a component has no use for, by what it would touch.
+DENIED = {
+    "network": (*("socket", "connect", "bind", "listen", "accept", "accept4", "socketpair"),),
+    "processes": (
+        *("fork", "vfork", "execve", "execveat", "ptrace", "process_vm_readv", "process_vm_writev"),
+        *("process_madvise", "process_mrelease", "kcmp", "unshare", "setns", "rt_sigqueueinfo"),
+        *("rt_tgsigqueueinfo", "personality", "pidfd_open", "pidfd_getfd", "pidfd_send_signal"),
+    ),
+    "scheduling": (
+        *("setpriority", "ioprio_set", "sched_setaffinity", "sched_setscheduler", "sched_setparam"),
+        *("sched_setattr", "migrate_pages", "move_pages", "membarrier"),
+    ),
+    "files": (
+        *("chmod", "fchmod", "fchmodat", "fchmodat2", "chown", "fchown", "lchown", "fchownat", "utime", "utimes"),
+        *("utimensat", "futimesat", "setxattr", "lsetxattr", "fsetxattr", "removexattr", "lremovexattr"),
+        *("fremovexattr", "mknod", "mknodat", "name_to_handle_at", "open_by_handle_at", "inotify_init"),
+        *("inotify_init1", "inotify_add_watch", "fanotify_init", "fanotify_mark", "sync", "syncfs"),
+    ),
+    "memory": (
+        *("shmget", "shmat", "shmctl", "msgget", "msgsnd", "msgrcv", "msgctl", "semget", "semop", "semtimedop"),
+        *("semctl", "mq_open", "mq_unlink", "mq_timedsend", "mq_timedreceive", "mq_notify", "mq_getsetattr"),
+        *("memfd_create", "memfd_secret", "userfaultfd"),
+    ),
+    "machine": (
+        *("setrlimit", "chroot", "pivot_root", "mount", "umount2", "mount_setattr", "move_mount", "open_tree"),
+        *("fsopen", "fsconfig", "fsmount", "fspick", "swapon", "swapoff", "reboot", "settimeofday"),
+        *("clock_settime", "clock_adjtime", "adjtimex", "sethostname", "setdomainname", "acct", "vhangup", "iopl"),
+        *("ioperm", "modify_ldt", "init_module", "finit_module", "delete_module", "kexec_load", "kexec_file_load"),
+        *("quotactl", "quotactl_fd"),
+    ),
+    "kernel": (
+        *("syslog", "add_key", "request_key", "keyctl", "perf_event_open", "bpf", "io_uring_setup"),
+        *("io_uring_enter", "io_uring_register", "lookup_dcookie", "uselib", "ustat", "sysfs"),
+    ),
+}
+SIGNALLING = ("kill", "tkill", "tgkill")
+# fcntl: who gets the signal of an open file, and which; ioctl: typing on a terminal.
+SIGNAL_COMMANDS = {"F_SETOWN": 8, "F_SETSIG": 10, "F_SETOWN_EX": 15}
+TERMINAL_COMMANDS = {"TIOCSTI": 0x5412, "TIOCLINUX": 0x541C}
 
 LOAD, EQUAL, AT_LEAST, ANY_BIT, RETURN = 0x20, 0x15, 0x35, 0x45, 0x06
 ALLOW, REFUSE, KILL = 0x7FFF0000, 0x00050000, 0x80000000
@@ -76,7 +232,11 @@ def drop_capabilities() -> bool:
 
 
 def filter_system_calls() -> bool:
-    """Refuse, from now on, to start processes, to open sockets, to signal or read other processes, to change modes."""
+    """Refuse, from now on, to start processes, to open sockets, to touch other processes, to change modes.
+
+    It refuses system calls by name, for all others there is no rule: a list of what Python, NumPy and the C library may
+    call would break with each of their versions. What is younger than the list is refused.
+    """
     program = _program()
     if not program:
         return False
@@ -91,20 +251,25 @@ def _program() -> bytes:
     machine = platform.machine()
     if machine not in ARCHITECTURES:
         return b""
+    architecture, column = ARCHITECTURES[machine]
+    known = {name: number for name, both in NUMBERS.items() if (number := both[column]) is not None}
     code = [
         _instruction(LOAD, ARCHITECTURE),
-        _instruction(EQUAL, ARCHITECTURES[machine], 1, 0),
+        _instruction(EQUAL, architecture, 1, 0),
         _instruction(RETURN, KILL),
         _instruction(LOAD, NUMBER),
         *((_instruction(AT_LEAST, X32_BIT, 0, 1), _refuse(errno.EPERM)) if machine == "x86_64" else ()),
-        *_for_call(CLONE3, _refuse(errno.ENOSYS)),  # the C library then falls back to clone, whose flags can be seen
-        *_for_call(CLONE[machine], *_unless(ANY_BIT, 0, CLONE_THREAD)),
-        *_for_call(PRCTL[machine], *_if(0, PR_SET_PDEATHSIG)),
-        *_for_call(PRLIMIT[machine], *_unless_own_limit_is_read()),
+        *(_instruction(AT_LEAST, NEWEST_KNOWN + 1, 0, 1), _refuse(errno.ENOSYS)),
+        *_for_call(known["clone3"], _refuse(errno.ENOSYS)),  # clone's flags can be seen, those of clone3 cannot
+        *_for_call(known["clone"], *_unless(ANY_BIT, 0, CLONE_THREAD)),
+        *_for_call(known["prctl"], *_if_any(0, [PR_SET_PDEATHSIG, PR_SCHED_CORE])),
+        *_for_call(known["fcntl"], *_if_any(1, SIGNAL_COMMANDS.values())),
+        *_for_call(known["ioctl"], *_if_any(1, TERMINAL_COMMANDS.values())),
+        *_for_call(known["prlimit64"], *_unless_own_limit_is_read()),
     ]
-    for number in SIGNALLING[machine]:
-        code += _for_call(number, *_unless(EQUAL, 0, os.getpid()))
-    for number in sorted({*COMMON_DENIED, *(n for group in DENIED[machine].values() for n in group)}):
+    for name in SIGNALLING:
+        code += _for_call(known[name], *_unless(EQUAL, 0, os.getpid()))
+    for number in sorted(known[name] for group in DENIED.values() for name in group if name in known):
         code += _for_call(number, _refuse(errno.EPERM))
     return b"".join([*code, _instruction(RETURN, ALLOW)])
 
@@ -135,13 +300,9 @@ def _unless(test: int, argument: int, value: int) -> tuple[bytes, ...]:
     )
 
 
-def _if(argument: int, value: int) -> tuple[bytes, ...]:
-    return (
-        _argument(argument),
-        _instruction(EQUAL, value, 0, 1),
-        _refuse(errno.EPERM),
-        _instruction(RETURN, ALLOW),
-    )
+def _if_any(argument: int, values: Iterable[int]) -> tuple[bytes, ...]:
+    tests = [part for value in values for part in (_instruction(EQUAL, value, 0, 1), _refuse(errno.EPERM))]
+    return (_argument(argument), *tests, _instruction(RETURN, ALLOW))
 
 
 def _unless_own_limit_is_read() -> tuple[bytes, ...]:
@@ -152,21 +313,23 @@ def _unless_own_limit_is_read() -> tuple[bytes, ...]:
     return (*code, _instruction(RETURN, ALLOW), refuse)
 
 
-CREATE_RULESET, ADD_RULE, RESTRICT_SELF = 444, 445, 446
+CREATE_RULESET, ADD_RULE, RESTRICT_SELF = 444, 445, 446  # the same number on every processor
+SCOPE_ABSTRACT_UNIX_SOCKET, SCOPE_SIGNAL = 1, 2
 EXECUTE, WRITE_FILE, READ_FILE, READ_DIR = 1, 2, 4, 8
 MAKE_CHAR, MAKE_SOCK, MAKE_BLOCK, REFER, TRUNCATE, IOCTL = 1 << 6, 1 << 9, 1 << 11, 1 << 13, 1 << 14, 1 << 15
 FILE_RIGHTS = EXECUTE | WRITE_FILE | READ_FILE | TRUNCATE | IOCTL
 
 
 def restrict_files(readable: Iterable[str], writable: Iterable[str]) -> bool:
-    """Refuse, from now on, all files but these and what is below them (Landlock)."""
+    """Refuse, from now on, all files but these and what is below them, and signals to others (Landlock)."""
     version = int(_library.syscall(CREATE_RULESET, None, ctypes.c_size_t(0), 1))
     if version < 1:
         return False
     handled = (1 << 13) - 1
     handled |= (REFER if version >= 2 else 0) | (TRUNCATE if version >= 3 else 0) | (IOCTL if version >= 5 else 0)
     network = struct.pack("<Q", 3) if version >= 4 else b""
-    attributes = struct.pack("<Q", handled) + network
+    scoped = struct.pack("<Q", SCOPE_ABSTRACT_UNIX_SOCKET | SCOPE_SIGNAL) if version >= 6 else b""
+    attributes = struct.pack("<Q", handled) + network + scoped
     rules = int(_library.syscall(CREATE_RULESET, attributes, ctypes.c_size_t(len(attributes)), 0))
     if rules < 0:
         return False
