@@ -17,15 +17,12 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 
 /**
  * The model to a package for the middleware: the nodes by templates, and the components beside
@@ -34,8 +31,6 @@ import java.util.regex.Pattern;
 final class GenerateStage implements StageWork {
 
   private static final String COMPONENTS = "components/";
-  private static final Pattern PACKAGE =
-      Pattern.compile("^([^/]+)/\\1/" + COMPONENTS + "__init__[.]py$");
 
   @Override
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
@@ -54,7 +49,7 @@ final class GenerateStage implements StageWork {
         run.softwareBase().components().stream().map(SoftwareBase.Component::file).toList());
     RunContext.LoadedChain model = run.loadChain(run.model());
     for (SoftwareNode node : model.chain().getSoftware()) {
-      fingerprint.addFile(run.file(COMPONENTS + node.getName() + ".py"));
+      fingerprint.addFile(run.file(generatedName(node)));
     }
     Templates.own(run.project())
         .ifPresent(main -> fingerprint.add(main).addFiles(run.project().filesBeside(main, ".mtl")));
@@ -85,15 +80,14 @@ final class GenerateStage implements StageWork {
     }
     // Errors are among them only if they are suppressed, for as long as that holds.
     found.addAll(checked.diagnostics());
-    String name = packageName(model.chain(), generated.files().keySet());
     SortedMap<String, byte[]> files = new TreeMap<>(OutputFolder.WRITING_ORDER);
     generated.files().forEach((file, content) -> files.put(folder + "/" + file, content));
-    components(run, model.chain(), folder + "/" + name + "/" + name + "/" + COMPONENTS, files);
+    String written = components(run, model.chain(), folder, files);
     files.forEach(run::write);
     run.writeResult(
         TraceFile.NAME, TraceFile.content(generated.trace(), folder + "/", run.baseFolders()));
     found.addAll(run.output().removeOthers(folder, files.keySet()));
-    String details = files.size() + " files in " + folder + "/" + name;
+    String details = files.size() + " files in " + written;
     List<String> outputs = new ArrayList<>(files.keySet());
     outputs.add(TraceFile.NAME);
     return StageResult.of(details, outputs, found);
@@ -111,38 +105,36 @@ final class GenerateStage implements StageWork {
   }
 
   /**
-   * The name of the generated package: that of the folder in a folder of the same name that has
-   * components. A project's own templates may write none; then it is the chain's.
+   * Puts the components where the manifest of the generated files says; without one, as templates
+   * of a project may generate, into a package that is called after the chain.
    *
-   * @param files the names of the generated files
+   * @return the folder of the package
    */
-  static String packageName(EventChain chain, Collection<String> files) {
-    String plain = chain.getName().toLowerCase(Locale.ROOT);
-    List<String> found =
-        files.stream()
-            .map(PACKAGE::matcher)
-            .filter(Matcher::find)
-            .map(matcher -> matcher.group(1))
-            .toList();
-    return found.isEmpty() || found.contains(plain) ? plain : found.get(0);
-  }
-
-  private static void components(
+  private static String components(
       RunContext run, EventChain chain, String folder, SortedMap<String, byte[]> files) {
+    Optional<GeneratedPackage> generated = GeneratedPackage.among(run, files);
+    String name = chain.getName().toLowerCase(Locale.ROOT);
     for (SoftwareNode node : chain.getSoftware()) {
       if (node.getImplementation() == ComponentImplementation.COMPONENT) {
+        String unstated = folder + "/" + name + "/" + name + "/" + generatedName(node);
+        String file = generated.map(found -> found.componentFile(node)).orElse(unstated);
         String text = SourceText.read(componentFile(run, node)).text();
-        files.put(folder + node.getName() + ".py", text.getBytes(StandardCharsets.UTF_8));
+        files.put(file, text.getBytes(StandardCharsets.UTF_8));
       }
     }
+    return generated.map(GeneratedPackage::folder).orElse(folder + "/" + name);
+  }
+
+  private static String generatedName(SoftwareNode node) {
+    return COMPONENTS + node.getName() + ".py";
   }
 
   /** The Python file of a component: from the software base, or else a generated one. */
   static Path componentFile(RunContext run, SoftwareNode node) {
     Optional<SoftwareBase.Component> existing = run.softwareBase().find(node.getName());
-    Path generated = run.file(COMPONENTS + node.getName() + ".py");
+    Path generated = run.file(generatedName(node));
     if (existing.isEmpty() && !Files.isRegularFile(generated)) {
-      return run.required(COMPONENTS + node.getName() + ".py", Stage.IMPLEMENT);
+      return run.required(generatedName(node), Stage.IMPLEMENT);
     }
     return existing.map(SoftwareBase.Component::file).orElse(generated);
   }

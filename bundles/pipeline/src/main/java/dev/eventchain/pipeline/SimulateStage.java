@@ -15,8 +15,6 @@ import dev.eventchain.simulation.ScenarioVerdict;
 import dev.eventchain.simulation.Simulation;
 import dev.eventchain.simulation.SimulationRequest;
 import dev.eventchain.simulation.SimulationResult;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -41,7 +39,7 @@ final class SimulateStage implements StageWork {
     fingerprint.add(run.options().scenarios());
     project.ownConstraints().ifPresent(fingerprint::addFile);
     fingerprint.addFile(run.file(Constraints.GENERATED));
-    fingerprint.addFiles(Project.below(packageFolder(run, run.loadChain(run.model()).chain())));
+    fingerprint.addFiles(Project.below(run.file(GeneratedPackage.required(run).folder())));
     fingerprint.addFiles(project.messageFiles());
   }
 
@@ -114,11 +112,12 @@ final class SimulateStage implements StageWork {
 
   private static SimulationResult simulate(
       RunContext run, EventChain chain, List<Scenario> scenarios) {
+    GeneratedPackage generated = GeneratedPackage.required(run);
     SimulationRequest request =
         SimulationRequest.of(
             chain,
-            packageFolder(run, chain),
-            packageFolder(run, chain).getFileName().toString(),
+            run.file(generated.folder()),
+            generated.manifest(),
             run.project().messageFolders(),
             scenarios);
     AtomicInteger done = new AtomicInteger();
@@ -137,7 +136,8 @@ final class SimulateStage implements StageWork {
                           + verdict.scenario()));
     } catch (DiagnosticException e) {
       throw new DiagnosticException(
-          e.reason(), e.diagnostics().stream().map(found -> atSource(found, run, chain)).toList());
+          e.reason(),
+          e.diagnostics().stream().map(found -> atSource(found, run, chain, generated)).toList());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
       throw new DiagnosticException(
@@ -148,10 +148,12 @@ final class SimulateStage implements StageWork {
   }
 
   /** A finding in the generated package's copy of a component belongs to the file it is from. */
-  private static Diagnostic atSource(Diagnostic found, RunContext run, EventChain chain) {
+  private static Diagnostic atSource(
+      Diagnostic found, RunContext run, EventChain chain, GeneratedPackage generated) {
     SourceLocation place = found.location();
     for (SoftwareNode node : chain.getSoftware()) {
-      if (place.file().endsWith("/components/" + node.getName() + ".py")) {
+      if (generated.manifest().find(node.getName()).isPresent()
+          && place.file().equals(copy(run, generated, node))) {
         String source = SourceLocation.of(GenerateStage.componentFile(run, node)).file();
         return found.withLocation(
             new SourceLocation(
@@ -161,15 +163,7 @@ final class SimulateStage implements StageWork {
     return found;
   }
 
-  /** The folder of the generated package, which holds the Python package of the same name. */
-  private static Path packageFolder(RunContext run, EventChain chain) {
-    Path all = run.file(Templates.folder(run.project()));
-    List<Path> found = Files.isDirectory(all) ? Project.below(all) : List.of();
-    List<String> files =
-        found.stream().map(file -> all.relativize(file).toString().replace('\\', '/')).toList();
-    String name = GenerateStage.packageName(chain, files);
-    String folder = Templates.folder(run.project()) + "/" + name;
-    run.required(folder + "/" + name + "/__init__.py", Stage.GENERATE);
-    return run.file(folder);
+  private static String copy(RunContext run, GeneratedPackage generated, SoftwareNode node) {
+    return SourceLocation.of(run.file(generated.componentFile(node))).file();
   }
 }

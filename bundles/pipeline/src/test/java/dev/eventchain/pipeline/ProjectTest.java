@@ -6,12 +6,9 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.metamodel.eventchain.EventChain;
-import dev.eventchain.metamodel.eventchain.EventchainFactory;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -45,18 +42,6 @@ class ProjectTest {
     assertEquals(
         Map.of("package.license", "MIT"),
         open("name: aeb\npackage:\n  license: MIT\n  email:\n").configuration().packageFacts());
-  }
-
-  @Test
-  void thePackageIsThatOfTheGeneratedFiles() {
-    EventChain chain = EventchainFactory.eINSTANCE.createEventChain();
-    chain.setName("A__b");
-    List<String> files = List.of("a_b/setup.py", "a_b/a_b/components/__init__.py");
-    assertEquals("a_b", GenerateStage.packageName(chain, files));
-    assertEquals("a__b", GenerateStage.packageName(chain, List.of("a_b/setup.py")));
-    chain.setName("A_b");
-    String other = "a_a/a_a/components/__init__.py";
-    assertEquals("a_b", GenerateStage.packageName(chain, List.of(other, files.get(1))));
   }
 
   @ParameterizedTest(name = "{index}: {0}")

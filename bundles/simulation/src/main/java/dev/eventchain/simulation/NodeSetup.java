@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.metamodel.eventchain.ComponentImplementation;
@@ -26,6 +27,12 @@ final class NodeSetup {
   private final List<SoftwareNode> nodes;
   private final MessageCatalog catalog;
 
+  /**
+   * Finds the nodes of the request.
+   *
+   * @throws DiagnosticException (INPUT) if the manifest is not that of the chain ({@code
+   *     simulation.manifest})
+   */
   NodeSetup(SimulationRequest request) {
     this.request = request;
     this.catalog = MessageCatalog.of(request.messageFolders());
@@ -33,6 +40,11 @@ final class NodeSetup {
         request.chain().getSoftware().stream()
             .filter(node -> node.getImplementation() == ComponentImplementation.COMPONENT)
             .toList();
+    List<Diagnostic> problems =
+        request.manifest().problems(request.chain(), request.packageFolder(), nodes);
+    if (!problems.isEmpty()) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
+    }
   }
 
   /** The message types that the nodes use. */
@@ -116,13 +128,14 @@ final class NodeSetup {
   private ObjectNode configuration(SoftwareNode node, long seed) {
     String name = node.getName();
     ObjectNode json = JsonNodeFactory.instance.objectNode();
-    json.put("module", request.packageName() + "." + PythonNames.nodeModule(name));
-    json.put("class", PythonNames.nodeClass(name));
+    NodeManifest.Node generated = request.manifest().find(name).orElseThrow();
+    json.put("module", generated.module());
+    json.put("class", generated.className());
     json.put("name", name);
     json.put("execution_time_ms", executionTime(node));
     json.put("phase_ms", phase(node, seed));
     ArrayNode outputs = json.putArray("outputs");
-    node.getOutput().forEach(data -> outputs.add(PythonNames.identifier(data.getName())));
+    generated.component().outputs().forEach(output -> outputs.add(output.name()));
     return json;
   }
 

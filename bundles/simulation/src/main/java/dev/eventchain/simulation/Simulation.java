@@ -45,11 +45,11 @@ public final class Simulation {
    * @param progress gets each verdict as it is found, one at a time, from threads of the
    *     simulation; the order may differ from that of the request
    * @throws DiagnosticException (INPUT) if the messages of the vehicle are not defined ({@code
-   *     message.unknown}, {@code message.field.missing}); (FINDINGS) if the nodes cannot be driven
-   *     through a scenario: one raises, hangs ({@code simulation.step.timeout}), ends the process
-   *     ({@code simulation.process.ended}), returns something else than its signature says, or
-   *     breaks the protocol ({@code simulation.protocol}); (UNAVAILABLE) if the process cannot be
-   *     started
+   *     message.unknown}, {@code message.field.missing}), or the manifest is not that of the chain
+   *     ({@code simulation.manifest}); (FINDINGS) if the nodes cannot be driven through a scenario:
+   *     one raises, hangs ({@code simulation.step.timeout}), ends the process ({@code
+   *     simulation.process.ended}), returns something else than its signature says, or breaks the
+   *     protocol ({@code simulation.protocol}); (UNAVAILABLE) if the process cannot be started
    * @throws InterruptedException if the calling thread was interrupted; the processes are ended
    */
   public static SimulationResult run(

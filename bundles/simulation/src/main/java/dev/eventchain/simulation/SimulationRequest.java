@@ -9,8 +9,8 @@ import java.util.List;
  * What to simulate.
  *
  * @param chain the chain whose nodes were generated
- * @param packageFolder the folder that holds the generated Python package
- * @param packageName the name of that package
+ * @param packageFolder the folder that holds the manifest and the generated Python package
+ * @param manifest what was generated
  * @param messageFolders folders with the user's message definitions, {@code <package>/msg/*.msg}
  * @param scenarios at least one
  * @param processes how many scenarios are simulated at the same time, at least 1; the result does
@@ -21,7 +21,7 @@ import java.util.List;
 public record SimulationRequest(
     EventChain chain,
     Path packageFolder,
-    String packageName,
+    NodeManifest manifest,
     List<Path> messageFolders,
     List<Scenario> scenarios,
     int processes,
@@ -40,22 +40,22 @@ public record SimulationRequest(
   public static SimulationRequest of(
       EventChain chain,
       Path packageFolder,
-      String packageName,
+      NodeManifest manifest,
       List<Path> messageFolders,
       List<Scenario> scenarios) {
     return new SimulationRequest(
-        chain, packageFolder, packageName, messageFolders, scenarios, 2, Duration.ofSeconds(10));
+        chain, packageFolder, manifest, messageFolders, scenarios, 2, Duration.ofSeconds(10));
   }
 
   /** The same on another number of processes. */
   public SimulationRequest withProcesses(int number) {
     return new SimulationRequest(
-        chain, packageFolder, packageName, messageFolders, scenarios, number, stepLimit);
+        chain, packageFolder, manifest, messageFolders, scenarios, number, stepLimit);
   }
 
   /** The same with another limit. */
   public SimulationRequest withStepLimit(Duration limit) {
     return new SimulationRequest(
-        chain, packageFolder, packageName, messageFolders, scenarios, processes, limit);
+        chain, packageFolder, manifest, messageFolders, scenarios, processes, limit);
   }
 }

@@ -1,6 +1,7 @@
 package dev.eventchain.simulation;
 
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.m2t.TemplateModule;
 import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
@@ -88,7 +89,11 @@ final class AebProject {
 
   SimulationRequest request(List<Scenario> scenarios) {
     List<Path> messages = List.of(EXAMPLE.resolve("software-base/msg"));
-    return SimulationRequest.of(chain, folder.resolve("aeb"), "aeb", messages, scenarios);
+    return SimulationRequest.of(chain, folder.resolve("aeb"), manifest(), messages, scenarios);
+  }
+
+  NodeManifest manifest() {
+    return NodeManifest.read(SourceText.read(folder.resolve("aeb").resolve(NodeManifest.FILE)));
   }
 
   SimulationResult simulate(List<Scenario> scenarios) throws InterruptedException {

@@ -173,7 +173,7 @@ class SimulationTest {
         SimulationRequest.of(
             request.chain(),
             request.packageFolder(),
-            request.packageName(),
+            request.manifest(),
             List.of(folder.resolve("msg")),
             request.scenarios());
     DiagnosticException failure =

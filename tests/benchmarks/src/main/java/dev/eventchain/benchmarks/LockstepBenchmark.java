@@ -1,12 +1,14 @@
 package dev.eventchain.benchmarks;
 
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.m2t.TemplateModule;
 import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
 import dev.eventchain.python.PythonEnvironment;
 import dev.eventchain.simulation.Measurements;
+import dev.eventchain.simulation.NodeManifest;
 import dev.eventchain.simulation.Scenario;
 import dev.eventchain.simulation.Simulation;
 import dev.eventchain.simulation.SimulationRequest;
@@ -101,7 +103,7 @@ public final class LockstepBenchmark {
     return SimulationRequest.of(
         chain,
         folder.resolve("aeb"),
-        "aeb",
+        NodeManifest.read(SourceText.read(folder.resolve("aeb").resolve(NodeManifest.FILE))),
         List.of(example.resolve("software-base/msg")),
         Scenario.readFolder(example.resolve("scenarios")));
   }

@@ -1,0 +1,93 @@
+package dev.eventchain.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Templates of a project: what they generate is simulated as their manifest says. */
+class OwnTemplateTest {
+
+  private static final String NAMES = "templates/python/names.mtl";
+
+  @TempDir static Path folder;
+
+  private static Path project;
+
+  @BeforeAll
+  static void design() throws IOException {
+    project = Program.exampleIn(folder);
+    for (String stage : List.of("design", "implement", "model", "constrain")) {
+      new Program().run(stage, project).expect(0);
+    }
+    for (String set : List.of("ros2-python", "python")) {
+      Path copy = Files.createDirectories(project.resolve("templates").resolve(set));
+      try (Stream<Path> files = Files.list(Program.ROOT.resolve("templates").resolve(set))) {
+        for (Path file : files.toList()) {
+          Files.copy(file, copy.resolve(file.getFileName()));
+        }
+      }
+    }
+  }
+
+  @Test
+  void nobodyButTheTemplatesKnowsWhatTheyCallThings() throws IOException {
+    use("templates/ros2-python/main.mtl");
+    change("identifier().toLowerCase().concat('_node')", "identifier().concat('_module')");
+    change("name.identifier().concat('_node')", "name.identifier().concat('Node')");
+    change(".concat('.components.')", ".concat('.parts.')");
+    change("'chain'.concat(name) endif", "name endif.concat('_x')");
+    new Program().run("generate", project).expect(0).says("files in ros2/aeb_x");
+    assertTrue(Files.exists(project.resolve("out/ros2/aeb_x/aeb_x/parts/TTC_Calculation.py")));
+    assertFalse(Files.exists(project.resolve("out/ros2/aeb")));
+    new Program()
+        .run("simulate", project, "--scenario", "stopped-vehicle-50")
+        .expect(0)
+        .says("1 of 1 scenarios passed");
+  }
+
+  private static void change(String right, String wrong) throws IOException {
+    String text = Files.readString(project.resolve(NAMES));
+    assertTrue(text.contains(right), right);
+    Files.writeString(project.resolve(NAMES), text.replace(right, wrong));
+  }
+
+  @Test
+  void withoutAManifestThereIsNothingToSimulate() throws IOException {
+    Files.writeString(
+        project.resolve("mine.mtl"),
+        """
+        [module main('http://eventchain.dev/eventchain/1.0')]
+        [template public main(chain : EventChain)]
+        [comment @main /]
+        [file ('aeb/aeb/components/__init__.py', false, 'UTF-8')]
+        # [chain.name/]
+        [/file]
+        [/template]
+        """);
+    use("mine.mtl");
+    Path simulated = project.resolve("out/verdict.json");
+    new Program().run("generate", project).expect(0).says("files in ros2/aeb");
+    assertTrue(Files.exists(project.resolve("out/ros2/aeb/aeb/components/TTC_Calculation.py")));
+    new Program()
+        .run("simulate", project)
+        .expect(2)
+        .says("[simulation.manifest]")
+        .says("mine.mtl: error: The template writes no eventchain-manifest.json");
+    new Program().run("run", project).expect(2).says("[simulation.manifest]");
+    assertFalse(Files.exists(simulated));
+  }
+
+  private static void use(String template) throws IOException {
+    Path configuration = project.resolve("eventchain.yaml");
+    String text = Files.readString(configuration).replaceAll("(?m)^template: .*\n", "");
+    Files.writeString(configuration, "template: " + template + "\n" + text);
+  }
+}
