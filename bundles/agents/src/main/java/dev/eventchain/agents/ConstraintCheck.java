@@ -2,13 +2,12 @@ package dev.eventchain.agents;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.ocl.DeepStack;
 import dev.eventchain.ocl.OclConstraint;
 import dev.eventchain.ocl.OclRules;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.FutureTask;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.eclipse.emf.ecore.EObject;
@@ -20,9 +19,6 @@ import org.eclipse.emf.ecore.EPackage;
  */
 final class ConstraintCheck {
   private static final Pattern COMMENT = Pattern.compile("(?m)^\\s*--(.*)$");
-
-  /** Room for constraints that recurse deeply, which the thread of a caller may not have. */
-  private static final long STACK_BYTES = 512L << 20;
 
   private final List<String> ruleIds;
   private final Collection<EPackage> packages;
@@ -78,20 +74,7 @@ final class ConstraintCheck {
   }
 
   private List<Diagnostic> vacuous(List<OclConstraint> constraints) {
-    FutureTask<List<Diagnostic>> task =
-        new FutureTask<>(() -> constraints.stream().flatMap(c -> objection(c).stream()).toList());
-    Thread thread = new Thread(null, task, "eventchain-constraint-proof", STACK_BYTES);
-    thread.setDaemon(true);
-    thread.start();
-    try {
-      return task.get();
-    } catch (InterruptedException e) {
-      thread.interrupt();
-      Thread.currentThread().interrupt();
-      throw new IllegalStateException("interrupted while checking constraints", e);
-    } catch (ExecutionException e) {
-      throw new IllegalStateException(e.getCause());
-    }
+    return DeepStack.call(() -> constraints.stream().flatMap(c -> objection(c).stream()).toList());
   }
 
   private List<Diagnostic> objection(OclConstraint constraint) {

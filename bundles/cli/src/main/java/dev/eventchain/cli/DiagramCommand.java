@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -39,11 +40,7 @@ final class DiagramCommand extends ProjectCommand {
       description = "The project's folder, a model file, or a metamodel (*.ecore).")
   private Path input;
 
-  @Option(
-      names = "--metamodel",
-      paramLabel = "FILE",
-      description = "An Ecore metamodel of the model (default: event chains); may be repeated.")
-  private List<Path> metamodels = List.of();
+  @Mixin private MetamodelOptions given;
 
   @Option(
       names = "--kind",
@@ -60,19 +57,19 @@ final class DiagramCommand extends ProjectCommand {
   @Override
   Outcome work() {
     boolean meansProject = output() == null && !Files.exists(input);
-    if (metamodels.isEmpty() && (Files.isDirectory(input) || meansProject)) {
+    if (given.metamodels.isEmpty() && (Files.isDirectory(input) || meansProject)) {
       return drawProject(Project.open(input));
     }
     if (output() == null) {
       throw wrongUsage("say where to write: -o FOLDER");
     }
-    boolean isMetamodel = metamodels.isEmpty() && input.toString().endsWith(".ecore");
+    boolean isMetamodel = given.metamodels.isEmpty() && input.toString().endsWith(".ecore");
     Set<Kind> wanted = kindsOr(isMetamodel ? Kind.METAMODEL : Kind.INSTANCE);
-    if (!metamodels.isEmpty() && wanted.contains(Kind.ACTIVITY)) {
+    if (!given.metamodels.isEmpty() && wanted.contains(Kind.ACTIVITY)) {
       throw wrongUsage("only event chains have an activity diagram: leave out --metamodel");
     }
     boolean classes = isMetamodel && wanted.contains(Kind.METAMODEL);
-    List<Path> ecores = classes ? List.of(input) : metamodels;
+    List<Path> ecores = classes ? List.of(input) : given.metamodels;
     List<Path> models = classes && wanted.size() == 1 ? List.of() : List.of(input);
     return drawn(Diagrams.draw(wanted, ecores, models, output(), overwrite()));
   }

@@ -6,6 +6,7 @@ import dev.eventchain.pipeline.Stage;
 import java.nio.file.Path;
 import java.util.List;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
@@ -28,11 +29,7 @@ final class GenerateCommand extends ProjectCommand {
       description = "The project's folder, or model files, which may refer to each other.")
   private List<Path> inputs;
 
-  @Option(
-      names = "--metamodel",
-      paramLabel = "FILE",
-      description = "An Ecore metamodel of the models; may be repeated.")
-  private List<Path> metamodels = List.of();
+  @Mixin private MetamodelOptions given;
 
   @Option(names = "--template", paramLabel = "FILE", description = "The template's main module.")
   private Path template;
@@ -57,7 +54,7 @@ final class GenerateCommand extends ProjectCommand {
   @Override
   Outcome work() {
     if (template == null) {
-      if (!metamodels.isEmpty()) {
+      if (!given.metamodels.isEmpty()) {
         throw wrongUsage("a model of a metamodel needs a template: --template FILE");
       }
       if (!services.isEmpty()) {
@@ -79,7 +76,7 @@ final class GenerateCommand extends ProjectCommand {
       throw wrongUsage("say where to write: -o FOLDER");
     }
     return Outcome.of(
-        AnyModel.generate(metamodels, template, services, inputs, folder, overwrite(), trace),
+        AnyModel.generate(given.metamodels, template, services, inputs, folder, overwrite(), trace),
         suppressions());
   }
 }

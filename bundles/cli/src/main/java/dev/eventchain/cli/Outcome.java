@@ -88,8 +88,7 @@ record Outcome(
   static Outcome of(Coverage coverage, List<Diagnostic> found, Suppressions suppressions) {
     Suppressions.Parted parted = suppressions.part(found);
     List<Diagnostic> remaining = new ArrayList<>(parted.remaining());
-    remaining.addAll(suppressions.expired());
-    remaining.addAll(suppressions.stale(entry -> entry.isAboutChecksOf(coverage), found));
+    remaining.addAll(suppressions.warnings(found, coverage, false));
     return of(coverage, remaining, parted.suppressed());
   }
 

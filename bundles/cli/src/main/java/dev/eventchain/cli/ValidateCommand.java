@@ -35,11 +35,7 @@ final class ValidateCommand extends ProjectCommand {
       description = "The project's folder, or model files.")
   private List<Path> inputs;
 
-  @Option(
-      names = "--metamodel",
-      paramLabel = "FILE",
-      description = "An Ecore metamodel of the models (default: event chains); may be repeated.")
-  private List<Path> metamodels = List.of();
+  @Mixin private MetamodelOptions given;
 
   @Option(
       names = "--ocl",
@@ -61,10 +57,10 @@ final class ValidateCommand extends ProjectCommand {
 
   @Override
   Outcome work() {
-    if (!metamodels.isEmpty() && constraints.isEmpty()) {
+    if (!given.metamodels.isEmpty() && constraints.isEmpty()) {
       throw wrongUsage("models of a metamodel need constraints: --ocl FILE");
     }
-    boolean files = !metamodels.isEmpty() || !constraints.isEmpty() || inputs.size() > 1;
+    boolean files = !given.metamodels.isEmpty() || !constraints.isEmpty() || inputs.size() > 1;
     if (!files && !Files.isRegularFile(inputs.get(0))) {
       if (!messages.isEmpty()) {
         throw wrongUsage("--messages is for model files; a project has software-base/msg");
@@ -72,7 +68,8 @@ final class ValidateCommand extends ProjectCommand {
       return validate(Project.open(inputs.get(0)));
     }
     Suppressions suppressions = suppressions();
-    AnyModel.Validation validation = AnyModel.validate(metamodels, constraints, inputs, messages);
+    AnyModel.Validation validation =
+        AnyModel.validate(given.metamodels, constraints, inputs, messages);
     return Outcome.of(validation.coverage(), validation.diagnostics(), suppressions);
   }
 

@@ -85,6 +85,11 @@ public record Coverage(List<String> files, long elements, List<Check> checks) {
     checks = List.copyOf(checks);
   }
 
+  /** How many there are of what, in words: {@code 1 element}, {@code 2 elements}. */
+  public static String counted(long number, String what) {
+    return number + " " + what + (number == 1 ? "" : "s");
+  }
+
   /** How many constraints there were to evaluate. */
   public long constraints() {
     return checks.stream().filter(check -> check.kind == Kind.CONSTRAINT).count();

@@ -17,15 +17,24 @@ public final class NearestName {
   /**
    * The known name that is nearest to an unknown one, if any is near: at most a third of its
    * characters (at least one) inserted, deleted, changed or swapped, letter case and underscores
-   * not counted. The first in alphabetical order where several are as near.
+   * not counted. Where several are as near, the one whose case and underscores are, then the first
+   * in alphabetical order; never the unknown name itself, which may be known for something else.
    */
   public static Optional<String> of(String unknown, Collection<String> known) {
     String plain = plain(unknown);
     int limit = Math.max(1, plain.length() / 3);
     return known.stream()
+        .filter(name -> !name.equals(unknown))
         .sorted()
-        .min(Comparator.comparingInt(name -> distance(plain, plain(name))))
+        .min(
+            Comparator.comparingInt((String name) -> distance(plain, plain(name)))
+                .thenComparingInt(name -> distance(unknown, name)))
         .filter(name -> distance(plain, plain(name)) <= limit);
+  }
+
+  /** The question whether the nearest name was meant; empty when none is near. */
+  public static String question(String unknown, Collection<String> known) {
+    return of(unknown, known).map(name -> "Did you mean `" + name + "`?").orElse("");
   }
 
   /**
@@ -33,9 +42,9 @@ public final class NearestName {
    * empty when there is nothing to name.
    */
   public static String hint(String unknown, Collection<String> known) {
-    Optional<String> nearest = of(unknown, known);
-    if (nearest.isPresent()) {
-      return "Did you mean `" + nearest.get() + "`?";
+    String question = question(unknown, known);
+    if (!question.isEmpty()) {
+      return question;
     }
     List<String> names = known.stream().distinct().sorted().toList();
     if (names.isEmpty()) {

@@ -45,8 +45,8 @@ public record Report(
   /** What was found and checked, in a line: the same for the same input. */
   public String summary() {
     List<String> parts = new ArrayList<>();
-    parts.add(counted(count(Severity.ERROR), "error"));
-    parts.add(counted(count(Severity.WARNING), "warning"));
+    parts.add(Coverage.counted(count(Severity.ERROR), "error"));
+    parts.add(Coverage.counted(count(Severity.WARNING), "warning"));
     if (!suppressed.isEmpty()) {
       parts.add(suppressed.size() + " suppressed");
     }
@@ -56,26 +56,23 @@ public record Report(
     }
     String contracts = "";
     if (coverage.checks().stream().anyMatch(c -> c.kind() == Coverage.Kind.CONTRACT)) {
-      contracts = ", " + counted(coverage.evaluations(Coverage.Kind.CONTRACT), "message contract");
+      contracts =
+          ", " + Coverage.counted(coverage.evaluations(Coverage.Kind.CONTRACT), "message contract");
     }
     return found
         + " in "
-        + counted(coverage.files().size(), "file")
+        + Coverage.counted(coverage.files().size(), "file")
         + ": "
-        + counted(coverage.elements(), "element")
+        + Coverage.counted(coverage.elements(), "element")
         + ", "
-        + counted(coverage.constraints(), "constraint")
+        + Coverage.counted(coverage.constraints(), "constraint")
         + " evaluated "
-        + counted(coverage.evaluations(Coverage.Kind.CONSTRAINT), "time")
+        + Coverage.counted(coverage.evaluations(Coverage.Kind.CONSTRAINT), "time")
         + contracts;
   }
 
   /** How many findings are this bad. */
   long count(Severity severity) {
     return diagnostics.stream().filter(found -> found.severity() == severity).count();
-  }
-
-  private static String counted(long number, String what) {
-    return number + " " + what + (number == 1 ? "" : "s");
   }
 }

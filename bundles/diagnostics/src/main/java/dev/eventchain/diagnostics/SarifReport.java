@@ -1,11 +1,7 @@
 package dev.eventchain.diagnostics;
 
 import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.HashMap;
-import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 
@@ -17,7 +13,7 @@ final class SarifReport {
 
   private static final String SCHEMA =
       "https://docs.oasis-open.org/sarif/sarif/v2.1.0/errata01/os/schemas/sarif-schema-2.1.0.json";
-  private static final int FINGERPRINT_BYTES = 16;
+  private static final int FINGERPRINT_DIGITS = 32;
 
   private final Report report;
   private final SarifRules rules;
@@ -168,16 +164,7 @@ final class SarifReport {
     String what = where.isEmpty() ? finding.message() : where;
     String text =
         String.join("\n", finding.id(), finding.rule(), SarifPlaces.uri(place.file()), what);
-    byte[] hash = sha256().digest(text.getBytes(StandardCharsets.UTF_8));
-    String hex = HexFormat.of().formatHex(hash, 0, FINGERPRINT_BYTES);
+    String hex = Sha256.of(text).hex().substring(0, FINGERPRINT_DIGITS);
     return hex + ":" + seen.merge(hex, 1, Integer::sum);
-  }
-
-  private static MessageDigest sha256() {
-    try {
-      return MessageDigest.getInstance("SHA-256");
-    } catch (NoSuchAlgorithmException e) {
-      throw new IllegalStateException("every Java has SHA-256", e);
-    }
   }
 }

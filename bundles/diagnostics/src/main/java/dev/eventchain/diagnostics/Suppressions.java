@@ -7,7 +7,6 @@ import java.util.List;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
-import java.util.function.Predicate;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
@@ -91,7 +90,7 @@ public final class Suppressions {
      * same kind ({@code ocl.undefined} comes of the checks for {@code ocl.violated}), in the files
      * that were checked.
      */
-    public boolean isAboutChecksOf(Coverage coverage) {
+    private boolean isAboutChecksOf(Coverage coverage) {
       return coverage.checks().stream().anyMatch(check -> kindOf(check.id()).equals(kindOf(id)))
           && coverage.files().stream().anyMatch(this::isIn);
     }
@@ -165,37 +164,43 @@ public final class Suppressions {
     return today.isAfter(entry.expires);
   }
 
-  /** A warning for each entry whose last day is over. */
-  public List<Diagnostic> expired() {
-    return entries.stream()
-        .filter(this::isExpired)
-        .map(
-            entry ->
-                Diagnostic.warning(
-                        "suppression.expired",
-                        "The suppression of " + entry.id + " ended on " + entry.expires + ".",
-                        entry.location)
-                    .withHint("Mend what it suppressed, or decide anew and give another day."))
-        .toList();
+  /**
+   * Warnings about the entries themselves: those whose last day is over, and those that match
+   * nothing any more. The latter needs the findings of an entry to have been looked for.
+   *
+   * @param findings everything that was found, whether suppressed or not
+   * @param coverage the checks that ran; an entry about others is not judged
+   * @param complete whether everything was looked for, so that each entry can be judged
+   */
+  public List<Diagnostic> warnings(List<Diagnostic> findings, Coverage coverage, boolean complete) {
+    List<Diagnostic> warnings = new ArrayList<>();
+    for (Entry entry : entries) {
+      if (isExpired(entry)) {
+        warnings.add(expired(entry));
+      }
+    }
+    for (Entry entry : entries) {
+      boolean judged = !isExpired(entry) && (complete || entry.isAboutChecksOf(coverage));
+      if (judged && findings.stream().noneMatch(entry::matches)) {
+        warnings.add(stale(entry));
+      }
+    }
+    return warnings;
   }
 
-  /**
-   * A warning for each entry that matches nothing any more.
-   *
-   * @param judged whether the findings that an entry is about have been looked for
-   * @param findings everything that was found, whether suppressed or not
-   */
-  public List<Diagnostic> stale(Predicate<Entry> judged, List<Diagnostic> findings) {
-    return entries.stream()
-        .filter(entry -> !isExpired(entry) && judged.test(entry))
-        .filter(entry -> findings.stream().noneMatch(entry::matches))
-        .map(
-            entry ->
-                Diagnostic.warning(
-                        "suppression.stale",
-                        "The suppression of " + entry.id + " matches no finding.",
-                        entry.location)
-                    .withHint("Delete it: what it suppressed is mended, or is called otherwise."))
-        .toList();
+  private static Diagnostic expired(Entry entry) {
+    return Diagnostic.warning(
+            "suppression.expired",
+            "The suppression of " + entry.id + " ended on " + entry.expires + ".",
+            entry.location)
+        .withHint("Mend what it suppressed, or decide anew and give another day.");
+  }
+
+  private static Diagnostic stale(Entry entry) {
+    return Diagnostic.warning(
+            "suppression.stale",
+            "The suppression of " + entry.id + " matches no finding.",
+            entry.location)
+        .withHint("Delete it: what it suppressed is mended, or is called otherwise.");
   }
 }

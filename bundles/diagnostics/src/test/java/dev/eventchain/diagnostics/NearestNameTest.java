@@ -27,6 +27,13 @@ class NearestNameTest {
   @Test
   void takesTheFirstOfEquallyNearNames() {
     assertEquals(Optional.of("ab"), NearestName.of("aX", List.of("ac", "ab")));
+    assertEquals(Optional.of("book"), NearestName.of("bok", List.of("Book", "book")));
+  }
+
+  @Test
+  void neverMeansTheUnknownNameItself() {
+    assertEquals(Optional.of("units"), NearestName.of("unit", List.of("unit", "units")));
+    assertEquals("", NearestName.question("unit", List.of("unit")));
   }
 
   @Test

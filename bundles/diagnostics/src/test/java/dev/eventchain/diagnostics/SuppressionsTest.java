@@ -61,32 +61,39 @@ class SuppressionsTest {
     Suppressions onTheDay = new Suppressions(List.of(entry("ocl.violated")), LAST_DAY);
     assertEquals(List.of(), onTheDay.part(List.of(FINDING)).remaining());
     assertEquals("known", onTheDay.part(List.of(FINDING)).suppressed().get(0).by().reason());
-    assertEquals(List.of(), onTheDay.expired());
+    assertEquals(List.of(), onTheDay.warnings(List.of(FINDING), Coverage.NONE, true));
     Suppressions later = new Suppressions(List.of(entry("ocl.violated")), LAST_DAY.plusDays(1));
     assertEquals(List.of(FINDING), later.part(List.of(FINDING)).remaining());
-    assertEquals("suppression.expired", later.expired().get(0).id());
-    assertEquals(List.of(), later.stale(entry -> true, List.of()));
+    List<Diagnostic> over = later.warnings(List.of(), Coverage.NONE, true);
+    assertEquals(List.of("suppression.expired"), over.stream().map(Diagnostic::id).toList());
   }
 
   @Test
   void anEntryThatMatchesNothingIsStaleIfItsFindingsWereLookedFor() {
     Suppressions suppressions =
         new Suppressions(List.of(entry("ocl.violated"), entry("ocl.undefined")), LAST_DAY);
-    List<Diagnostic> stale = suppressions.stale(entry -> true, List.of(FINDING));
+    List<Diagnostic> stale = suppressions.warnings(List.of(FINDING), Coverage.NONE, true);
     assertEquals(1, stale.size());
     assertTrue(stale.get(0).message().contains("ocl.undefined"), stale.get(0).message());
-    assertEquals(List.of(), suppressions.stale(entry -> false, List.of()));
+    assertEquals(List.of(), suppressions.warnings(List.of(), Coverage.NONE, false));
   }
 
   @Test
   void anEntryIsAboutTheChecksOfItsKindInTheFilesThatWereChecked() {
     Coverage coverage = Reports.full().coverage();
-    assertTrue(entry("ocl.undefined").isAboutChecksOf(coverage));
-    assertFalse(entry("agents.order").isAboutChecksOf(coverage));
-    assertFalse(entry("ocl.violated").isAboutChecksOf(Coverage.NONE));
+    assertTrue(isJudged(entry("ocl.undefined"), coverage));
+    assertFalse(isJudged(entry("agents.order"), coverage));
+    assertFalse(isJudged(entry("ocl.violated"), Coverage.NONE));
     Entry elsewhere =
         new Entry("ocl.violated", "", "", "b.xmi", "", "known", LAST_DAY, SourceLocation.NONE);
-    assertFalse(elsewhere.isAboutChecksOf(coverage));
+    assertFalse(isJudged(elsewhere, coverage));
+  }
+
+  /** Where nothing was found, an entry is stale as soon as its findings have been looked for. */
+  private static boolean isJudged(Entry entry, Coverage coverage) {
+    return !new Suppressions(List.of(entry), LAST_DAY)
+        .warnings(List.of(), coverage, false)
+        .isEmpty();
   }
 
   @ParameterizedTest

@@ -2,6 +2,10 @@ package dev.eventchain.llm;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import com.github.difflib.DiffUtils;
+import com.github.difflib.UnifiedDiffUtils;
+import com.github.difflib.patch.AbstractDelta;
+import com.github.difflib.patch.Patch;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
@@ -19,11 +23,16 @@ final class MissingRecording {
       "Make it with --llm handoff:FOLDER --record, which writes each prompt to a file and records the"
           + " answer.";
   private static final int EXCERPT_LINES = 24;
+  private static final int CONTEXT = 1;
+
+  /** The two lines before the first change, which name files. */
+  private static final int FILE_NAMES = 2;
 
   private final ObjectNode request;
   private final List<Diagnostic> unreadable = new ArrayList<>();
   private Path nearestFile;
   private Recording nearest;
+  private Patch<String> nearestChange;
 
   private MissingRecording(ObjectNode request) {
     this.request = request;
@@ -45,10 +54,12 @@ final class MissingRecording {
     for (Path file : files) {
       try {
         Recording candidate = RecordingReader.read(file);
-        int distance = difference(candidate).distance();
+        Patch<String> change = DiffUtils.diff(promptLines(candidate), promptLines());
+        int distance = change.getDeltas().stream().mapToInt(MissingRecording::lines).sum();
         if (distance < best) {
           best = distance;
           nearest = candidate;
+          nearestChange = change;
           nearestFile = file;
         }
       } catch (DiagnosticException e) {
@@ -57,9 +68,16 @@ final class MissingRecording {
     }
   }
 
-  private LineDifference difference(Recording recording) {
-    return new LineDifference(
-        RequestJson.promptLines(recording.request()), RequestJson.promptLines(request));
+  private static int lines(AbstractDelta<String> delta) {
+    return delta.getSource().size() + delta.getTarget().size();
+  }
+
+  private List<String> promptLines() {
+    return RequestJson.promptLines(request);
+  }
+
+  private static List<String> promptLines(Recording recording) {
+    return RequestJson.promptLines(recording.request());
   }
 
   private Diagnostic diagnostic(String task, ModelName model, Path expected) {
@@ -91,7 +109,29 @@ final class MissingRecording {
                 : "  %s: %s -> %s".formatted(property, before, now));
       }
     }
-    lines.addAll(difference(nearest).excerpt(EXCERPT_LINES));
+    lines.addAll(changedLines());
     return lines;
+  }
+
+  /** The first changes of the prompt, each with a line of context, and how many more there are. */
+  private List<String> changedLines() {
+    List<String> shown = new ArrayList<>();
+    List<String> unified =
+        UnifiedDiffUtils.generateUnifiedDiff("", "", promptLines(nearest), nearestChange, CONTEXT);
+    for (String line : unified.subList(Math.min(FILE_NAMES, unified.size()), unified.size())) {
+      // What prompts hold are often lists: the mark stands apart from the line.
+      boolean isHeader = line.startsWith("@@");
+      if (!isHeader) {
+        shown.add(line.charAt(0) + " " + line.substring(1));
+      } else if (!shown.isEmpty()) {
+        shown.add("  ...");
+      }
+    }
+    if (shown.size() <= EXCERPT_LINES) {
+      return shown;
+    }
+    List<String> cut = new ArrayList<>(shown.subList(0, EXCERPT_LINES));
+    cut.add("  ... and %d more lines".formatted(shown.size() - EXCERPT_LINES));
+    return cut;
   }
 }

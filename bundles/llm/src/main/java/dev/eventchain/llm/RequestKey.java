@@ -2,11 +2,8 @@ package dev.eventchain.llm;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.TextNode;
+import dev.eventchain.diagnostics.Sha256;
 import java.math.BigDecimal;
-import java.nio.charset.StandardCharsets;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
-import java.util.HexFormat;
 import java.util.Map;
 
 /**
@@ -23,13 +20,7 @@ record RequestKey(String value) {
   static RequestKey of(JsonNode request) {
     StringBuilder canonical = new StringBuilder();
     append(canonical, request);
-    try {
-      MessageDigest digest = MessageDigest.getInstance("SHA-256");
-      byte[] hash = digest.digest(canonical.toString().getBytes(StandardCharsets.UTF_8));
-      return new RequestKey(HexFormat.of().formatHex(hash));
-    } catch (NoSuchAlgorithmException e) {
-      throw new IllegalStateException("every Java platform has SHA-256", e);
-    }
+    return new RequestKey(Sha256.of(canonical.toString()).hex());
   }
 
   /** The part of the key that stands in file names. */

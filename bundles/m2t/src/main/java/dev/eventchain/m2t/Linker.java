@@ -1,11 +1,11 @@
 package dev.eventchain.m2t;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.m2t.Callable.Parameter;
 import dev.eventchain.m2t.Syntax.Visibility;
 import dev.eventchain.ocl.Expression;
 import dev.eventchain.ocl.ExpressionLanguage;
-import dev.eventchain.ocl.NearestName;
 import dev.eventchain.ocl.Scope;
 import java.util.ArrayList;
 import java.util.Collection;

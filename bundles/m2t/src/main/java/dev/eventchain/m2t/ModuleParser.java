@@ -1,12 +1,12 @@
 package dev.eventchain.m2t;
 
+import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.m2t.Syntax.Name;
 import dev.eventchain.m2t.Syntax.Query;
 import dev.eventchain.m2t.Syntax.Template;
 import dev.eventchain.m2t.Syntax.Variable;
 import dev.eventchain.m2t.Syntax.Visibility;
 import dev.eventchain.m2t.Token.Kind;
-import dev.eventchain.ocl.NearestName;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;

@@ -1,7 +1,7 @@
 package dev.eventchain.m2t;
 
+import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.m2t.Token.Kind;
-import dev.eventchain.ocl.NearestName;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
@@ -143,14 +143,14 @@ final class TemplateLexer {
     int nameStart = skipSpace(contentStart);
     int nameEnd = endOfName(nameStart);
     String name = text.substring(nameStart, nameEnd);
-    String meant = name.length() < 2 ? "" : NearestName.of(name, KEYWORDS);
+    String meant = name.length() < 2 ? "" : NearestName.of(name, KEYWORDS).orElse("");
     if (meant.isEmpty() || " ([{]".indexOf(text.charAt(nameEnd)) < 0) {
       return Optional.empty();
     }
     problems.syntax(
         start,
         "There is no block '" + name + "'.",
-        "Did you mean '" + meant + "'? " + BRACKET_HINT);
+        "Did you mean `" + meant + "`? " + BRACKET_HINT);
     Kind kind =
         DECLARATIONS.contains(meant)
             ? Kind.DECLARATION
@@ -166,7 +166,7 @@ final class TemplateLexer {
       return new Token(Kind.CLOSE, name, start, end + 1, nameEnd, end);
     }
     boolean tagged = end < text.length() && text.charAt(end) == ']';
-    String meant = tagged ? NearestName.of(name, BLOCKS) : "";
+    String meant = tagged ? NearestName.of(name, BLOCKS).orElse("") : "";
     String message =
         name.isEmpty() || BLOCKS.contains(name)
             ? "This closing tag is incomplete."

@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.ocl.DeepStack;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -103,6 +104,7 @@ public final class TemplateModule {
    *
    * @return the files, and a finding for all that went wrong; an undefined value leaves out its
    *     part of the text and is an error. Nothing to run, or no file at the end, is an error, too
+   * @throws IllegalStateException if the thread is interrupted meanwhile
    */
   public GenerationResult generate(Collection<? extends EObject> roots, GenerationContext context) {
     return DeepStack.call(() -> generateHere(roots, context));

@@ -1,5 +1,6 @@
 package dev.eventchain.ocl;
 
+import dev.eventchain.diagnostics.NearestName;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
@@ -108,7 +109,7 @@ final class CallHints {
     return SYNONYMS.getOrDefault(name, List.of()).stream()
         .filter(known::contains)
         .findFirst()
-        .map(meant -> "Did you mean '" + meant + "'?")
+        .map(meant -> "Did you mean `" + meant + "`?")
         .orElseGet(() -> NearestName.question(name, known));
   }
 

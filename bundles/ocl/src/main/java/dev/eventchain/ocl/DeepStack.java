@@ -6,10 +6,13 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.FutureTask;
 
-/** Threads for evaluations, and a stack for those that need a deep one. */
-final class DeepStack {
+/**
+ * Threads for evaluations, and a stack for those that need a deep one: the same in every thread and
+ * on every machine, so that limits of depth are, too.
+ */
+public final class DeepStack {
 
-  /** Room for the deepest recursion that {@link Evaluation} allows; only used as far as needed. */
+  /** Room for the deepest recursion that is allowed; memory is only taken as far as it grows. */
   private static final long DEEP = 512L << 20;
 
   /** Enough for all but long recursions, so that many threads reserve little. */
@@ -19,8 +22,12 @@ final class DeepStack {
 
   private DeepStack() {}
 
-  /** Does something in a thread with a deep stack; an interruption of this thread ends that. */
-  static <T> T call(Callable<T> task) {
+  /**
+   * Does something in a thread with a deep stack; an interruption of this thread ends that.
+   *
+   * @throws IllegalStateException if this thread is interrupted meanwhile
+   */
+  public static <T> T call(Callable<T> task) {
     return all(List.of(task), DEEP).get(0);
   }
 
@@ -60,7 +67,7 @@ final class DeepStack {
       return results;
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      throw new IllegalStateException("interrupted while validating", e);
+      throw new IllegalStateException("interrupted while evaluating", e);
     } catch (ExecutionException e) {
       if (e.getCause() instanceof RuntimeException cause) {
         throw cause;

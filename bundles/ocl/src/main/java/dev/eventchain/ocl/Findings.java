@@ -1,5 +1,6 @@
 package dev.eventchain.ocl;
 
+import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -95,9 +96,9 @@ final class Findings {
                     + (wrong ? " without errors" : "")
                     + (documents.isEmpty() ? "." : " in " + String.join(", ", documents) + ".")
                 : "Nothing was checked: none of "
-                    + counted(constraints, "constraint")
+                    + Coverage.counted(constraints, "constraint")
                     + " is about the class of one of "
-                    + counted(elements, "element")
+                    + Coverage.counted(elements, "element")
                     + ".",
             documents.size() == 1 && constraints == 0
                 ? SourceLocation.of(documents.get(0))
@@ -106,9 +107,5 @@ final class Findings {
             constraints == 0
                 ? "Write invariants: context Class inv Name: ..."
                 : "Give rules for the classes of this model.");
-  }
-
-  private static String counted(int number, String what) {
-    return number + " " + what + (number == 1 ? "" : "s");
   }
 }

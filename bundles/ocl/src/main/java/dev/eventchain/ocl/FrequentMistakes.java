@@ -1,6 +1,7 @@
 package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
 import java.util.List;

@@ -13,21 +13,12 @@ final class LoopNodes {
 
   private LoopNodes() {}
 
-  /** A loop with one variable; a source that is no collection makes it invalid. */
-  abstract static class Loop extends Node {
-    private final Node source;
-    private final int slot;
-    private final Node body;
+  /** Goes through the elements of a source; one that is no collection makes it invalid. */
+  private abstract static class Walk extends Node {
+    final Node source;
 
-    /**
-     * Makes a loop.
-     *
-     * @param slot the variable's
-     */
-    Loop(Node source, int slot, Node body) {
+    Walk(Node source) {
       this.source = source;
-      this.slot = slot;
-      this.body = body;
     }
 
     @Override
@@ -37,6 +28,23 @@ final class LoopNodes {
     }
 
     abstract Object loop(Collection<?> elements, Frame frame);
+  }
+
+  /** A loop with one variable. */
+  abstract static class Loop extends Walk {
+    private final int slot;
+    private final Node body;
+
+    /**
+     * Makes a loop.
+     *
+     * @param slot the variable's
+     */
+    Loop(Node source, int slot, Node body) {
+      super(source);
+      this.slot = slot;
+      this.body = body;
+    }
 
     final Node body() {
       return body;
@@ -90,25 +98,20 @@ final class LoopNodes {
   }
 
   /** {@code forAll} and {@code exists} over all combinations; the first variable is the fastest. */
-  static final class MultiQuantifier extends Node {
-    private final Node source;
+  static final class MultiQuantifier extends Walk {
     private final int[] slots;
     private final Node body;
     private final boolean decisive;
 
     MultiQuantifier(Node source, int[] slots, Node body, boolean decisive) {
-      this.source = source;
+      super(source);
       this.slots = slots;
       this.body = body;
       this.decisive = decisive;
     }
 
     @Override
-    Object evaluate(Frame frame) {
-      Collection<?> elements = source.elements(frame);
-      if (elements == null) {
-        return INVALID;
-      }
+    Object loop(Collection<?> elements, Frame frame) {
       Object found = search(elements, slots.length - 1, frame);
       return found == null ? (Object) !decisive : found;
     }
@@ -297,15 +300,14 @@ final class LoopNodes {
   }
 
   /** {@code iterate}. An invalid result goes on being computed with, as in Eclipse OCL. */
-  static final class Iterate extends Node {
-    private final Node source;
+  static final class Iterate extends Walk {
     private final int slot;
     private final int result;
     private final Node start;
     private final Node body;
 
     Iterate(Node source, int slot, int result, Node start, Node body) {
-      this.source = source;
+      super(source);
       this.slot = slot;
       this.result = result;
       this.start = start;
@@ -313,12 +315,8 @@ final class LoopNodes {
     }
 
     @Override
-    Object evaluate(Frame frame) {
+    Object loop(Collection<?> elements, Frame frame) {
       frame.slots[result] = start.evaluate(frame);
-      Collection<?> elements = source.elements(frame);
-      if (elements == null) {
-        return INVALID;
-      }
       for (Object element : elements) {
         frame.run.step();
         frame.slots[slot] = element;

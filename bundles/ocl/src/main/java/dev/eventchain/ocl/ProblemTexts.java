@@ -1,5 +1,6 @@
 package dev.eventchain.ocl;
 
+import dev.eventchain.diagnostics.NearestName;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;

@@ -1,6 +1,7 @@
 package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.List;
@@ -105,17 +106,16 @@ final class RuleComments {
         hint.setLength(0);
         hint.append(text);
       }
-      default -> {
-        String meant = NearestName.of(keyword, KEYWORDS);
-        if (!meant.isEmpty()) {
-          problems.add(
-              Diagnostic.warning(
-                      "ocl.annotation",
-                      "The annotation '@" + keyword + "' is not known.",
-                      source.at(offset))
-                  .withHint("Did you mean '@" + meant + "'?"));
-        }
-      }
+      default ->
+          NearestName.of(keyword, KEYWORDS)
+              .ifPresent(
+                  meant ->
+                      problems.add(
+                          Diagnostic.warning(
+                                  "ocl.annotation",
+                                  "The annotation '@" + keyword + "' is not known.",
+                                  source.at(offset))
+                              .withHint("Did you mean `@" + meant + "`?")));
     }
   }
 

@@ -15,14 +15,29 @@ final class TextNodes {
 
   private TextNodes() {}
 
-  /** An operation without arguments. */
-  static final class Unary extends GuardedNode {
-    private final int code;
+  /** An operation of a source; one that is no string makes it invalid. */
+  private abstract static class Operation extends GuardedNode {
+    final int code;
     private final Node source;
 
-    Unary(int code, Node source) {
+    Operation(int code, Node source) {
       this.code = code;
       this.source = source;
+    }
+
+    @Override
+    final Object compute(Frame frame) {
+      return source.evaluate(frame) instanceof String text ? compute(text, frame) : INVALID;
+    }
+
+    abstract Object compute(String text, Frame frame);
+  }
+
+  /** An operation without arguments. */
+  static final class Unary extends Operation {
+
+    Unary(int code, Node source) {
+      super(code, source);
     }
 
     static boolean has(int code) {
@@ -44,10 +59,7 @@ final class TextNodes {
     }
 
     @Override
-    Object compute(Frame frame) {
-      if (!(source.evaluate(frame) instanceof String text)) {
-        return INVALID;
-      }
+    Object compute(String text, Frame frame) {
       return Limits.require(unary(text));
     }
 
@@ -77,14 +89,11 @@ final class TextNodes {
   }
 
   /** An operation with one argument. */
-  static final class Binary extends GuardedNode {
-    private final int code;
-    private final Node source;
+  static final class Binary extends Operation {
     private final Node argument;
 
     Binary(int code, Node source, Node argument) {
-      this.code = code;
-      this.source = source;
+      super(code, source);
       this.argument = argument;
     }
 
@@ -106,10 +115,7 @@ final class TextNodes {
     }
 
     @Override
-    Object compute(Frame frame) {
-      if (!(source.evaluate(frame) instanceof String text)) {
-        return INVALID;
-      }
+    Object compute(String text, Frame frame) {
       Object value = argument.evaluate(frame);
       if (code == PredefinedType.AT) {
         return value instanceof Integer index ? text.substring(index - 1, index) : INVALID;
@@ -140,15 +146,12 @@ final class TextNodes {
   }
 
   /** An operation with two arguments. */
-  static final class Ternary extends GuardedNode {
-    private final int code;
-    private final Node source;
+  static final class Ternary extends Operation {
     private final Node first;
     private final Node second;
 
     Ternary(int code, Node source, Node first, Node second) {
-      this.code = code;
-      this.source = source;
+      super(code, source);
       this.first = first;
       this.second = second;
     }
@@ -167,10 +170,7 @@ final class TextNodes {
     }
 
     @Override
-    Object compute(Frame frame) {
-      if (!(source.evaluate(frame) instanceof String text)) {
-        return INVALID;
-      }
+    Object compute(String text, Frame frame) {
       Object one = first.evaluate(frame);
       Object two = second.evaluate(frame);
       if (isUndefined(one) || isUndefined(two)) {

@@ -184,7 +184,7 @@ class ExpressionLanguageTest {
   void allErrorsOfAnExpressionStandAtTheirPlacesInTheText() {
     List<Diagnostic> problems = problems("[template]\n  [self.naem + self.boks", 14);
     assertEquals(
-        List.of("test.ocl:2:9 Did you mean 'name'?", "test.ocl:2:21 Did you mean 'books'?"),
+        List.of("test.ocl:2:9 Did you mean `name`?", "test.ocl:2:21 Did you mean `books`?"),
         problems.stream().map(each -> each.location() + " " + each.hint()).toList());
     assertEquals("test.ocl:1:1", problems("+", 0).get(0).location().toString());
     assertEquals("test.ocl:1:1", problems("  ", 0).get(0).location().toString());

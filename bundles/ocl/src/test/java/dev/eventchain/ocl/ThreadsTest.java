@@ -149,7 +149,7 @@ class ThreadsTest {
     validation.interrupt();
     validation.join();
     assertEquals(List.of(), workers());
-    assertEquals("interrupted while validating", ended.get().getMessage());
+    assertEquals("interrupted while evaluating", ended.get().getMessage());
   }
 
   private static List<Thread> workers() {

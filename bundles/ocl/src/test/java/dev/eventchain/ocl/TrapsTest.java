@@ -122,7 +122,7 @@ class TrapsTest {
         rules.ocl:2:14: error: Book has no feature 'pagse'. [ocl.type]
             \tinv A: self.pagse > 3
             \t            ^
-          hint: Did you mean 'pages'?
+          hint: Did you mean `pages`?
         rules.ocl:3:20: error: An expression is expected after '>'. [ocl.syntax]
             \tinv B: self.pages >
             \t                  ^

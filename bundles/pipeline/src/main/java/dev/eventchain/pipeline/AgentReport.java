@@ -3,6 +3,7 @@ package dev.eventchain.pipeline;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.agents.AgentResult;
+import dev.eventchain.diagnostics.Coverage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -44,9 +45,7 @@ final class AgentReport {
   /** How many answers had to be corrected, in words; empty if none. */
   static String repairs(List<AgentResult> results) {
     int repairs = results.stream().mapToInt(result -> result.attempts().size() - 1).sum();
-    return repairs == 0
-        ? ""
-        : ", " + repairs + (repairs == 1 ? " answer" : " answers") + " corrected";
+    return repairs == 0 ? "" : ", " + Coverage.counted(repairs, "answer") + " corrected";
   }
 
   private static List<Path> filesBelow(Path folder) {

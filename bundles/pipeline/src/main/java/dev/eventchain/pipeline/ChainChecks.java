@@ -52,7 +52,7 @@ final class ChainChecks {
     String words() {
       return Constraints.words(constraints)
           + ", "
-          + Constraints.counted(
+          + Coverage.counted(
               coverage(List.of()).evaluations(Coverage.Kind.CONTRACT), "message contract");
     }
 

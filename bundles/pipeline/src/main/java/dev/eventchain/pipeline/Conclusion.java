@@ -6,7 +6,6 @@ import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
-import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.diagnostics.Suppressions.Suppressed;
 import dev.eventchain.pipeline.Progress.Status;
 import dev.eventchain.pipeline.RunResult.ScenarioLine;
@@ -64,8 +63,8 @@ final class Conclusion {
   }
 
   /**
-   * Which suppressions have ended, and which match nothing. The latter needs their findings to have
-   * been looked for: all of them in a run of all stages, those about the model when it was checked.
+   * Which suppressions have ended, and which match nothing: of all in a run of all stages, else of
+   * those about the model when it was checked.
    */
   private List<Diagnostic> aboutSuppressions(
       List<Diagnostic> found, List<Suppressed> suppressed, Coverage coverage) {
@@ -73,12 +72,9 @@ final class Conclusion {
         failure.isEmpty()
             && !run.options().isPartial()
             && outcomes.values().stream().noneMatch(o -> o.status() == Status.NOT_RUN);
-    Suppressions suppressions = run.options().suppressions();
     List<Diagnostic> all = new ArrayList<>(found);
     suppressed.forEach(each -> all.add(each.finding()));
-    List<Diagnostic> about = new ArrayList<>(suppressions.expired());
-    about.addAll(suppressions.stale(e -> everything || e.isAboutChecksOf(coverage), all));
-    return about;
+    return run.options().suppressions().warnings(all, coverage, everything);
   }
 
   private Verdict verdict(List<Diagnostic> found) {
@@ -100,7 +96,7 @@ final class Conclusion {
         found.stream()
             .filter(finding -> finding.severity() == dev.eventchain.diagnostics.Severity.ERROR)
             .count();
-    String errorText = errors + (errors == 1 ? " error" : " errors");
+    String errorText = Coverage.counted(errors, "error");
     return switch (verdict) {
       case PASSED -> scenarioText;
       case FAILED -> scenarios.isEmpty() ? errorText : scenarioText + ", " + errorText;
@@ -111,7 +107,7 @@ final class Conclusion {
   /** A verdict must not hide that findings are left out of it. */
   private static String suppressedText(List<Suppressed> suppressed) {
     int count = suppressed.size();
-    return count == 0 ? "" : ", " + count + (count == 1 ? " finding" : " findings") + " suppressed";
+    return count == 0 ? "" : ", " + Coverage.counted(count, "finding") + " suppressed";
   }
 
   private String stopped() {

@@ -92,17 +92,13 @@ final class Constraints {
   /** What a validation did, in words. */
   static String words(OclResult result) {
     String checked =
-        counted(result.constraints(), "constraint")
+        Coverage.counted(result.constraints(), "constraint")
             + " evaluated "
-            + counted(result.evaluations(), "time")
+            + Coverage.counted(result.evaluations(), "time")
             + " on "
-            + counted(result.elements(), "element");
+            + Coverage.counted(result.elements(), "element");
     int findings = result.diagnostics().size();
-    return findings == 0 ? checked : checked + ", " + counted(findings, "finding");
-  }
-
-  static String counted(long number, String what) {
-    return number + " " + what + (number == 1 ? "" : "s");
+    return findings == 0 ? checked : checked + ", " + Coverage.counted(findings, "finding");
   }
 
   /** What a validation did, for the report. */

@@ -1,35 +1,26 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.diagnostics.Sha256;
 import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.security.MessageDigest;
-import java.security.NoSuchAlgorithmException;
 import java.util.Collection;
-import java.util.HexFormat;
 
 /** A hash of everything that a stage reads: values, files, and the program itself. */
 final class Fingerprint {
 
-  private final MessageDigest digest;
+  private final Sha256 digest = new Sha256();
 
   Fingerprint() {
-    try {
-      digest = MessageDigest.getInstance("SHA-256");
-    } catch (NoSuchAlgorithmException e) {
-      throw new IllegalStateException("every Java platform has SHA-256", e);
-    }
     program();
   }
 
   /** Adds a value. */
   Fingerprint add(Object value) {
     byte[] bytes = String.valueOf(value).getBytes(StandardCharsets.UTF_8);
-    digest.update(Integer.toString(bytes.length).getBytes(StandardCharsets.US_ASCII));
-    digest.update((byte) ':');
-    digest.update(bytes);
+    digest.add(bytes.length + ":").add(bytes);
     return this;
   }
 
@@ -42,7 +33,7 @@ final class Fingerprint {
       }
       byte[] bytes = Files.readAllBytes(file);
       add(bytes.length);
-      digest.update(bytes);
+      digest.add(bytes);
       return this;
     } catch (IOException e) {
       throw Project.unreadable(file, e);
@@ -58,7 +49,7 @@ final class Fingerprint {
 
   /** The hash in hexadecimal. No more can be added. */
   String value() {
-    return HexFormat.of().formatHex(digest.digest());
+    return digest.hex();
   }
 
   /** Another build of this program may do another thing with the same files. */

@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.m2t.OutputFolder;
 import dev.eventchain.m2t.OutputFolder.OnEdit;
@@ -48,8 +49,8 @@ public final class WrittenFiles {
         (outcome, count) -> parts.add(count + " " + outcome.name().toLowerCase(Locale.ROOT)));
     return files == 0
         ? ""
-        : files
-            + (files == 1 ? " file in " : " files in ")
+        : Coverage.counted(files, "file")
+            + " in "
             + folder.normalize()
             + ": "
             + String.join(", ", parts);

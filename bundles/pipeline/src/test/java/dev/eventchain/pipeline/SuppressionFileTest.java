@@ -3,6 +3,7 @@ package dev.eventchain.pipeline;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 
+import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -50,7 +51,7 @@ class SuppressionFileTest {
 
   @Test
   void aFileOfCommentsSuppressesNothing() throws IOException {
-    assertEquals(List.of(), read("# nothing yet\n").stale(entry -> true, List.of()));
+    assertEquals(List.of(), read("# nothing yet\n").warnings(List.of(), Coverage.NONE, true));
   }
 
   @ParameterizedTest(name = "{index}: {1} {2}")

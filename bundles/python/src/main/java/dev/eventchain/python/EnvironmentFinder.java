@@ -2,6 +2,7 @@ package dev.eventchain.python;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Sha256;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.io.BufferedReader;
 import java.io.IOException;
@@ -11,7 +12,6 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.security.MessageDigest;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -69,11 +69,11 @@ final class EnvironmentFinder {
 
   /** Changes when the pins or the installed Python change. */
   private String key(Path python) {
-    MessageDigest digest = Digests.sha256();
+    Sha256 digest = new Sha256();
     try {
       for (String name : CONTENT) {
         try (InputStream input = getClass().getResourceAsStream(name)) {
-          digest.update(input.readAllBytes());
+          digest.add(input.readAllBytes());
         }
       }
       Path real = python.toRealPath();
@@ -85,11 +85,11 @@ final class EnvironmentFinder {
               Long.toString(Files.size(real)),
               Files.getLastModifiedTime(real).toString(),
               settings.getOrDefault("PYENV_VERSION", ""));
-      digest.update(facts.getBytes(StandardCharsets.UTF_8));
+      digest.add(facts);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
-    return Digests.key(digest);
+    return digest.abbreviated();
   }
 
   private static Optional<PythonEnvironment> recall(Path remembered) {

@@ -1,17 +1,16 @@
 package dev.eventchain.python;
 
+import dev.eventchain.diagnostics.Sha256;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.net.JarURLConnection;
 import java.net.URI;
 import java.net.URL;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
-import java.security.MessageDigest;
 import java.util.Collections;
 import java.util.Enumeration;
 import java.util.Optional;
@@ -132,12 +131,8 @@ public final class PythonSources {
   }
 
   private static String key(SortedMap<String, byte[]> files) {
-    MessageDigest digest = Digests.sha256();
-    files.forEach(
-        (name, bytes) -> {
-          digest.update((name + "\0" + bytes.length + "\0").getBytes(StandardCharsets.UTF_8));
-          digest.update(bytes);
-        });
-    return Digests.key(digest);
+    Sha256 digest = new Sha256();
+    files.forEach((name, bytes) -> digest.add(name + "\0" + bytes.length + "\0").add(bytes));
+    return digest.abbreviated();
   }
 }
