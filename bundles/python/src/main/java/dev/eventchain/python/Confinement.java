@@ -1,5 +1,8 @@
 package dev.eventchain.python;
 
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
 import java.io.IOException;
 import java.util.List;
 import java.util.Map;
@@ -28,9 +31,13 @@ public enum Confinement {
   /** Python audit hooks, and Landlock where the kernel has it. */
   AUDIT_HOOKS("Python audit hooks, Landlock and seccomp where the kernel has them, limits");
 
+  private static final String VARIABLE = "EVENTCHAIN_CONFINEMENT";
+  private static final String AUTOMATIC = "auto";
   private static final List<String> PROBE =
       List.of("bwrap", "--unshare-all", "--die-with-parent", "--new-session", "--cap-drop", "ALL");
   private static final int PROBE_SECONDS = 5;
+
+  private static Confinement detected;
 
   private final String description;
 
@@ -44,16 +51,56 @@ public enum Confinement {
   }
 
   /**
-   * The strongest that works here, found out once: bubblewrap may be installed and yet be forbidden
-   * to make namespaces. {@code EVENTCHAIN_CONFINEMENT=audit-hooks} forces the other.
+   * What {@code EVENTCHAIN_CONFINEMENT} names, or, if that is unset, empty or {@code auto}, the
+   * strongest that works here: bubblewrap may be installed and yet be forbidden to make namespaces.
+   * Found out once.
+   *
+   * @throws DiagnosticException {@code python.confinement.unknown} with the reason INPUT: the
+   *     variable names something else; {@code python.confinement.unavailable} with the reason
+   *     UNAVAILABLE: it demands bubblewrap, which does not work here
    */
-  public static Confinement detect() {
-    return Detected.CONFINEMENT;
+  public static synchronized Confinement detect() {
+    if (detected == null) {
+      detected = detect(System.getenv());
+    }
+    return detected;
   }
 
   static Confinement detect(Map<String, String> settings) {
-    boolean forced = settings.getOrDefault("EVENTCHAIN_CONFINEMENT", "").equals("audit-hooks");
-    return !forced && bubblewrapWorks(settings) ? BUBBLEWRAP : AUDIT_HOOKS;
+    String wanted = settings.getOrDefault(VARIABLE, "");
+    return switch (wanted) {
+      case "", AUTOMATIC -> bubblewrapWorks(settings) ? BUBBLEWRAP : AUDIT_HOOKS;
+      case "audit-hooks" -> AUDIT_HOOKS;
+      case "bubblewrap" -> demandBubblewrap(settings);
+      default -> throw unknown(wanted);
+    };
+  }
+
+  private static Confinement demandBubblewrap(Map<String, String> settings) {
+    if (bubblewrapWorks(settings)) {
+      return BUBBLEWRAP;
+    }
+    throw new DiagnosticException(
+        DiagnosticException.Reason.UNAVAILABLE,
+        Diagnostic.error(
+                "python.confinement.unavailable",
+                VARIABLE + " demands bubblewrap, which does not work here.",
+                SourceLocation.NONE)
+            .withHint(
+                "Install bubblewrap (bwrap) and allow it to make user namespaces, or unset "
+                    + VARIABLE
+                    + "."));
+  }
+
+  private static DiagnosticException unknown(String wanted) {
+    return new DiagnosticException(
+        DiagnosticException.Reason.INPUT,
+        Diagnostic.error(
+                "python.confinement.unknown",
+                VARIABLE + " is '" + wanted + "', which is no way to confine foreign Python.",
+                SourceLocation.NONE)
+            .withHint(
+                "Write bubblewrap or audit-hooks, or unset it to use the stronger that works."));
   }
 
   private static boolean bubblewrapWorks(Map<String, String> settings) {
@@ -74,9 +121,5 @@ public enum Confinement {
       Thread.currentThread().interrupt();
       return false;
     }
-  }
-
-  private static final class Detected {
-    private static final Confinement CONFINEMENT = detect(System.getenv());
   }
 }

@@ -30,9 +30,10 @@ public final class PythonEnvironment {
    * @param progress gets lines for people while the environment is made
    * @throws dev.eventchain.diagnostics.DiagnosticException {@code python.unavailable} with the
    *     reason UNAVAILABLE: there is no Python 3.10 or newer, it lacks its venv module, the
-   *     packages cannot be had, or the cache cannot be written
+   *     packages cannot be had, or the cache cannot be written; and as {@link Confinement#detect}
    */
   public static PythonEnvironment ensure(Consumer<String> progress) {
+    Confinement unused = Confinement.detect(); // before a minute of downloads
     return new EnvironmentFinder(System.getenv(), progress).find();
   }
 

@@ -2,17 +2,22 @@ package dev.eventchain.python;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class ConfinedProcessTest {
 
@@ -124,10 +129,39 @@ class ConfinedProcessTest {
 
   @Test
   void bubblewrapIsNotUsedWhenForbiddenOrAbsent() {
-    var forced =
-        java.util.Map.of("PATH", System.getenv("PATH"), "EVENTCHAIN_CONFINEMENT", "audit-hooks");
-    assertEquals(Confinement.AUDIT_HOOKS, Confinement.detect(forced));
-    assertEquals(Confinement.AUDIT_HOOKS, Confinement.detect(java.util.Map.of("PATH", "/nowhere")));
+    assertEquals(Confinement.AUDIT_HOOKS, Confinement.detect(wanted("audit-hooks")));
+    assertEquals(Confinement.AUDIT_HOOKS, Confinement.detect(Map.of("PATH", "/nowhere")));
+  }
+
+  @Test
+  void unsetEmptyAndAutomaticAreTheSame() {
+    Confinement found = Confinement.detect(Map.of("PATH", System.getenv("PATH")));
+    assertEquals(found, Confinement.detect(wanted("")));
+    assertEquals(found, Confinement.detect(wanted("auto")));
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"nonsense", "Bubblewrap", "audit_hooks", "bubblewrap "})
+  void unknownConfinementIsWrongUsage(String name) {
+    var refusal = assertThrows(DiagnosticException.class, () -> Confinement.detect(wanted(name)));
+    assertEquals(DiagnosticException.Reason.INPUT, refusal.reason());
+    Diagnostic finding = refusal.diagnostics().get(0);
+    assertEquals("python.confinement.unknown", finding.id());
+    assertTrue(finding.message().contains("'" + name + "'"), finding.message());
+    assertTrue(finding.hint().contains("bubblewrap or audit-hooks"), finding.hint());
+  }
+
+  @Test
+  void demandedBubblewrapIsNotReplaced() {
+    Map<String, String> settings =
+        Map.of("PATH", "/nowhere", "EVENTCHAIN_CONFINEMENT", "bubblewrap");
+    var refusal = assertThrows(DiagnosticException.class, () -> Confinement.detect(settings));
+    assertEquals(DiagnosticException.Reason.UNAVAILABLE, refusal.reason());
+    assertEquals("python.confinement.unavailable", refusal.diagnostics().get(0).id());
+  }
+
+  private static Map<String, String> wanted(String name) {
+    return Map.of("PATH", System.getenv("PATH"), "EVENTCHAIN_CONFINEMENT", name);
   }
 
   private static ConfinedProcess.Limits standard() {

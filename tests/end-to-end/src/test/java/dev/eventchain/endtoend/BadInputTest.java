@@ -204,6 +204,12 @@ class BadInputTest {
   }
 
   @Test
+  void unknownConfinementIsWrongUsage() {
+    ended = new Program().with("EVENTCHAIN_CONFINEMENT", "none").run("run", project, "--again");
+    ended.expect(2).says("python.confinement.unknown").says("bubblewrap or audit-hooks");
+  }
+
+  @Test
   void aLinkOutOfTheOutputFolderIsNotFollowed() throws IOException {
     Path elsewhere = Files.createDirectories(folder.resolve("elsewhere"));
     Path out = Files.createDirectories(folder.resolve("linked"));
