@@ -1,34 +1,20 @@
 """The rules of a component file that reading it can check: nothing of the file is run.
 
-Each finding has the id of its rule page, the place in the file, what is wrong and what to do about it.
+Each finding has the id of its rule page, the place in the file, what is wrong and what to do about it. As a program it
+checks the files that standard input lists, a JSON array of objects with ``file``, ``class``, ``inputs`` and
+``outputs``, and writes a JSON array with an array of findings for each.
 """
 
 from __future__ import annotations
 
 import ast
+import json
+import sys
 from collections.abc import Callable, Iterable, Iterator
 from typing import NamedTuple
 
-ALLOWED_MODULES = frozenset(
-    {
-        *("__future__", "abc", "array", "bisect", "cmath", "collections", "copy", "dataclasses", "decimal", "enum"),
-        *("fractions", "functools", "heapq", "itertools", "math", "numbers", "numpy", "operator", "statistics"),
-        *("string", "struct", "typing"),
-    }
-)
-MIDDLEWARE = frozenset(
-    {"ackermann_msgs", "ament_index_python", "carla", "cyclonedds", "fastdds", "launch", "message_filters", "rclpy"}
-    | {"rosidl_runtime_py", "rospy", "tf2_ros", "tf2_py", "zenoh"}
-)
-CLOCKS = frozenset({"asyncio", "datetime", "sched", "threading", "time", "timeit"})
-RANDOMNESS = frozenset({"random", "secrets", "uuid"})
-FORBIDDEN_NAMES = frozenset(
-    {
-        *("__builtins__", "__import__", "__loader__", "__spec__", "breakpoint", "compile", "delattr", "eval", "exec"),
-        *("exit", "globals", "help", "input", "locals", "memoryview", "open", "quit", "setattr", "vars"),
-    }
-)
-HARMLESS_ATTRIBUTES = frozenset({"__class__", "__init__", "__name__", "__post_init__", "__doc__"})
+from component_reach import reach
+
 # Built-in functions that make a constant out of constants.
 CONSTANT_MAKERS = frozenset(
     {"abs", "bool", "bytes", "complex", "dict", "float", "frozenset", "int", "len", "list", "max", "min", "pow"}
@@ -67,9 +53,10 @@ class Rules:
         """Return all findings, in the order of the file."""
         try:
             self._tree = ast.parse(self._source)
+            reached = list(self._reach())
         except (SyntaxError, ValueError, RecursionError, MemoryError) as problem:
             return [self._syntax(problem)]
-        found = [*self._imports(), *self._names(), *self._effects(), *self._definition()]
+        found = [*reached, *self._effects(), *self._definition()]
         return sorted(set(found), key=lambda finding: (finding.line, finding.column, finding.id, finding.message))
 
     def marked_tree(self, marker: str) -> ast.Module:
@@ -103,43 +90,9 @@ class Rules:
         hint = "Give the file as plain Python, without text or code fences around it."
         return Finding("component.syntax", line, column, f"This is not valid Python: {text}.", hint)
 
-    def _imports(self) -> Iterator[Finding]:
-        for node in ast.walk(self._tree):
-            if isinstance(node, ast.Import):
-                for name in node.names:
-                    yield from self._import(node, name.name)
-            elif isinstance(node, ast.ImportFrom):
-                yield from self._import(node, "." * node.level + (node.module or ""))
-
-    def _import(self, node: ast.stmt, module: str) -> Iterator[Finding]:
-        package = module.partition(".")[0]
-        if package not in ALLOWED_MODULES:
-            message = f"A component must not import '{module}'."
-            yield self._finding("component.import.forbidden", node, message, _import_hint(package))
-
-    def _names(self) -> Iterator[Finding]:
-        own = set(_bound_names(self._tree))
-        for node in ast.walk(self._tree):
-            if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Load):
-                if node.id in FORBIDDEN_NAMES and node.id not in own:
-                    yield self._forbidden(node, node.id)
-                elif node.id == "getattr" and node.id not in own:
-                    yield from self._getattr(node)
-            elif isinstance(node, ast.Attribute) and _is_special(node.attr) and node.attr not in HARMLESS_ATTRIBUTES:
-                yield self._forbidden(node, node.attr)
-
-    def _getattr(self, name: ast.Name) -> Iterator[Finding]:
-        """getattr(x, "plain_name") is another way to write x.plain_name; any other use can reach everything."""
-        for node in ast.walk(self._tree):
-            if isinstance(node, ast.Call) and node.func is name and len(node.args) >= 2:
-                wanted = node.args[1]
-                if isinstance(wanted, ast.Constant) and isinstance(wanted.value, str) and not _is_special(wanted.value):
-                    return
-        yield self._forbidden(name, "getattr")
-
-    def _forbidden(self, node: ast.AST, name: str) -> Finding:
-        hint = "A component computes its outputs from its inputs and its own fields; it needs nothing else."
-        return self._finding("component.call.forbidden", node, f"A component must not use '{name}'.", hint)
+    def _reach(self) -> Iterator[Finding]:
+        for problem in reach(self._tree):
+            yield self._finding(*problem)
 
     def _effects(self) -> Iterator[Finding]:
         for node in self._tree.body:
@@ -241,6 +194,17 @@ class Rules:
         return self._finding("component.execute.signature", node, message, f"Write it as: {expected}")
 
 
+def read(file: str) -> str:
+    """The text of a component file, with its line ends."""
+    with open(file, encoding="utf-8-sig", newline="") as opened:  # noqa: PTH123
+        return opened.read()
+
+
+def check_file(file: str, component: Component) -> list[Finding]:
+    """Check one file without running anything of it."""
+    return Rules(read(file), component).check()
+
+
 class _ReturnMarks(ast.NodeTransformer):
     """Marks the return statements of one function, not those of functions inside it."""
 
@@ -265,25 +229,6 @@ def _names(names: Iterable[str]) -> str:
     return ", ".join(f"'{name}'" for name in names)
 
 
-def _import_hint(package: str) -> str:
-    if package in MIDDLEWARE or package.endswith(("_msgs", "_srvs", "_interfaces")):
-        return (
-            "A component does no communication: it gets plain values as arguments of execute() and returns a dict; "
-            "the generated node around it does the rest."
-        )
-    if package in CLOCKS:
-        return "A component runs in simulated time too: it counts its own calls, which come at the node's frequency."
-    if package in RANDOMNESS:
-        return "The same inputs have to give the same outputs."
-    if not package:
-        return "A component is one file."
-    return f"Allowed are {', '.join(sorted(ALLOWED_MODULES - {'__future__'}))}."
-
-
-def _is_special(name: str) -> bool:
-    return name.startswith("__") and name.endswith("__")
-
-
 def _is_guard(test: ast.expr) -> bool:
     """`if TYPE_CHECKING:` and `if __name__ == "__main__":`, whose bodies an import does not run."""
     if isinstance(test, ast.Compare):
@@ -305,18 +250,19 @@ def _required(node: ast.FunctionDef | ast.AsyncFunctionDef) -> list[str]:
     return [*needed, *(argument.arg for argument, default in keyword if default is None)]
 
 
-def _bound_names(tree: ast.AST) -> Iterator[str]:
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
-            yield node.id
-        elif isinstance(node, ast.arg):
-            yield node.arg
-        elif isinstance(node, (ast.FunctionDef, ast.ClassDef)):
-            yield node.name
-
-
 def _imported_names(tree: ast.Module) -> Iterator[str]:
     for node in tree.body:
         if isinstance(node, (ast.Import, ast.ImportFrom)):
             for name in node.names:
                 yield (name.asname or name.name).partition(".")[0]
+
+
+def main() -> None:
+    """Check the files that standard input lists."""
+    wanted = [(one["file"], Component(one["class"], one["inputs"], one["outputs"])) for one in json.load(sys.stdin)]
+    found = [[finding._asdict() for finding in check_file(file, component)] for file, component in wanted]
+    sys.stdout.write(json.dumps(found) + "\n")
+
+
+if __name__ == "__main__":
+    main()
