@@ -18,13 +18,12 @@ public final class NearestName {
    * The known name that is nearest to an unknown one, if any is near: at most a third of its
    * characters (at least one) inserted, deleted, changed or swapped, letter case and underscores
    * not counted. Where several are as near, the one whose case and underscores are, then the first
-   * in alphabetical order; never the unknown name itself, which may be known for something else.
+   * in alphabetical order.
    */
   public static Optional<String> of(String unknown, Collection<String> known) {
     String plain = plain(unknown);
     int limit = Math.max(1, plain.length() / 3);
     return known.stream()
-        .filter(name -> !name.equals(unknown))
         .sorted()
         .min(
             Comparator.comparingInt((String name) -> distance(plain, plain(name)))
@@ -32,9 +31,12 @@ public final class NearestName {
         .filter(name -> distance(plain, plain(name)) <= limit);
   }
 
-  /** The question whether the nearest name was meant; empty when none is near. */
+  /**
+   * The question whether the nearest name was meant; empty when none is near. It never asks for the
+   * unknown name itself, which may be known as something else.
+   */
   public static String question(String unknown, Collection<String> known) {
-    return of(unknown, known).map(name -> "Did you mean `" + name + "`?").orElse("");
+    return asked(of(unknown, known.stream().filter(name -> !name.equals(unknown)).toList()));
   }
 
   /**
@@ -42,7 +44,7 @@ public final class NearestName {
    * empty when there is nothing to name.
    */
   public static String hint(String unknown, Collection<String> known) {
-    String question = question(unknown, known);
+    String question = asked(of(unknown, known));
     if (!question.isEmpty()) {
       return question;
     }
@@ -56,6 +58,10 @@ public final class NearestName {
             .map(name -> "`" + name + "`")
             .collect(Collectors.joining(", "));
     return "Known are " + listed + (names.size() > MOST_NAMES_LISTED ? ", ..." : "") + ".";
+  }
+
+  private static String asked(Optional<String> nearest) {
+    return nearest.map(name -> "Did you mean `" + name + "`?").orElse("");
   }
 
   private static String plain(String name) {

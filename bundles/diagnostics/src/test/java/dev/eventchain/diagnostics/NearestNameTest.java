@@ -31,8 +31,8 @@ class NearestNameTest {
   }
 
   @Test
-  void neverMeansTheUnknownNameItself() {
-    assertEquals(Optional.of("units"), NearestName.of("unit", List.of("unit", "units")));
+  void neverAsksForTheUnknownNameItself() {
+    assertEquals("Did you mean `units`?", NearestName.question("unit", List.of("unit", "units")));
     assertEquals("", NearestName.question("unit", List.of("unit")));
   }
 
