@@ -3,6 +3,7 @@ package dev.eventchain.agents;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.fixtures.ExpectedFile;
 import dev.eventchain.llm.ChatResponse;
 import dev.eventchain.llm.ChatResponse.FinishReason;
 import java.io.IOException;
@@ -20,6 +21,8 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** What is taken for the artefact in an answer, and which answers leave none. */
 class AnswerTextTest {
+  private static final Path RESOURCES = Path.of("src/test/resources");
+
   @ParameterizedTest
   @MethodSource
   void theArtefactIsToldFromTheTalkAroundIt(AnswerKind kind, Path file) throws IOException {
@@ -27,14 +30,15 @@ class AnswerTextTest {
     AnswerText text = AnswerText.extract(kind, "artefact", response(answer, FinishReason.STOP));
     assertTrue(text.artefact().isPresent() != !text.problems().isEmpty());
     String actual = text.artefact().map(a -> a.text()).orElse("");
-    ExpectedFile.check(file, actual + ExpectedFile.lines(text.problems()));
+    ExpectedFile.check(ExpectedFile.beside(file), actual + FindingLines.of(text.problems()));
   }
 
   static Stream<Arguments> theArtefactIsToldFromTheTalkAroundIt() throws IOException {
     Stream<Arguments> all = Stream.empty();
     for (AnswerKind kind : AnswerKind.values()) {
       List<Path> files =
-          ExpectedFile.inputs("answers/" + kind.name().toLowerCase(Locale.ROOT), ".md");
+          ExpectedFile.inputs(
+              RESOURCES.resolve("answers/" + kind.name().toLowerCase(Locale.ROOT)), ".md");
       all = Stream.concat(all, files.stream().map(file -> Arguments.of(kind, file)));
     }
     return all;

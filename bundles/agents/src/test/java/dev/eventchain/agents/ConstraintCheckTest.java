@@ -1,6 +1,7 @@
 package dev.eventchain.agents;
 
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.fixtures.ExpectedFile;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
 import dev.eventchain.modeler.EventChainReader;
@@ -17,17 +18,20 @@ import org.junit.jupiter.params.provider.MethodSource;
  * constraints that say nothing.
  */
 class ConstraintCheckTest {
+  private static final Path RESOURCES = Path.of("src/test/resources");
+
   @ParameterizedTest
   @MethodSource
   void aConstraintMustSaySomething(Path file) throws IOException {
     ConstraintCheck check =
         new ConstraintCheck(
             List.of("DR-1", "DR-2"), List.of(EventchainPackage.eINSTANCE), List.of(chain()));
-    ExpectedFile.check(file, ExpectedFile.lines(check.check(SourceText.read(file))));
+    ExpectedFile.check(
+        ExpectedFile.beside(file), FindingLines.of(check.check(SourceText.read(file))));
   }
 
   static List<Path> aConstraintMustSaySomething() throws IOException {
-    return ExpectedFile.inputs("constrain", ".ocl");
+    return ExpectedFile.inputs(RESOURCES.resolve("constrain"), ".ocl");
   }
 
   private static EventChain chain() {

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.fixtures.ExpectedFile;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.modeler.Requirements;
 import dev.eventchain.modeler.SoftwareBase;
@@ -16,6 +17,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Designed chains with one fault each, and what is found in them. */
 class DesignCheckTest {
+  private static final Path RESOURCES = Path.of("src/test/resources");
   private static final Path BASE = Path.of("src/test/resources/design/base");
   private static final SoftwareBase SOFTWARE = SoftwareBase.read(BASE);
   private static final MessageCatalog MESSAGES = MessageCatalog.of(List.of());
@@ -35,11 +37,11 @@ class DesignCheckTest {
         DesignAgent.check(SourceText.read(file), REQUIREMENTS, SOFTWARE, MESSAGES).stream()
             .sorted()
             .toList();
-    ExpectedFile.check(file, ExpectedFile.lines(found));
+    ExpectedFile.check(ExpectedFile.beside(file), FindingLines.of(found));
   }
 
   static List<Path> eachFaultIsFoundWhereItIs() throws IOException {
-    return ExpectedFile.inputs("design", ".json");
+    return ExpectedFile.inputs(RESOURCES.resolve("design"), ".json");
   }
 
   @Test

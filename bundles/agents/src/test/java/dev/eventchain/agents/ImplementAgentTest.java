@@ -8,6 +8,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.fixtures.ExpectedFile;
 import dev.eventchain.modeler.JsonText;
 import dev.eventchain.modeler.Requirements;
 import dev.eventchain.python.ComponentProbe;
@@ -22,6 +23,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Components as models write them, with one fault each, and what is found in them. */
 class ImplementAgentTest {
+  private static final Path RESOURCES = Path.of("src/test/resources");
   private static final Path FOLDER = Path.of("src/test/resources/implement");
   private static final SourceText CHAIN = SourceText.read(FOLDER.resolve("chain.json"));
   private static final Requirements REQUIREMENTS =
@@ -43,11 +45,11 @@ class ImplementAgentTest {
     List<Diagnostic> found = check.check(SourceText.read(file));
     // One line for each kind of fault: how many calls show it does not matter here.
     List<Diagnostic> first = found.stream().limit(1).toList();
-    ExpectedFile.check(file, ExpectedFile.lines(first));
+    ExpectedFile.check(ExpectedFile.beside(file), FindingLines.of(first));
   }
 
   static List<Path> eachFaultIsFoundWhereItIs() throws IOException {
-    return ExpectedFile.inputs("implement", ".py");
+    return ExpectedFile.inputs(RESOURCES.resolve("implement"), ".py");
   }
 
   @Test

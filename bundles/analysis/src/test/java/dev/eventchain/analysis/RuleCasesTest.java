@@ -3,12 +3,12 @@ package dev.eventchain.analysis;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assertions.fail;
 
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.fixtures.ExpectedFile;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.metamodel.LoadedModel;
 import dev.eventchain.metamodel.XmiStore;
@@ -36,15 +36,7 @@ class RuleCasesTest {
   private static final Path CASES = Path.of("src/test/resources/cases");
 
   static Stream<String> cases() throws IOException {
-    try (Stream<Path> folders = Files.find(CASES, 2, (path, a) -> Files.isDirectory(path))) {
-      return folders
-          .map(CASES::relativize)
-          .filter(path -> path.getNameCount() == 2)
-          .map(path -> path.toString().replace('\\', '/'))
-          .sorted()
-          .toList()
-          .stream();
-    }
+    return ExpectedFile.cases(CASES);
   }
 
   @ParameterizedTest
@@ -54,12 +46,7 @@ class RuleCasesTest {
     AnalysisResult result = analyse(folder);
     String rule = name.substring(0, name.indexOf('/'));
     String actual = DiagnosticFormat.TEXT.render(result.diagnostics()).replace(folder + "/", "");
-    Path expected = folder.resolve("expected.txt");
-    if (!Files.exists(expected)) {
-      Files.writeString(expected, actual);
-      fail("Wrote the missing " + expected + "; check it.");
-    }
-    assertEquals(Files.readString(expected), actual);
+    ExpectedFile.check(folder.resolve("expected.txt"), actual);
     result
         .diagnostics()
         .forEach(d -> assertTrue(d.severity().compareTo(worst(result, d.id())) >= 0, d.message()));

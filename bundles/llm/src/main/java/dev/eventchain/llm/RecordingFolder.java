@@ -21,10 +21,6 @@ final class RecordingFolder {
     this.folder = folder;
   }
 
-  Path path() {
-    return folder;
-  }
-
   Path file(String task, ModelName model, RequestKey key) {
     return folder.resolve(task).resolve(model.inFileName() + "-" + key.abbreviated() + ".json");
   }

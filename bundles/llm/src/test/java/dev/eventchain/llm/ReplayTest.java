@@ -8,6 +8,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
+import dev.eventchain.fixtures.ExpectedFile;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -122,12 +123,7 @@ class ReplayTest {
         assertThrows(DiagnosticException.class, () -> RecordingReader.read(file));
     assertEquals(Reason.INPUT, e.reason());
     String actual = String.join("", e.diagnostics().stream().map(ReplayTest::line).toList());
-    Path expected = Path.of(file.toString().replace(".json", ".expected"));
-    if (!Files.exists(expected)) {
-      Files.writeString(expected, actual);
-      throw new AssertionError("wrote " + expected + ": look at it and run again");
-    }
-    assertEquals(Files.readString(expected), actual);
+    ExpectedFile.check(ExpectedFile.beside(file), actual);
   }
 
   static Stream<Path> aBrokenRecordingIsReportedWithItsPlace() throws IOException {

@@ -31,10 +31,6 @@ record Token(Kind kind, String keyword, int start, int end, int contentStart, in
     return new Token(Kind.TEXT, "", start, end, start, end);
   }
 
-  boolean is(Kind expectedKind, String expectedKeyword) {
-    return kind == expectedKind && keyword.equals(expectedKeyword);
-  }
-
   boolean isBlockTag() {
     return kind == Kind.OPEN || kind == Kind.MIDDLE || kind == Kind.CLOSE;
   }

@@ -60,16 +60,6 @@ public record FieldType(
     int bytes() {
       return bytes;
     }
-
-    /** Whether a value is a number: an integer or a floating-point number. */
-    public boolean isNumber() {
-      return bytes > 0 && this != BOOL;
-    }
-
-    /** Whether a value has a fractional part. */
-    public boolean isFloatingPoint() {
-      return this == FLOAT32 || this == FLOAT64;
-    }
   }
 
   /** How many values a field holds. */

@@ -5,10 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assertions.fail;
 
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.fixtures.ExpectedFile;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -38,12 +38,7 @@ class MessageCatalogTest {
   void findingsAreAsExpected(Path folder) throws IOException {
     MessageCatalog catalog = MessageCatalog.of(List.of(folder));
     String actual = DiagnosticFormat.TEXT.render(catalog.diagnostics());
-    Path expected = folder.resolveSibling(folder.getFileName() + ".expected");
-    if (Files.notExists(expected)) {
-      Files.writeString(expected, actual);
-      fail("wrote " + expected + ": look at it and commit it");
-    }
-    assertEquals(Files.readString(expected), actual);
+    ExpectedFile.check(folder.resolveSibling(folder.getFileName() + ".expected"), actual);
   }
 
   @Test

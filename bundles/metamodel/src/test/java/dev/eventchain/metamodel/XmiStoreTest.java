@@ -7,12 +7,12 @@ import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assertions.fail;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.fixtures.ExpectedFile;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainFactory;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
@@ -48,13 +48,8 @@ class XmiStoreTest {
   @ParameterizedTest
   @MethodSource("cases")
   void readsOrRefusesAFile(String name) throws IOException {
-    Path expected = CASES.resolve(name).resolve("expected.txt");
-    String actual = outcome(CASES.resolve(name));
-    if (!Files.exists(expected)) {
-      Files.writeString(expected, actual);
-      fail("Wrote the missing " + expected + "; check it.");
-    }
-    assertEquals(Files.readString(expected), actual);
+    Path folder = CASES.resolve(name);
+    ExpectedFile.check(folder.resolve("expected.txt"), outcome(folder));
   }
 
   private static String outcome(Path project) {

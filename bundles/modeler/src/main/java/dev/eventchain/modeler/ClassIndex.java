@@ -27,11 +27,6 @@ final class ClassIndex {
     ePackage.getESubpackages().forEach(this::add);
   }
 
-  /** All names without their packages, sorted. */
-  Collection<String> names() {
-    return classes.keySet();
-  }
-
   /** The names of the classes that objects can have, sorted. */
   List<String> concreteNames() {
     return classes.entrySet().stream()

@@ -74,10 +74,6 @@ final class InstanceObjects {
     return text.at(isGiven(object, feature) ? JsonText.below(pointer, feature.getName()) : pointer);
   }
 
-  Origins origins() {
-    return origins;
-  }
-
   void read() {
     JsonNode root = text.root();
     if (root.isArray()) {

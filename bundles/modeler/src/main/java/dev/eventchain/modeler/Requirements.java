@@ -7,7 +7,6 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -41,11 +40,6 @@ public record Requirements(List<Item> items, List<Diagnostic> diagnostics) {
   /** Reads the items of a file. */
   public static Requirements read(SourceText source) {
     return new Reader(source).read();
-  }
-
-  /** The item with an id. */
-  public Optional<Item> find(String id) {
-    return items.stream().filter(item -> item.id.equals(id)).findFirst();
   }
 
   private static final class Reader {

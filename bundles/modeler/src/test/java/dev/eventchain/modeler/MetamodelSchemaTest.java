@@ -3,13 +3,12 @@ package dev.eventchain.modeler;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assertions.fail;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.fixtures.ExpectedFile;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -24,12 +23,8 @@ class MetamodelSchemaTest {
   @Test
   void theSchemaOfTheLibraryIsAsExpected() throws IOException {
     String actual = MetamodelSchema.nested(Library.eClass("Library")).toPrettyString() + "\n";
-    Path expected = Path.of("src/test/resources/library.schema.json");
-    if (!Files.exists(expected)) {
-      Files.writeString(expected, actual);
-      fail("Wrote the missing " + expected + "; check it.");
-    }
-    assertEquals(Files.readString(expected), actual.replace("\r\n", "\n"));
+    ExpectedFile.check(
+        Path.of("src/test/resources/library.schema.json"), actual.replace("\r\n", "\n"));
   }
 
   @Test

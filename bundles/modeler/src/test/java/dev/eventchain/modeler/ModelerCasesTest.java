@@ -1,12 +1,12 @@
 package dev.eventchain.modeler;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.fail;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.fixtures.ExpectedFile;
 import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import java.io.IOException;
@@ -29,15 +29,7 @@ class ModelerCasesTest {
   private static final Path CASES = Path.of("src/test/resources/cases");
 
   static Stream<String> cases() throws IOException {
-    try (Stream<Path> folders = Files.find(CASES, 2, (path, a) -> Files.isDirectory(path))) {
-      return folders
-          .map(CASES::relativize)
-          .filter(path -> path.getNameCount() == 2)
-          .map(path -> path.toString().replace('\\', '/'))
-          .sorted()
-          .toList()
-          .stream();
-    }
+    return ExpectedFile.cases(CASES);
   }
 
   @ParameterizedTest
@@ -45,12 +37,7 @@ class ModelerCasesTest {
   void saysWhatIsExpected(String name) throws IOException {
     Path folder = CASES.resolve(name);
     String actual = outcome(name.substring(0, name.indexOf('/')), folder);
-    Path expected = folder.resolve("expected.txt");
-    if (!Files.exists(expected)) {
-      Files.writeString(expected, actual);
-      fail("Wrote the missing " + expected + "; check it.");
-    }
-    assertEquals(Files.readString(expected), actual);
+    ExpectedFile.check(folder.resolve("expected.txt"), actual);
   }
 
   private static String outcome(String kind, Path folder) {

@@ -2,6 +2,7 @@ package dev.eventchain.ocl;
 
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Iterator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -40,6 +41,18 @@ final class CollectionOperations {
       case BAG_LITERAL -> new InsertionOrderedBag<>(elements);
       case SEQUENCE_LITERAL, COLLECTION_LITERAL -> new ArrayList<>(elements);
     };
+  }
+
+  /** The collection of this kind that a value of Java stands for: its elements, or it alone. */
+  static Object asCollection(CollectionKind kind, Object value) {
+    if (value instanceof Iterator<?>) {
+      return value; // EMF's tree iterators are lists, too, but not ones to be read
+    } else if (value instanceof Collection<?> elements) {
+      return create(kind, elements);
+    }
+    Collection<Object> single = create(kind);
+    single.add(value);
+    return single;
   }
 
   /** What {@code select} and {@code reject} make of a source of this static type. */

@@ -125,14 +125,7 @@ final class NavigationNodes {
     }
 
     private Object collect(Object value) {
-      if (value == INVALID || value instanceof Iterator<?>) {
-        return value;
-      } else if (value instanceof Collection<?> elements) {
-        return CollectionOperations.create(kind, elements);
-      }
-      Collection<Object> single = CollectionOperations.create(kind);
-      single.add(value);
-      return single;
+      return value == INVALID ? value : CollectionOperations.asCollection(kind, value);
     }
 
     /** EMF's lists of a unique feature hold no element twice. */

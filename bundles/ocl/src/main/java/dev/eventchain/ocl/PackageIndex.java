@@ -18,13 +18,11 @@ import org.eclipse.ocl.parser.AbstractOCLAnalyzer;
 final class PackageIndex {
 
   private final Set<EPackage> packages = new LinkedHashSet<>();
-  private final Collection<EPackage> given;
 
   /** What was found by each path, which each parse of an expression asks for again. */
   private final Map<List<String>, List<EClassifier>> classifiers = new ConcurrentHashMap<>();
 
   PackageIndex(Collection<EPackage> given) {
-    this.given = List.copyOf(given);
     given.forEach(this::add);
   }
 
@@ -32,11 +30,6 @@ final class PackageIndex {
     if (packages.add(each)) {
       each.getESubpackages().forEach(this::add);
     }
-  }
-
-  /** The packages that were given, without those nested in them. */
-  Collection<EPackage> given() {
-    return given;
   }
 
   /** All packages, those that were given and those nested in them. */

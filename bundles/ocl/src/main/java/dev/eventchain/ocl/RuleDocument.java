@@ -83,10 +83,6 @@ final class RuleDocument {
     return document;
   }
 
-  SourceText source() {
-    return source;
-  }
-
   List<Import> imports() {
     return imports;
   }

@@ -113,19 +113,13 @@ final class ValueEnvironment extends EcoreEvaluationEnvironment {
   @Override
   protected Object coerceValue(ETypedElement element, Object value, boolean copy) {
     CollectionKind kind = factory.kindOf(element);
-    if (value instanceof Iterator<?>) {
-      return value; // EMF's tree iterators are lists, too, but not ones to be read
-    } else if (kind == null) {
-      if (!(value instanceof Collection<?> collection)) {
-        return value;
-      }
-      return collection.isEmpty() ? null : collection.iterator().next();
-    } else if (value instanceof Collection<?> elements) {
-      return CollectionOperations.create(kind, elements);
+    if (kind != null) {
+      return CollectionOperations.asCollection(kind, value);
     }
-    Collection<Object> single = CollectionOperations.create(kind);
-    single.add(value);
-    return single;
+    if (value instanceof Iterator<?> || !(value instanceof Collection<?> collection)) {
+      return value;
+    }
+    return collection.isEmpty() ? null : collection.iterator().next();
   }
 
   /** Calls an operation of the metamodel. */

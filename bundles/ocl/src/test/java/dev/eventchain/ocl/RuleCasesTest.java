@@ -1,11 +1,9 @@
 package dev.eventchain.ocl;
 
-import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.fail;
-
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.fixtures.ExpectedFile;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -14,8 +12,8 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
-import org.junit.jupiter.api.DynamicTest;
-import org.junit.jupiter.api.TestFactory;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * A folder for each case: {@code cases/METAMODEL/CASE} with rules ({@code *.ocl}), models ({@code
@@ -26,26 +24,16 @@ class RuleCasesTest {
 
   private static final Path CASES = Path.of("src", "test", "resources", "cases");
 
-  @TestFactory
-  Stream<DynamicTest> everyCaseFindsWhatItExpects() throws IOException {
-    List<DynamicTest> tests = new ArrayList<>();
-    for (Path metamodel : list(CASES, "")) {
-      for (Path folder : list(metamodel, "")) {
-        String name = metamodel.getFileName() + "/" + folder.getFileName();
-        tests.add(DynamicTest.dynamicTest(name, () -> check(metamodel, folder)));
-      }
-    }
-    return tests.stream();
+  static Stream<String> cases() throws IOException {
+    return ExpectedFile.cases(CASES);
   }
 
-  private static void check(Path metamodel, Path folder) throws IOException {
-    String found = run(metamodel.getFileName().toString(), folder);
-    Path expected = folder.resolve("expected.txt");
-    if (!Files.exists(expected)) {
-      Files.writeString(expected, found);
-      fail("wrote " + expected + "; check it");
-    }
-    assertEquals(Files.readString(expected), found);
+  @ParameterizedTest
+  @MethodSource("cases")
+  void everyCaseFindsWhatItExpects(String name) throws IOException {
+    Path folder = CASES.resolve(name);
+    String metamodel = name.substring(0, name.indexOf('/'));
+    ExpectedFile.check(folder.resolve("expected.txt"), run(metamodel, folder));
   }
 
   private static String run(String metamodelName, Path folder) throws IOException {

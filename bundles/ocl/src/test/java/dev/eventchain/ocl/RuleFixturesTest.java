@@ -1,12 +1,12 @@
 package dev.eventchain.ocl;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.fail;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.fixtures.ExpectedFile;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -44,12 +44,7 @@ class RuleFixturesTest {
   private static void check(String id, String kind) throws IOException {
     List<Diagnostic> diagnostics = validate(FIXTURES.resolve(id).resolve(kind + ".ocl"));
     String found = DiagnosticFormat.TEXT.render(diagnostics);
-    Path expected = FIXTURES.resolve(id).resolve(kind + ".expected");
-    if (!Files.exists(expected)) {
-      Files.writeString(expected, found);
-      fail("wrote " + expected + "; check it");
-    }
-    assertEquals(Files.readString(expected), found);
+    ExpectedFile.check(FIXTURES.resolve(id).resolve(kind + ".expected"), found);
     assertEquals(
         kind.equals("bad"), diagnostics.stream().anyMatch(each -> each.id().equals(id)), found);
   }

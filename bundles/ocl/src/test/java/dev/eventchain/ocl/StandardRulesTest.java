@@ -2,12 +2,12 @@ package dev.eventchain.ocl;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
-import static org.junit.jupiter.api.Assertions.fail;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.fixtures.ExpectedFile;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -184,12 +184,7 @@ class StandardRulesTest {
     EObject model = models.load(constraint.name() + "/bad.xmi");
     OclResult result = validate(rules, model);
     String found = DiagnosticFormat.TEXT.render(result.diagnostics());
-    Path expected = MODELS.resolve(constraint.name()).resolve("expected.txt");
-    if (!Files.exists(expected)) {
-      Files.writeString(expected, found);
-      fail("wrote " + expected + "; check it");
-    }
-    assertEquals(Files.readString(expected), found);
+    ExpectedFile.check(MODELS.resolve(constraint.name()).resolve("expected.txt"), found);
     assertTrue(
         result.diagnostics().stream()
             .map(Diagnostic::rule)

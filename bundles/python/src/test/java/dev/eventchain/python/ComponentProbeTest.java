@@ -1,12 +1,12 @@
 package dev.eventchain.python;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.fail;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.fixtures.ExpectedFile;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -46,15 +46,10 @@ class ComponentProbeTest {
   @MethodSource("components")
   void findingsAreAsExpected(Path component, Confinement confinement) throws IOException {
     String actual = DiagnosticFormat.TEXT.render(check(component, confinement));
-    String name = component.getFileName().toString().replace(".py", "");
-    Path expected = component.resolveSibling(name + ".expected");
-    if (name.startsWith("good")) {
+    if (component.getFileName().toString().startsWith("good")) {
       assertEquals("", actual);
-    } else if (Files.exists(expected)) {
-      assertEquals(Files.readString(expected), actual);
     } else {
-      Files.writeString(expected, actual);
-      fail("wrote " + expected + ": look at it and commit it");
+      ExpectedFile.check(ExpectedFile.beside(component), actual);
     }
   }
 
