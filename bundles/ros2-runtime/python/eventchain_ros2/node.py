@@ -16,8 +16,8 @@ from eventchain_ros2.qos import QoSProfile, as_profile
 if TYPE_CHECKING:
     from eventchain_ros2.simulation import Process
 
-_NODE_NAME = re.compile(r"[A-Za-z_]\w*$", re.ASCII)
-_TOPIC_NAME = re.compile(r"(~/|/)?[A-Za-z_]\w*(/[A-Za-z_]\w*)*$", re.ASCII)
+_NODE_NAME = re.compile(r"[A-Za-z_]\w*\Z", re.ASCII)
+_TOPIC_NAME = re.compile(r"(~/|/)?[A-Za-z_]\w*(/[A-Za-z_]\w*)*\Z", re.ASCII)
 
 
 class InvalidNodeNameException(ValueError):  # noqa: N818 - rclpy's name

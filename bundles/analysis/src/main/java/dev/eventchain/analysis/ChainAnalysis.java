@@ -2,6 +2,7 @@ package dev.eventchain.analysis;
 
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.messages.RosNames;
 import dev.eventchain.metamodel.DataFlowIndex;
 import dev.eventchain.metamodel.Signal;
 import dev.eventchain.metamodel.eventchain.EventChain;
@@ -43,7 +44,7 @@ public final class ChainAnalysis {
 
   private static Map<String, Signal> byTopic(List<Signal> signals) {
     Map<String, Signal> byTopic = new LinkedHashMap<>();
-    signals.forEach(signal -> byTopic.putIfAbsent(signal.topic(), signal));
+    signals.forEach(signal -> byTopic.putIfAbsent(RosNames.resolve(signal.topic(), ""), signal));
     return byTopic;
   }
 

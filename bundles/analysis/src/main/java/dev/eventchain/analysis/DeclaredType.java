@@ -1,8 +1,8 @@
 package dev.eventchain.analysis;
 
 import dev.eventchain.messages.FieldType;
-import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.messages.MessageType;
+import dev.eventchain.messages.RosNames;
 import java.util.Locale;
 import java.util.Map;
 import java.util.regex.Matcher;
@@ -59,6 +59,6 @@ final class DeclaredType {
 
   private static String base(String name) {
     boolean isMessage = name.indexOf('/') >= 0 || name.equals("Header");
-    return isMessage ? MessageCatalog.fullName(name) : SAME.getOrDefault(name, name);
+    return isMessage ? RosNames.fullMessageType(name) : SAME.getOrDefault(name, name);
   }
 }

@@ -1,5 +1,6 @@
 package dev.eventchain.analysis;
 
+import dev.eventchain.messages.RosNames;
 import dev.eventchain.metamodel.Signal;
 import dev.eventchain.metamodel.eventchain.Data;
 import java.util.stream.Collectors;
@@ -47,7 +48,7 @@ final class SignalContracts {
       boolean described =
           signal.fields().stream()
               .map(Signal.Field::path)
-              .anyMatch(p -> p.equals(path) || isPart(p, path) || isPart(path, p));
+              .anyMatch(known -> RosNames.overlap(known, path));
       if (!described) {
         findings.warning(
             Rule.SIGNAL_FIELD,
@@ -62,9 +63,5 @@ final class SignalContracts {
             signal.location());
       }
     }
-  }
-
-  private static boolean isPart(String whole, String part) {
-    return part.startsWith(whole + ".");
   }
 }

@@ -2,7 +2,7 @@ package dev.eventchain.analysis;
 
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.messages.RosNames;
 import dev.eventchain.metamodel.DataFlowIndex;
 import dev.eventchain.metamodel.Signal;
 import dev.eventchain.metamodel.eventchain.Data;
@@ -98,7 +98,7 @@ final class TopicContracts {
   }
 
   private static boolean same(String first, String second) {
-    return MessageCatalog.fullName(first).equals(MessageCatalog.fullName(second));
+    return RosNames.fullMessageType(first).equals(RosNames.fullMessageType(second));
   }
 
   private static boolean sameKnown(String first, String second) {

@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.FieldType;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.messages.MessageType;
+import dev.eventchain.messages.RosNames;
 import dev.eventchain.metamodel.Signal;
 import dev.eventchain.metamodel.eventchain.Data;
 import java.util.HashMap;
@@ -15,15 +16,10 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
-import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /** Whether message types and fields exist, and are what the chain and the signals take them for. */
 final class TypeContracts {
-
-  /** What {@code MessageTypeIsQualified} asks for; other names are its findings. */
-  private static final Pattern QUALIFIED =
-      Pattern.compile("[A-Za-z][A-Za-z0-9_]*/(msg/)?[A-Z][A-Za-z0-9_]*");
 
   private final MessageCatalog catalog;
   private final Findings findings;
@@ -60,8 +56,9 @@ final class TypeContracts {
     }
   }
 
+  /** What {@code MessageTypeIsQualified} asks for; other names are its findings. */
   static boolean isQualified(String type) {
-    return type != null && QUALIFIED.matcher(type).matches();
+    return type != null && RosNames.isMessageType(type);
   }
 
   /** The type of a field that exists; empty as well if it is not legal or its type not known. */
@@ -103,7 +100,7 @@ final class TypeContracts {
         catalog.names().stream().filter(name -> name.endsWith(simpleName)).toList();
     Optional<String> meant =
         elsewhere.isEmpty()
-            ? NearestName.of(MessageCatalog.fullName(type), catalog.names())
+            ? NearestName.of(RosNames.fullMessageType(type), catalog.names())
             : Optional.of(String.join("` or `", elsewhere));
     String searched =
         catalog.folders().isEmpty()
@@ -111,7 +108,7 @@ final class TypeContracts {
             : catalog.folders().stream()
                 .map(folder -> folder.toString().replace('\\', '/'))
                 .collect(Collectors.joining(" and ", "the standard types of ROS 2 and in ", ""));
-    String wanted = MessageCatalog.fullName(type) + ".msg";
+    String wanted = RosNames.fullMessageType(type) + ".msg";
     return meant.map(name -> "Did you mean `" + name + "`? ").orElse("")
         + "Looked for among %s; a definition of your own is PACKAGE/msg/NAME.msg there: %s."
             .formatted(searched, wanted);

@@ -64,7 +64,7 @@ public final class MessageCatalog {
       for (Path file : found.filter(path -> path.toString().endsWith(".msg")).sorted().toList()) {
         Path relative = folder.relativize(file);
         String name = relative.toString().replace('\\', '/').replaceAll("\\.msg$", "");
-        if (MessageParser.isFullName(name)) {
+        if (RosNames.isFullMessageType(name)) {
           files.put(name, file);
         }
       }
@@ -81,11 +81,6 @@ public final class MessageCatalog {
   /** The folders of the user, as they were named. */
   public List<Path> folders() {
     return folders;
-  }
-
-  /** The full name of a type: {@code std_msgs/Bool} is short for {@code std_msgs/msg/Bool}. */
-  public static String fullName(String name) {
-    return MessageParser.fullName(name, "");
   }
 
   /** The full names of all types. */
@@ -117,7 +112,7 @@ public final class MessageCatalog {
    *     message.type.unknown}, {@code message.cycle}; or its file cannot be read
    */
   public synchronized Optional<MessageType> find(String name) {
-    String fullName = fullName(name);
+    String fullName = RosNames.fullMessageType(name);
     if (!standard.containsKey(fullName) && !files.containsKey(fullName)) {
       return Optional.empty();
     }

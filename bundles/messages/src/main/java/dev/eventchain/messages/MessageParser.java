@@ -27,7 +27,6 @@ final class MessageParser {
       Pattern.compile(
           "(?<base>[A-Za-z][\\w/]*)(<=(?<string>\\d{1,9}))?"
               + "(?<array>\\[((?<bound><=)?(?<size>\\d{1,9}))?\\])?");
-  private static final Pattern FULL_NAME = Pattern.compile("[a-z]\\w*/msg/[A-Z]\\w*");
   private static final String GRAMMAR =
       "A line is TYPE NAME, TYPE NAME DEFAULT or TYPE NAME=VALUE, as in: float64[<=9] values";
   private static final String HEADER = "std_msgs/msg/Header";
@@ -60,16 +59,7 @@ final class MessageParser {
     if (text.equals("Header")) {
       return HEADER;
     }
-    int slash = text.indexOf('/');
-    if (slash < 0) {
-      return ownPackage + "/msg/" + text;
-    }
-    boolean isShort = text.indexOf('/', slash + 1) < 0;
-    return isShort ? text.substring(0, slash) + "/msg" + text.substring(slash) : text;
-  }
-
-  static boolean isFullName(String text) {
-    return FULL_NAME.matcher(text).matches();
+    return text.indexOf('/') < 0 ? ownPackage + "/msg/" + text : RosNames.fullMessageType(text);
   }
 
   private void readLines() {
@@ -142,7 +132,7 @@ final class MessageParser {
     FieldType.Kind kind = kind(base);
     String fullName = kind == FieldType.Kind.MESSAGE ? fullName(base, packageName()) : base;
     boolean isText = kind == FieldType.Kind.STRING || kind == FieldType.Kind.WSTRING;
-    boolean unknown = kind == FieldType.Kind.MESSAGE && !isFullName(fullName);
+    boolean unknown = kind == FieldType.Kind.MESSAGE && !RosNames.isFullMessageType(fullName);
     if (unknown || (type.group("string") != null && !isText)) {
       problem("message.syntax", "'" + text + "' is not a type.", offset);
       return Optional.empty();

@@ -1,5 +1,6 @@
 package dev.eventchain.metamodel;
 
+import dev.eventchain.messages.RosNames;
 import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
@@ -8,15 +9,15 @@ import java.util.Collections;
 import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 
 /**
- * Who hands data to whom in an event chain. Data flows from an output to an input when both name
- * the same topic, the rule that DDS matches by, and the output sets what the input reads: the same
- * field, or one of which the other is a part ({@code header} and {@code header.stamp.sec}).
+ * Who hands data to whom in an event chain. Data flows from an output to an input when both are on
+ * the same topic ({@link TopicIndex}), the rule that DDS matches by, and the output sets what the
+ * input reads: the same field, or one of which the other is a part ({@code header} and {@code
+ * header.stamp.sec}). {@code SoftwareNode::feeds} of the standard rules says the same in OCL.
  *
  * <p>A snapshot: later changes of the chain are not seen. All lists are in chain order.
  */
@@ -32,48 +33,41 @@ public final class DataFlowIndex {
 
   private DataFlowIndex(EventChain chain) {
     List<SoftwareNode> nodes = chain.getSoftware();
-    Map<String, Set<Data>> outputsOfTopic = new HashMap<>();
-    for (SoftwareNode node : nodes) {
-      for (Data output : node.getOutput()) {
-        writers.computeIfAbsent(output, key -> new ArrayList<>()).add(node);
-        if (output.getTopicName() != null) {
-          outputsOfTopic
-              .computeIfAbsent(output.getTopicName(), key -> new LinkedHashSet<>())
-              .add(output);
-        }
-      }
-      for (Data input : node.getInput()) {
-        readers.computeIfAbsent(input, key -> new ArrayList<>()).add(node);
-      }
-    }
     Map<SoftwareNode, Integer> order = new HashMap<>();
-    nodes.forEach(node -> order.put(node, order.size()));
     for (SoftwareNode node : nodes) {
-      connect(node, order, outputsOfTopic);
+      order.put(node, order.size());
+      node.getOutput()
+          .forEach(data -> writers.computeIfAbsent(data, key -> new ArrayList<>()).add(node));
+      node.getInput()
+          .forEach(data -> readers.computeIfAbsent(data, key -> new ArrayList<>()).add(node));
     }
+    TopicIndex topics = TopicIndex.of(chain);
+    nodes.forEach(node -> connect(node, order, topics));
     cycles = new Cycles(nodes, successors).find();
   }
 
-  private void connect(
-      SoftwareNode reader,
-      Map<SoftwareNode, Integer> order,
-      Map<String, Set<Data>> outputsOfTopic) {
+  private void connect(SoftwareNode reader, Map<SoftwareNode, Integer> order, TopicIndex topics) {
     Set<SoftwareNode> before = new HashSet<>();
     for (Data input : reader.getInput()) {
-      for (Data output : outputsOfTopic.getOrDefault(input.getTopicName(), Set.of())) {
-        if (!overlap(output.getFieldName(), input.getFieldName())) {
-          continue;
-        }
-        addOnce(producers, input, output);
-        addOnce(consumers, output, input);
-        before.addAll(writers.get(output));
-      }
+      TopicIndex.nameOf(input, reader)
+          .flatMap(topics::find)
+          .ifPresent(topic -> topic.publishers().forEach(from -> connect(from, input, before)));
     }
     List<SoftwareNode> sorted = new ArrayList<>(before);
     sorted.sort(Comparator.comparing(order::get));
     predecessors.put(reader, sorted);
     for (SoftwareNode writer : sorted) {
       successors.computeIfAbsent(writer, key -> new ArrayList<>()).add(reader);
+    }
+  }
+
+  private void connect(TopicIndex.Endpoint publisher, Data input, Set<SoftwareNode> before) {
+    for (Data output : publisher.data()) {
+      if (overlap(output.getFieldName(), input.getFieldName())) {
+        addOnce(producers, input, output);
+        addOnce(consumers, output, input);
+        before.add(publisher.node());
+      }
     }
   }
 
@@ -120,17 +114,8 @@ public final class DataFlowIndex {
     return cycles;
   }
 
-  /** Whether two field paths name the same value, or one names a part of the other. */
   private static boolean overlap(String written, String read) {
-    if (written == null || read == null) {
-      return false;
-    }
-    String longer = written.length() >= read.length() ? written : read;
-    String shorter = written.length() >= read.length() ? read : written;
-    return longer.startsWith(shorter)
-        && (longer.length() == shorter.length()
-            || longer.charAt(shorter.length()) == '.'
-            || longer.charAt(shorter.length()) == '[');
+    return written != null && read != null && RosNames.overlap(written, read);
   }
 
   private static <K, V> void addOnce(Map<K, List<V>> map, K key, V value) {

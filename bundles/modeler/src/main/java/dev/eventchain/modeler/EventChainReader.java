@@ -4,7 +4,10 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.messages.RosNames;
 import dev.eventchain.metamodel.Origins;
+import dev.eventchain.metamodel.PythonNames;
+import dev.eventchain.metamodel.TopicIndex;
 import dev.eventchain.metamodel.eventchain.ComponentOrigin;
 import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.EventChain;
@@ -13,6 +16,7 @@ import dev.eventchain.metamodel.eventchain.QosProfile;
 import dev.eventchain.metamodel.eventchain.Requirement;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -176,8 +180,8 @@ public final class EventChainReader {
   }
 
   private void readPort(JsonObjectReader port, Set<String> names, List<Data> data) {
-    String topic = checked(port, "topic", Names::isTopic, "modeler.topic.illegal");
-    String type = checked(port, "message_type", Names::isMessageType, "modeler.type.illegal");
+    String topic = checked(port, "topic", RosNames::isTopic, "modeler.topic.illegal");
+    String type = checked(port, "message_type", RosNames::isMessageType, "modeler.type.illegal");
     Optional<QosProfile> qos = qosReader.read(port);
     List<String> values = port.elements("values");
     if (values.isEmpty()) {
@@ -208,7 +212,7 @@ public final class EventChainReader {
           "There is a value '" + value.getName() + "' on this side of the component already.",
           json.at("name"));
     }
-    value.setFieldName(checked(json, "field", Names::isFieldPath, "modeler.field.illegal"));
+    value.setFieldName(checked(json, "field", RosNames::isFieldPath, "modeler.field.illegal"));
     json.text("description").ifPresent(value::setDescription);
     json.text("type").ifPresent(value::setType);
     json.text("unit").ifPresent(value::setUnit);
@@ -218,7 +222,7 @@ public final class EventChainReader {
 
   private String name(JsonObjectReader json, String what) {
     String name = json.requiredText("name");
-    if (!name.isBlank() && !Names.isIdentifier(name)) {
+    if (!name.isBlank() && !PythonNames.isFreeIdentifier(name)) {
       diagnostics.add(
           Diagnostic.error(
                   "modeler.name.illegal",
@@ -267,14 +271,19 @@ public final class EventChainReader {
   private void linkNextSteps() {
     List<SoftwareNode> nodes = chain.getSoftware();
     for (int i = 0; i < nodes.size(); i++) {
-      Set<String> written =
-          nodes.get(i).getOutput().stream().map(Data::getTopicName).collect(Collectors.toSet());
+      Set<String> written = topics(nodes.get(i), nodes.get(i).getOutput());
       Optional<SoftwareNode> next =
           nodes.subList(i + 1, nodes.size()).stream()
-              .filter(n -> n.getInput().stream().anyMatch(d -> written.contains(d.getTopicName())))
+              .filter(node -> !Collections.disjoint(written, topics(node, node.getInput())))
               .findFirst();
       next.ifPresent(nodes.get(i)::setNextstep);
     }
+  }
+
+  private static Set<String> topics(SoftwareNode node, List<Data> data) {
+    return data.stream()
+        .flatMap(value -> TopicIndex.nameOf(value, node).stream())
+        .collect(Collectors.toSet());
   }
 
   private void find(String id, String message, SourceLocation location) {

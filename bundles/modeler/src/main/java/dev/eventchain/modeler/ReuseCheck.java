@@ -3,6 +3,8 @@ package dev.eventchain.modeler;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.messages.RosNames;
+import dev.eventchain.metamodel.TopicIndex;
 import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import java.util.LinkedHashMap;
@@ -62,7 +64,7 @@ final class ReuseCheck {
   }
 
   private void compareValue(String side, Data there, Data here) {
-    compareProperty(side, here, "topic", there.getTopicName(), here.getTopicName());
+    compareProperty(side, here, "topic", topic(there), topic(here));
     compareProperty(side, here, "field", there.getFieldName(), here.getFieldName());
     compareProperty(
         side,
@@ -112,9 +114,12 @@ final class ReuseCheck {
             .withHint(hint));
   }
 
-  /** {@code std_msgs/Float32} is short for {@code std_msgs/msg/Float32}. */
+  private String topic(Data data) {
+    return TopicIndex.nameOf(data, existing).orElse("");
+  }
+
   private static String qualified(String type) {
-    return type == null ? "" : type.replaceFirst("^([^/]+)/([^/]+)$", "$1/msg/$2");
+    return type == null ? "" : RosNames.fullMessageType(type);
   }
 
   private static Map<String, Data> byName(List<Data> data) {

@@ -2,6 +2,7 @@ package dev.eventchain.modeler;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.messages.RosNames;
 import dev.eventchain.metamodel.Signal;
 import dev.eventchain.metamodel.eventchain.QosProfile;
 import java.util.ArrayList;
@@ -45,14 +46,14 @@ final class SignalReader {
   }
 
   private Signal readSignal(JsonObjectReader json) {
-    String topic = legal(json, "Topic Name", Names::isTopic, "modeler.topic.illegal");
-    if (!topic.isEmpty() && !topics.add(topic)) {
+    String topic = legal(json, "Topic Name", SignalReader::isTopic, "modeler.topic.illegal");
+    if (!topic.isEmpty() && !topics.add(RosNames.resolve(topic, ""))) {
       json.find(
           "modeler.name.duplicate",
           "There is a signal '" + topic + "' already.",
           json.at("Topic Name"));
     }
-    String type = legal(json, "Message Type", Names::isMessageType, "modeler.type.illegal");
+    String type = legal(json, "Message Type", RosNames::isMessageType, "modeler.type.illegal");
     Optional<QosProfile> qos = new QosReader(text, findings::add).read(json);
     Signal.Direction direction = direction(json);
     List<Signal.Field> fields = new ArrayList<>();
@@ -61,6 +62,11 @@ final class SignalReader {
     }
     json.refuseOthers();
     return new Signal(topic, type, direction, qos, fields, json.location());
+  }
+
+  /** A signal is not that of a node, hence has no private name. */
+  private static boolean isTopic(String name) {
+    return RosNames.isTopic(name) && !RosNames.isPrivate(name);
   }
 
   private Signal.Direction direction(JsonObjectReader json) {
@@ -81,7 +87,7 @@ final class SignalReader {
   }
 
   private Signal.Field readField(JsonObjectReader json) {
-    String path = legal(json, "Field", Names::isFieldPath, "modeler.field.illegal");
+    String path = legal(json, "Field", RosNames::isFieldPath, "modeler.field.illegal");
     String type = json.requiredText("Type");
     json.text("Description");
     String unit = json.text("Unit").orElse("");

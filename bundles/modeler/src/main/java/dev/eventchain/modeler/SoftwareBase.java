@@ -3,6 +3,7 @@ package dev.eventchain.modeler;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.metamodel.PythonNames;
 import dev.eventchain.metamodel.Signal;
 import dev.eventchain.metamodel.eventchain.ComponentImplementation;
 import dev.eventchain.metamodel.eventchain.EventChain;
@@ -175,7 +176,7 @@ public final class SoftwareBase {
     /** The descriptions are checked where they are read as a chain; here it is about the files. */
     private Optional<Component> component(JsonObjectReader json, String pointer) {
       String name = text.root().at(pointer).path("name").asText();
-      if (!Names.isIdentifier(name)) {
+      if (!PythonNames.isFreeIdentifier(name)) {
         return Optional.empty();
       }
       String file = json.text("file").orElse("components/" + name + ".py");

@@ -3,13 +3,10 @@ package dev.eventchain.pipeline;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
-import dev.eventchain.metamodel.eventchain.Data;
+import dev.eventchain.metamodel.TopicIndex;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
-import java.util.LinkedHashMap;
-import java.util.LinkedHashSet;
-import java.util.Map;
-import java.util.Set;
+import java.util.List;
 
 /** A chain as nodes and edges; an edge without a node at one end leads out of the chain. */
 final class ChainPicture {
@@ -22,30 +19,20 @@ final class ChainPicture {
     ArrayNode nodes = picture.putArray("nodes");
     chain.getSoftware().forEach(node -> nodes.add(node(node)));
     ArrayNode edges = picture.putArray("edges");
-    Map<String, Set<String>> writers = topics(chain, true);
-    Map<String, Set<String>> readers = topics(chain, false);
-    Set<String> topics = new LinkedHashSet<>(writers.keySet());
-    topics.addAll(readers.keySet());
-    for (String topic : topics) {
-      for (String from : writers.getOrDefault(topic, Set.of(""))) {
-        for (String to : readers.getOrDefault(topic, Set.of(""))) {
-          edges.addObject().put("from", from).put("to", to).put("topic", topic);
+    for (TopicIndex.Topic topic : TopicIndex.of(chain).topics()) {
+      for (String from : names(topic.publishers())) {
+        for (String to : names(topic.subscribers())) {
+          edges.addObject().put("from", from).put("to", to).put("topic", topic.name());
         }
       }
     }
     return picture;
   }
 
-  private static Map<String, Set<String>> topics(EventChain chain, boolean written) {
-    Map<String, Set<String>> topics = new LinkedHashMap<>();
-    for (SoftwareNode node : chain.getSoftware()) {
-      for (Data data : written ? node.getOutput() : node.getInput()) {
-        topics
-            .computeIfAbsent(text(data.getTopicName()), topic -> new LinkedHashSet<>())
-            .add(text(node.getName()));
-      }
-    }
-    return topics;
+  private static List<String> names(List<TopicIndex.Endpoint> endpoints) {
+    return endpoints.isEmpty()
+        ? List.of("")
+        : endpoints.stream().map(endpoint -> text(endpoint.node().getName())).toList();
   }
 
   private static ObjectNode node(SoftwareNode node) {

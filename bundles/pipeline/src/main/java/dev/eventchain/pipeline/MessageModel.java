@@ -3,6 +3,7 @@ package dev.eventchain.pipeline;
 import dev.eventchain.messages.FieldType;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.messages.MessageType;
+import dev.eventchain.messages.RosNames;
 import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.EventChain;
@@ -58,7 +59,7 @@ final class MessageModel {
     SortedSet<String> names = new TreeSet<>();
     for (Data data : chain.getData()) {
       if (data.getMessageType() != null) {
-        names.add(MessageCatalog.fullName(data.getMessageType()));
+        names.add(RosNames.fullMessageType(data.getMessageType()));
       }
     }
     names.forEach(name -> model.catalog.find(name).ifPresent(model::add));

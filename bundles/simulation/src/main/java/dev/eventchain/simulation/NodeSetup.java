@@ -7,8 +7,8 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.metamodel.TopicIndex;
 import dev.eventchain.metamodel.eventchain.ComponentImplementation;
-import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -16,6 +16,9 @@ import java.util.List;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.TreeSet;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import java.util.zip.CRC32;
 
 /** What of a chain is simulated, and how: the nodes that were generated, their times and topics. */
@@ -25,6 +28,7 @@ final class NodeSetup {
 
   private final SimulationRequest request;
   private final List<SoftwareNode> nodes;
+  private final TopicIndex topics;
   private final MessageCatalog catalog;
 
   /**
@@ -40,6 +44,7 @@ final class NodeSetup {
         request.chain().getSoftware().stream()
             .filter(node -> node.getImplementation() == ComponentImplementation.COMPONENT)
             .toList();
+    this.topics = TopicIndex.of(request.chain());
     List<Diagnostic> problems =
         request.manifest().problems(request.chain(), request.packageFolder(), nodes);
     if (!problems.isEmpty()) {
@@ -75,35 +80,39 @@ final class NodeSetup {
         .toList();
   }
 
-  /** All topics that a node reads. */
+  /** The full names of all topics that a node reads. */
   Set<String> topicsRead() {
-    Set<String> topics = new TreeSet<>();
-    for (SoftwareNode node : nodes) {
-      node.getInput().stream().map(Data::getTopicName).forEach(topics::add);
-    }
-    return topics;
+    return topics.topics().stream()
+        .filter(topic -> topic.subscribers().stream().anyMatch(this::isSimulated))
+        .map(TopicIndex.Topic::name)
+        .collect(Collectors.toCollection(TreeSet::new));
   }
 
   /** Name of the first node that reads a topic; empty if none does. */
   String reader(String topic) {
-    return nodes.stream()
-        .filter(node -> has(node.getInput(), topic))
+    return endpoints(topic, TopicIndex.Topic::subscribers)
         .findFirst()
-        .map(SoftwareNode::getName)
+        .map(endpoint -> endpoint.node().getName())
         .orElse("");
   }
 
   /** Name of the last node that writes a topic; empty if none does. */
   String writer(String topic) {
-    return nodes.stream()
-        .filter(node -> has(node.getOutput(), topic))
+    return endpoints(topic, TopicIndex.Topic::publishers)
         .reduce((first, second) -> second)
-        .map(SoftwareNode::getName)
+        .map(endpoint -> endpoint.node().getName())
         .orElse("");
   }
 
-  private static boolean has(List<Data> data, String topic) {
-    return data.stream().anyMatch(item -> topic.equals(item.getTopicName()));
+  private Stream<TopicIndex.Endpoint> endpoints(
+      String topic, Function<TopicIndex.Topic, List<TopicIndex.Endpoint>> side) {
+    return topics.find(topic).stream()
+        .flatMap(found -> side.apply(found).stream())
+        .filter(this::isSimulated);
+  }
+
+  private boolean isSimulated(TopicIndex.Endpoint endpoint) {
+    return nodes.contains(endpoint.node());
   }
 
   /** The configuration of the process that runs the nodes. */

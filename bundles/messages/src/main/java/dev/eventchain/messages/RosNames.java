@@ -1,0 +1,85 @@
+package dev.eventchain.messages;
+
+import java.util.regex.Pattern;
+
+/**
+ * The names of ROS 2: topics, message types and the fields of messages (design.ros2.org, "Topic and
+ * Service name mapping to DDS"; docs.ros.org, "About ROS 2 interfaces"). The only place that knows
+ * how they look and which of them mean the same; {@code eventchain.ocl} states the same rules, and
+ * a test compares them.
+ */
+public final class RosNames {
+
+  private static final Pattern TOPIC =
+      Pattern.compile("(/|~/)?[A-Za-z_][A-Za-z0-9_]*(/[A-Za-z_][A-Za-z0-9_]*)*");
+  private static final Pattern TYPE =
+      Pattern.compile("[a-z][a-z0-9]*(_[a-z0-9]+)*/(msg/)?[A-Z][A-Za-z0-9]*");
+  private static final Pattern FIELD_PATH =
+      Pattern.compile("[A-Za-z][A-Za-z0-9_]*(\\.[A-Za-z][A-Za-z0-9_]*)*");
+
+  private RosNames() {}
+
+  /**
+   * Whether a text names a topic: parts of letters, digits and underscores between slashes, no
+   * digit first, no two underscores in a row; it may begin with {@code /} or {@code ~/}.
+   */
+  public static boolean isTopic(String name) {
+    return TOPIC.matcher(name).matches() && !name.contains("__");
+  }
+
+  /** Whether a topic's name means another topic for each node: it begins with {@code ~/}. */
+  public static boolean isPrivate(String topic) {
+    return topic.startsWith("~");
+  }
+
+  /**
+   * The full name of a topic as a node in the root namespace calls it: {@code a/x} is {@code /a/x},
+   * and {@code ~/x} is {@code /node/x}. A full name is its own.
+   *
+   * @param node the name of the node
+   */
+  public static String resolve(String topic, String node) {
+    if (topic.startsWith("/")) {
+      return topic;
+    }
+    return "/" + (isPrivate(topic) ? node + topic.substring(1) : topic);
+  }
+
+  /**
+   * Whether a text names a message type with its package, in full or short: {@code
+   * std_msgs/msg/Bool}, {@code std_msgs/Bool}.
+   */
+  public static boolean isMessageType(String name) {
+    return TYPE.matcher(name).matches();
+  }
+
+  /** Whether a text is the full name of a message type. */
+  static boolean isFullMessageType(String name) {
+    return isMessageType(name) && name.contains("/msg/");
+  }
+
+  /** The full name of a message type: {@code std_msgs/Bool} is {@code std_msgs/msg/Bool}. */
+  public static String fullMessageType(String name) {
+    int slash = name.indexOf('/');
+    boolean isShort = slash >= 0 && name.indexOf('/', slash + 1) < 0;
+    return isShort ? name.substring(0, slash) + "/msg" + name.substring(slash) : name;
+  }
+
+  /** Whether a text is the path of a field: names with dots between. */
+  public static boolean isFieldPath(String path) {
+    return FIELD_PATH.matcher(path).matches();
+  }
+
+  /**
+   * Whether two paths name the same value, or one names a part of the other: {@code header} and
+   * {@code header.stamp.sec}, {@code ranges} and {@code ranges[2]}.
+   */
+  public static boolean overlap(String one, String other) {
+    String longer = one.length() >= other.length() ? one : other;
+    String shorter = one.length() >= other.length() ? other : one;
+    return longer.startsWith(shorter)
+        && (longer.length() == shorter.length()
+            || longer.charAt(shorter.length()) == '.'
+            || longer.charAt(shorter.length()) == '[');
+  }
+}
