@@ -3,6 +3,7 @@ package dev.eventchain.modeler;
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.messages.QosSettings;
 import dev.eventchain.metamodel.eventchain.Durability;
 import dev.eventchain.metamodel.eventchain.EventchainFactory;
 import dev.eventchain.metamodel.eventchain.History;
@@ -11,7 +12,6 @@ import dev.eventchain.metamodel.eventchain.QosProfile;
 import dev.eventchain.metamodel.eventchain.Reliability;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.Set;
 import java.util.function.Consumer;
 import java.util.function.Function;
 
@@ -22,15 +22,6 @@ import java.util.function.Function;
 final class QosReader {
 
   private static final String DEFAULT = "default";
-
-  private static final Set<String> PROFILES =
-      Set.of(
-          DEFAULT,
-          "sensor_data",
-          "parameters",
-          "parameter_events",
-          "services_default",
-          "system_default");
 
   private final JsonText text;
   private final Consumer<Diagnostic> findings;
@@ -67,7 +58,7 @@ final class QosReader {
     String name =
         written.strip().toLowerCase(Locale.ROOT).replaceFirst("^(rmw_)?(qos_profile_)", "");
     qos.setName(DEFAULT);
-    if (PROFILES.contains(name)) {
+    if (QosSettings.named(name).isPresent()) {
       qos.setName(name);
     } else if (name.matches("[1-9][0-9]{0,4}")) {
       qos.setDepth(Integer.parseInt(name));
@@ -82,8 +73,9 @@ final class QosReader {
                   "There is no profile of quality of service called '" + written + "'.",
                   location)
               .withHint(
-                  "Use default, sensor_data, parameters, services_default, system_default,"
-                      + " reliable, best_effort, a depth, or an object with the policies."));
+                  "Use "
+                      + String.join(", ", QosSettings.names())
+                      + ", reliable, best_effort, a depth, or an object with the policies."));
       return Optional.empty();
     }
     return Optional.of(qos);
@@ -92,7 +84,7 @@ final class QosReader {
   private QosProfile policies(JsonObjectReader object) {
     QosProfile qos = EventchainFactory.eINSTANCE.createQosProfile();
     qos.setName(object.text("profile").orElse(DEFAULT));
-    if (!PROFILES.contains(qos.getName())) {
+    if (QosSettings.named(qos.getName()).isEmpty()) {
       object.find(
           "modeler.qos.unknown",
           "There is no profile of quality of service called '" + qos.getName() + "'.",

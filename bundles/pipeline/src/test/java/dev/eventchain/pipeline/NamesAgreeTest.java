@@ -11,6 +11,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.messages.QosSettings;
 import dev.eventchain.messages.RosNames;
 import dev.eventchain.metamodel.DataFlowIndex;
 import dev.eventchain.metamodel.PythonNames;
@@ -34,7 +35,6 @@ import java.util.Random;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import java.util.function.Predicate;
 import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -88,19 +88,26 @@ class NamesAgreeTest {
 
   /** What is named, how each of the parties judges it. */
   private enum Kind {
-    TOPIC("TopicNameIsLegal", "modeler.topic.illegal", RosNames::isTopic),
-    MESSAGE_TYPE("MessageTypeIsQualified", "modeler.type.illegal", RosNames::isMessageType),
-    FIELD("FieldNameIsPath", "modeler.field.illegal", RosNames::isFieldPath),
-    VALUE("DataNameIsIdentifier", "modeler.name.illegal", PythonNames::isFreeIdentifier);
+    TOPIC("TopicNameIsLegal", "modeler.topic.illegal"),
+    MESSAGE_TYPE("MessageTypeIsQualified", "modeler.type.illegal"),
+    FIELD("FieldNameIsPath", "modeler.field.illegal"),
+    VALUE("DataNameIsIdentifier", "modeler.name.illegal");
 
     private final String constraint;
     private final String finding;
-    private final Predicate<String> legal;
 
-    Kind(String constraint, String finding, Predicate<String> legal) {
+    Kind(String constraint, String finding) {
       this.constraint = constraint;
       this.finding = finding;
-      this.legal = legal;
+    }
+
+    boolean isLegal(String name) {
+      return switch (this) {
+        case TOPIC -> RosNames.isTopic(name);
+        case MESSAGE_TYPE -> RosNames.isMessageType(name);
+        case FIELD -> RosNames.isFieldPath(name);
+        case VALUE -> PythonNames.isFreeIdentifier(name);
+      };
     }
   }
 
@@ -128,10 +135,10 @@ class NamesAgreeTest {
   @ParameterizedTest
   @EnumSource(Kind.class)
   void rulesAndReaderCallTheSameNamesLegal(Kind kind) {
-    List<String> names = names(kind.ordinal());
+    List<String> names = names(kind.name().hashCode());
     Set<Integer> illegal = new TreeSet<>();
     for (int i = 0; i < names.size(); i++) {
-      if (!kind.legal.test(names.get(i))) {
+      if (!kind.isLegal(names.get(i))) {
         illegal.add(i);
       }
     }
@@ -204,7 +211,7 @@ class NamesAgreeTest {
         .diagnostics()
         .stream()
         .filter(found -> found.id().equals(kind.finding))
-        .map(found -> Integer.valueOf(found.location().element().split("/")[3]))
+        .map(found -> Integer.valueOf(found.location().element().split("/", -1)[3]))
         .collect(Collectors.toCollection(TreeSet::new));
   }
 
@@ -236,6 +243,30 @@ class NamesAgreeTest {
     byte[] output = process.getInputStream().readAllBytes();
     assertEquals(0, process.waitFor());
     return JSON.readTree(output);
+  }
+
+  @Test
+  void theRulesKnowTheProfilesOfQualityOfService() {
+    List<String> names = new ArrayList<>(QosSettings.names());
+    assertTrue(names.size() >= 8, names::toString);
+    names.forEach(name -> assertEquals(List.of(), profile(name), name));
+    for (String name : List.of("sensor", "sensor_data ", "default|sensor_data", "defaults")) {
+      assertEquals(List.of("QosProfile::ProfileIsKnown"), profile(name), name);
+    }
+  }
+
+  private static List<String> profile(String name) {
+    EventChain chain = FACTORY.createEventChain();
+    chain.setName("chain");
+    Data data = FACTORY.createData();
+    data.setName("x");
+    data.setTopicName("/x");
+    data.setMessageType("std_msgs/Bool");
+    data.setFieldName("data");
+    data.setQos(FACTORY.createQosProfile());
+    data.getQos().setName(name);
+    chain.getData().add(data);
+    return check(chain, "").stream().map(Diagnostic::rule).toList();
   }
 
   /** Components write and read topics and fields of which many mean the same, or nearly. */
