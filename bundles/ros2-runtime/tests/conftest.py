@@ -10,7 +10,8 @@ import pytest
 
 FIXTURES = Path(__file__).with_name("fixtures")
 BUNDLE = Path(__file__).parents[1]
-sys.path[:0] = [str(BUNDLE / "python"), str(BUNDLE / "tools")]
+CONFINEMENT = BUNDLE.parent / "python" / "src" / "main" / "resources" / "dev" / "eventchain" / "python"
+sys.path[:0] = [str(BUNDLE / "python"), str(BUNDLE / "tools"), str(CONFINEMENT)]
 
 from eventchain_ros2 import context  # noqa: E402
 from eventchain_ros2.messages import Messages  # noqa: E402

@@ -7,10 +7,13 @@ import os
 import struct
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 from typing import Any
 
 SOURCES = Path(__file__).parents[1] / "python"
+CONFINEMENT = Path(__file__).parents[2] / "python" / "src" / "main" / "resources" / "dev" / "eventchain" / "python"
+START = "import sys, confined; confined.main(sys.argv[1])"
 CONFIGURE, READY, STEP, STEPPED, FINISH, FINISHED, FAILED, RESET = range(1, 9)
 MILLISECOND = 1_000_000
 
@@ -24,13 +27,28 @@ class Failed(Exception):
 
 
 class HostProcess:
-    """A lock-step host in a process of its own, talked to over real pipes."""
+    """A lock-step host, confined as in the product but for bubblewrap, talked to over real pipes."""
 
-    def __init__(self, stderr: int | None = subprocess.PIPE, folder: Path | None = None) -> None:
-        environment = {"PATH": os.environ["PATH"], "PYTHONPATH": str(SOURCES)}
-        command = [sys.executable, "-m", "eventchain_ros2.lockstep"]
+    def __init__(self, stderr: int | None = subprocess.PIPE) -> None:
+        self._temporary = tempfile.TemporaryDirectory()
+        self.work = Path(self._temporary.name).resolve()
+        settings = {
+            "work": str(self.work),
+            "readable": ["/"],
+            "path": [str(SOURCES), str(CONFINEMENT)],
+            "module": "eventchain_ros2.lockstep",
+            "arguments": [],
+            "limits": {"cpuSeconds": 600, "memory": 1 << 30, "fileSize": 1 << 20, "openFiles": 256},
+            "enclosed": False,
+            "kernel": True,
+            "hooks": True,
+            "components": True,
+            "parent": os.getpid(),
+        }
+        environment = {"PATH": os.environ["PATH"], "PYTHONPATH": str(CONFINEMENT), "OPENBLAS_NUM_THREADS": "1"}
+        command = [sys.executable, "-c", START, json.dumps(settings)]
         pipe = subprocess.PIPE
-        self.process = subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=stderr, env=environment, cwd=folder)
+        self.process = subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=stderr, env=environment)
 
     def __enter__(self) -> HostProcess:
         return self
@@ -40,6 +58,7 @@ class HostProcess:
             self.process.kill()
         with self.process:
             pass
+        self._temporary.cleanup()
 
     def send(self, kind: int, payload: bytes = b"") -> None:
         assert self.process.stdin is not None
@@ -96,3 +115,16 @@ def _samples(payload: bytes) -> list[tuple[int, int, bytes]]:
 def float32(value: float) -> bytes:
     """CDR bytes of a std_msgs/msg/Float32."""
     return b"\x00\x01\x00\x00" + struct.pack("<f", value)
+
+
+def doubler(folder: Path, package: str = "chain", **component: Any) -> dict[str, Any]:
+    """The node of the fixture `chain` or `dds` in this folder, with its component."""
+    described = {
+        "module": f"{package}.components.Doubler",
+        "class": "Doubler",
+        "file": f"{folder}/{package}/components/Doubler.py",
+        "inputs": ["number"],
+        "outputs": [{"name": "doubled"}],
+    }
+    node = {"module": f"{package}.doubler_node", "class": "Doubler_node", "name": "Doubler"}
+    return {**node, "component": {**described, **component}}

@@ -17,8 +17,8 @@ LAYERS = (
     {"qos", "validation"},
     {"codec", "simulation"},
     {"context", "idl", "messages"},
-    {"endpoints", "failures", "pytest_plugin"},
-    {"component_checks", "dds", "node"},
+    {"endpoints", "failures", "message_objects", "pytest_plugin"},
+    {"components", "dds", "node"},
     {"executors", "lockstep"},
 )
 LAYER_OF = {module: layer for layer, modules in enumerate(LAYERS) for module in modules}
@@ -76,7 +76,7 @@ def test_runtime_knows_no_facade(module: Path) -> None:
 @pytest.mark.parametrize("facade", FACADES, ids=lambda facade: str(facade.relative_to(PYTHON)))
 def test_facades_know_nothing_of_the_host(facade: Path) -> None:
     source = facade.read_text(encoding="utf-8")
-    assert set(imported(source, RUNTIME)) & {"", "component_checks", "failures", "lockstep", "pytest_plugin"} == set()
+    assert set(imported(source, RUNTIME)) & {"", "components", "failures", "lockstep", "pytest_plugin"} == set()
 
 
 def test_there_are_facades_to_check() -> None:

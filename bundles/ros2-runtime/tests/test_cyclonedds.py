@@ -16,7 +16,7 @@ from eventchain_ros2.idl import prepare
 from eventchain_ros2.messages import Messages, from_cdr, to_cdr
 from eventchain_ros2.node import Node
 from eventchain_ros2.simulation import Simulation
-from protocol import MILLISECOND, Failed, HostProcess, float32
+from protocol import MILLISECOND, Failed, HostProcess, doubler, float32
 
 FIXTURES = Path(__file__).with_name("fixtures")
 RELIABLE = Policy.Reliability.Reliable(max_blocking_time=INFINITY)
@@ -32,13 +32,13 @@ def types() -> Iterator[ModuleType]:
     sys.path.remove(str(FIXTURES))
 
 
-def configuration(**node: Any) -> dict[str, Any]:
+def configuration(**component: Any) -> dict[str, Any]:
     """The node that doubles numbers, every 50 ms."""
-    doubler = {"module": "dds.doubler_node", "class": "Doubler_node", "name": "Doubler"}
+    node = doubler(FIXTURES, "dds", **component)
     return {
         "path": [str(FIXTURES)],
         "messages": [],
-        "nodes": [{**doubler, "execution_time_ms": 5.0, "phase_ms": 12.5, **node}],
+        "nodes": [{**node, "execution_time_ms": 5.0, "phase_ms": 12.5}],
         "world_publishes": [{"topic": "/number", "type": "std_msgs/msg/Float32"}],
         "world_subscribes": [{"topic": "/doubled", "type": "std_msgs/msg/Float32"}],
     }
@@ -60,7 +60,7 @@ def test_the_host_executes_a_node_with_its_period() -> None:
 
 def test_a_component_is_checked() -> None:
     with HostProcess() as host:
-        host.configure(configuration(outputs=["tripled"]))
+        host.configure(configuration(outputs=[{"name": "tripled"}]))
         with pytest.raises(Failed, match=r"component\.result\.keys"):
             host.step(50 * MILLISECOND, (0, float32(3.0)))
 

@@ -7,18 +7,17 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from protocol import MILLISECOND, RESET, Failed, HostProcess, float32
+from protocol import MILLISECOND, RESET, Failed, HostProcess, doubler, float32
 
 FIXTURES = Path(__file__).with_name("fixtures")
 
 
 def chain(**node: Any) -> dict[str, Any]:
     """A configuration with the node that doubles numbers, every 50 ms."""
-    doubler = {"module": "chain.doubler_node", "class": "Doubler_node", "name": "Doubler"}
     return {
         "path": [str(FIXTURES)],
         "messages": [],
-        "nodes": [{**doubler, "execution_time_ms": 0.0, "phase_ms": 0.0, **node}],
+        "nodes": [{**doubler(FIXTURES), "execution_time_ms": 0.0, "phase_ms": 0.0, **node}],
         "world_publishes": [{"topic": "/number", "type": "std_msgs/msg/Float32"}],
         "world_subscribes": [{"topic": "/doubled", "type": "std_msgs/msg/Float32"}],
     }
@@ -67,7 +66,7 @@ def test_reset_forgets_modules_of_the_folders_before(tmp_path: Path) -> None:
     component.write_text(component.read_text().replace("* 2.0", "* 3.0"))
     with HostProcess() as host:
         host.configure(chain())
-        host.configure({**chain(), "path": [str(tmp_path)]}, kind=RESET)
+        host.configure({**chain(), "path": [str(tmp_path)], "nodes": [doubler(tmp_path)]}, kind=RESET)
         assert host.step(100 * MILLISECOND, (0, float32(3.0))) == [(50 * MILLISECOND, 0, float32(9.0))]
 
 
@@ -85,7 +84,10 @@ def test_four_nodes_in_a_row_pass_their_samples_on() -> None:
     configuration = {
         "path": [str(FIXTURES)],
         "messages": [str(FIXTURES / "msg")],
-        "nodes": [{"module": "aeb.nodes", "class": name, "name": name, "execution_time_ms": 1.0} for name in names],
+        "nodes": [
+            {"module": "aeb.nodes", "class": name, "name": name, "component": None, "execution_time_ms": 1.0}
+            for name in names
+        ],
         "world_publishes": [
             {"topic": "/lidar", "type": "sensor_msgs/msg/PointCloud2"},
             {"topic": "/status", "type": "carla_msgs/CarlaEgoVehicleStatus"},

@@ -1,9 +1,8 @@
 """The lock-step host: runs nodes in simulated time, driven over standard input and output.
 
-    python -m eventchain_ros2.lockstep
-
-The protocol is described in this bundle's README. This host, and nothing else, puts the folder of this package in front
-of `sys.path`, so that `import rclpy` finds ours; everywhere else a sourced ROS 2 wins.
+It is a program for `confined.py`, which starts it and, on its behalf, the processes of components. The protocol is
+described in this bundle's README. This host, and nothing else, puts the folder of this package in front of `sys.path`,
+so that `import rclpy` finds ours; everywhere else a sourced ROS 2 wins.
 """
 
 from __future__ import annotations
@@ -20,16 +19,18 @@ from enum import IntEnum
 from pathlib import Path
 from typing import Any, BinaryIO
 
-from eventchain_ros2 import context
+from component_client import Limits
+
+from eventchain_ros2 import context, message_objects
 from eventchain_ros2.clock import NANOSECONDS_PER_SECOND, Duration
-from eventchain_ros2.component_checks import check_component
+from eventchain_ros2.components import Components, Configuration, Environment
 from eventchain_ros2.dds import DomainParticipant
 from eventchain_ros2.endpoints import Publisher, Subscription, Timer
 from eventchain_ros2.failures import HostError, StepTimeout, describe
 from eventchain_ros2.messages import Messages
 from eventchain_ros2.node import Node
 from eventchain_ros2.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
-from eventchain_ros2.simulation import Process, Sample, Simulation
+from eventchain_ros2.simulation import LimitError, Process, Sample, Simulation
 
 SOURCES = str(Path(__file__).resolve().parents[1])
 
@@ -42,6 +43,13 @@ _WORLD_OFFERS = QoSProfile(
     liveliness_lease_duration=Duration(nanoseconds=1),
 )
 _WORLD_REQUESTS = QoSProfile(history=HistoryPolicy.KEEP_ALL, reliability=ReliabilityPolicy.BEST_EFFORT)
+
+_UNLIMITED = 1e9  # s
+
+LONGEST_FRAME = 1 << 25
+"""Bytes."""
+MOST_COMMANDS = 10_000
+"""Samples for the world in one step."""
 
 _FRAME = struct.Struct("<IB")
 _STEP = struct.Struct("<qH")
@@ -85,6 +93,8 @@ class Channel:
     def write(self, kind: Kind, *payload: bytes | bytearray | memoryview) -> None:
         """Write a frame."""
         length = 1 + sum(map(len, payload))
+        if length > LONGEST_FRAME:
+            raise LimitError(f"what is to be said of the scenario is longer than {LONGEST_FRAME >> 20} MiB")
         self._target.write(b"".join((_FRAME.pack(length, kind), *payload)))
         self._target.flush()
 
@@ -102,6 +112,8 @@ class _Outlet(Subscription):
         self._target = target
 
     def receive(self, sample: Sample) -> None:
+        if len(self._target) >= 2 * MOST_COMMANDS:
+            raise LimitError(f"more than {MOST_COMMANDS:,} commands were published in one step")
         self._target += (_STEPPED_SAMPLE.pack(sample.time, self._index, len(sample.data)), sample.data)
 
 
@@ -110,18 +122,32 @@ class Scenario:
 
     def __init__(self, configuration: dict[str, Any]) -> None:
         self._configuration = configuration
-        self.step_limit = float(configuration.get("step_limit_s", 0))  # of the host's time; 0: none
+        self.step_limit = float(configuration.get("step_limit_s", 0))  # of processor time; 0: none
         self.folders: list[str] = list(configuration.get("path", []))
         self.simulation = Simulation()
         self._messages = Messages(Path(folder) for folder in configuration.get("messages", []))
+        self._components = self._make_components()
         self._outbox: list[bytes | bytearray | memoryview] = []
         self._objects: list[object] = []  # keeps the nodes alive
         self._processes: list[Process] = []
         self._inlets: list[Publisher] = []
 
+    def _make_components(self) -> Components:
+        configuration = self._configuration
+        environment = Environment(
+            path=[SOURCES, *self.folders],
+            sources=self.folders,
+            messages=list(configuration.get("messages", [])),
+            limits=Limits(self.step_limit or _UNLIMITED, float(configuration.get("wall_limit_s", _UNLIMITED))),
+            objects=message_objects.of(self._messages, importing=False),
+        )
+        known = [Configuration.of(node["component"]) for node in configuration.get("nodes", []) if node["component"]]
+        return Components(known, environment, self.simulation.spend)
+
     def start(self, foreign_path: list[str]) -> None:
         """Import the modules and make the nodes; `foreign_path` follows the user's folders in `sys.path`."""
         self._messages.install()
+        self._components.install()
         sys.path[:] = [SOURCES, *self.folders, *foreign_path]
         context.enter(self.simulation)
         self._connect_world()
@@ -158,7 +184,6 @@ class Scenario:
                 )
             node = node_class() if _is_rclpy(node_class) else self._start_plain_node(node_class, process)
         self._objects.append(node)
-        check_component(node, name, configuration.get("outputs"))
 
     def _start_plain_node(self, node_class: Any, process: Process) -> Any:
         """Make a node that is a class around DDS readers and writers, and execute it with its period."""
@@ -210,8 +235,9 @@ class Scenario:
             "publications": {name: topic.publications for name, topic in sorted(self.simulation.topics.items())},
         }
 
-    def forget_modules(self) -> None:
-        """Forget the user's modules, so that those of the next scenario start anew."""
+    def end(self) -> None:
+        """End the components, and forget the user's modules, so that those of the next scenario start anew."""
+        self._components.end()
         folders = tuple(folder.rstrip("/") + "/" for folder in self.folders)
         for name, module in list(sys.modules.items()):
             places = [getattr(module, "__file__", None) or "", *getattr(module, "__path__", ())]
@@ -236,18 +262,18 @@ class Host:
         self._channel = channel
         self._foreign_path = foreign_path
         self._scenario: Scenario | None = None
-        signal.signal(signal.SIGALRM, self._interrupt)
+        signal.signal(signal.SIGPROF, self._interrupt)
 
     def run(self) -> int:
         """Serve; the exit code is 1 after a FAILED frame."""
         try:
             while (frame := self._channel.read()) is not None:
                 self._answer(*frame)
-                signal.setitimer(signal.ITIMER_REAL, 0)
+                signal.setitimer(signal.ITIMER_PROF, 0)
         except KeyboardInterrupt:
             return 130
         except BaseException as error:  # user code may raise anything, even SystemExit
-            signal.setitimer(signal.ITIMER_REAL, 0)
+            signal.setitimer(signal.ITIMER_PROF, 0)
             folders = self._scenario.folders if self._scenario else []
             current = self._scenario.simulation.current if self._scenario else None
             self._channel.write_json(Kind.FAILED, describe(error, current.name if current else "", folders))
@@ -260,7 +286,7 @@ class Host:
             self._channel.write(Kind.STEPPED, *self._scenario.step(payload))
         elif kind in (Kind.CONFIGURE, Kind.RESET):
             if self._scenario is not None:
-                self._scenario.forget_modules()
+                self._scenario.end()
             self._scenario = Scenario(json.loads(bytes(payload)))
             self._limit()
             self._scenario.start(self._foreign_path)
@@ -274,13 +300,13 @@ class Host:
             raise HostError("protocol.frame", f"a frame of kind {kind} is not expected here")
 
     def _limit(self) -> None:
-        """Interrupt user code that takes longer than the scenario allows for one answer."""
+        """Interrupt nodes that compute longer than the scenario allows for one answer; components have own limits."""
         if self._scenario is not None and self._scenario.step_limit:
-            signal.setitimer(signal.ITIMER_REAL, self._scenario.step_limit)
+            signal.setitimer(signal.ITIMER_PROF, self._scenario.step_limit)
 
     def _interrupt(self, *_: object) -> None:
         limit = self._scenario.step_limit if self._scenario else 0.0
-        raise StepTimeout(f"no answer within {limit:g} s: look for an endless loop or a wait")
+        raise StepTimeout(f"it used more than {limit:g} s of processor time")
 
 
 def main() -> int:

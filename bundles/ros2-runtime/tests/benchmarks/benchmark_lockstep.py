@@ -30,7 +30,7 @@ def configuration() -> dict[str, Any]:
     return {
         "path": [str(FIXTURES)],
         "messages": [str(FIXTURES / "msg")],
-        "nodes": [{"module": "aeb.nodes", "class": name, "name": name, **times} for name in names],
+        "nodes": [{"module": "aeb.nodes", "class": name, "name": name, "component": None, **times} for name in names],
         "world_publishes": [
             {"topic": "/lidar", "type": "sensor_msgs/msg/PointCloud2"},
             {"topic": "/status", "type": "carla_msgs/msg/CarlaEgoVehicleStatus"},

@@ -113,27 +113,16 @@ final class SimulateStage implements StageWork {
   private static SimulationResult simulate(
       RunContext run, EventChain chain, List<Scenario> scenarios) {
     GeneratedPackage generated = GeneratedPackage.required(run);
-    SimulationRequest request =
-        SimulationRequest.of(
-            chain,
-            run.file(generated.folder()),
-            generated.manifest(),
-            run.project().messageFolders(),
-            scenarios);
+    SimulationRequest request = request(run, chain, generated, scenarios);
     AtomicInteger done = new AtomicInteger();
     try {
       return Simulation.run(
           request,
           run.python(Stage.SIMULATE),
-          verdict ->
-              run.progress()
-                  .step(
-                      Stage.SIMULATE,
-                      done.incrementAndGet()
-                          + " of "
-                          + scenarios.size()
-                          + ": "
-                          + verdict.scenario()));
+          verdict -> {
+            String count = done.incrementAndGet() + " of " + scenarios.size();
+            run.progress().step(Stage.SIMULATE, count + ": " + verdict.scenario());
+          });
     } catch (DiagnosticException e) {
       throw new DiagnosticException(
           e.reason(),
@@ -145,6 +134,25 @@ final class SimulateStage implements StageWork {
           Diagnostic.error(
               "simulation.interrupted", "The simulation was interrupted.", SourceLocation.NONE));
     }
+  }
+
+  private static SimulationRequest request(
+      RunContext run, EventChain chain, GeneratedPackage generated, List<Scenario> scenarios) {
+    return SimulationRequest.of(
+            chain,
+            run.file(generated.folder()),
+            generated.manifest(),
+            run.project().messageFolders(),
+            scenarios)
+        .withGenerated(written(run, chain));
+  }
+
+  /** The components that a language model wrote: those that the software base does not have. */
+  private static Set<String> written(RunContext run, EventChain chain) {
+    return chain.getSoftware().stream()
+        .map(SoftwareNode::getName)
+        .filter(name -> run.softwareBase().find(name).isEmpty())
+        .collect(Collectors.toSet());
   }
 
   /** A finding in the generated package's copy of a component belongs to the file it is from. */

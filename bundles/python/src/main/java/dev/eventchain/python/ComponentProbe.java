@@ -23,7 +23,8 @@ import java.util.stream.Stream;
 /**
  * Checks that a Python file is a component: a class whose {@code execute} takes the inputs by name
  * and returns a dict with exactly the outputs. The file is read first; only if nothing is wrong
- * then, it is imported and called, in a {@link ConfinedProcess}.
+ * then, it is imported and called, in a {@link ConfinedProcess} of its own apart from the one that
+ * checks.
  *
  * <p>Findings, each an error with the place in the file: {@code component.syntax}, {@code
  * component.class.missing}, {@code component.constructor.signature}, {@code
@@ -36,28 +37,38 @@ public final class ComponentProbe {
 
   private static final ObjectMapper JSON =
       JsonMapper.builder().disable(JsonWriteFeature.WRITE_NAN_AS_STRINGS).build();
-  private static final Duration START = Duration.ofSeconds(5);
+  private static final Duration WALL_TIME = Duration.ofSeconds(60);
+  private static final Duration LONGEST = Duration.ofMinutes(10);
   private static final int MEMORY_MIB = 512;
   private static final int MAXIMAL_OUTPUT = 1 << 20;
 
   private final PythonEnvironment environment;
   private final Duration timeLimit;
+  private final Duration wallTime;
   private final Confinement confinement;
 
-  /** Checks components on this Python: two seconds for the import and for each call. */
+  /**
+   * Checks components on this Python: two seconds of processor time for the import and for each
+   * call, and a minute on the clock, since a component that waits uses none.
+   */
   public ComponentProbe(PythonEnvironment environment) {
-    this(environment, Duration.ofSeconds(2), Confinement.detect());
+    this(environment, Duration.ofSeconds(2), WALL_TIME, Confinement.detect());
   }
 
-  ComponentProbe(PythonEnvironment environment, Duration timeLimit, Confinement confinement) {
+  ComponentProbe(
+      PythonEnvironment environment,
+      Duration timeLimit,
+      Duration wallTime,
+      Confinement confinement) {
     this.environment = environment;
     this.timeLimit = timeLimit;
+    this.wallTime = wallTime;
     this.confinement = confinement;
   }
 
-  /** The same with another time limit for the import and for each call. */
+  /** The same with another limit of processor time for the import and for each call. */
   public ComponentProbe withTimeLimit(Duration newTimeLimit) {
-    return new ComponentProbe(environment, newTimeLimit, confinement);
+    return new ComponentProbe(environment, newTimeLimit, wallTime, confinement);
   }
 
   /**
@@ -76,7 +87,7 @@ public final class ComponentProbe {
       Path workFolder = Files.createTempDirectory("eventchain-component-");
       try {
         return run(absolute, request(absolute, signature, calls), calls.size(), workFolder)
-            .diagnostics(source, absolute);
+            .diagnostics(source);
       } finally {
         delete(workFolder);
       }
@@ -88,14 +99,14 @@ public final class ComponentProbe {
   private ProbeReport run(Path file, byte[] request, int calls, Path workFolder)
       throws IOException {
     Path sources = PythonSources.unpack(getClass().getClassLoader(), "dev/eventchain/python");
-    Duration all = timeLimit.multipliedBy(calls + 2L).plus(START);
+    Duration processorTime = timeLimit.multipliedBy(calls + 2L).plusSeconds(2);
     try (ConfinedProcess process =
         ConfinedProcess.on(environment)
             .script(sources.resolve("component_probe.py"))
-            .pythonPath(sources)
+            .components()
             .readable(file)
             .workFolder(workFolder)
-            .limits(new ConfinedProcess.Limits(all, all, MEMORY_MIB))
+            .limits(new ConfinedProcess.Limits(LONGEST, processorTime, MEMORY_MIB))
             .confinement(confinement)
             .start()) {
       try (OutputStream input = process.stdin()) {
@@ -109,7 +120,7 @@ public final class ComponentProbe {
       }
       ConfinedProcess.Termination end = process.await();
       return new ProbeReport(
-          new String(output, StandardCharsets.UTF_8), end, process.standardError(), timeLimit);
+          new String(output, StandardCharsets.UTF_8), end, process.standardError());
     }
   }
 
@@ -120,7 +131,8 @@ public final class ComponentProbe {
     request.put("class", signature.className());
     request.set("inputs", JSON.valueToTree(signature.inputs()));
     request.set("outputs", JSON.valueToTree(signature.outputs()));
-    request.put("seconds", timeLimit.toMillis() / 1000.0);
+    request.put("processorSeconds", timeLimit.toMillis() / 1000.0);
+    request.put("wallSeconds", wallTime.toMillis() / 1000.0);
     var list = request.putArray("calls");
     for (ComponentCall call : calls) {
       ObjectNode entry = list.addObject().put("name", call.name());

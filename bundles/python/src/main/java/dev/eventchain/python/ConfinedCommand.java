@@ -34,6 +34,7 @@ final class ConfinedCommand {
   private Confinement confinement;
   private boolean kernel = true;
   private boolean hooks = true;
+  private boolean components;
 
   ConfinedCommand(PythonEnvironment environment) {
     this.environment = environment;
@@ -66,6 +67,11 @@ final class ConfinedCommand {
 
   void confinement(Confinement chosen) {
     confinement = chosen;
+  }
+
+  void components() {
+    components = true;
+    pythonPath.add(harness);
   }
 
   void withoutKernel() {
@@ -123,6 +129,7 @@ final class ConfinedCommand {
     description.put("enclosed", chosen == Confinement.BUBBLEWRAP);
     description.put("kernel", kernel);
     description.put("hooks", hooks);
+    description.put("components", components);
     description.put("parent", ProcessHandle.current().pid());
     return description.toString();
   }

@@ -11,6 +11,7 @@ import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.stream.Stream;
 
 /**
  * A Python process that runs a program which nobody trusts.
@@ -22,7 +23,8 @@ import java.util.concurrent.atomic.AtomicReference;
  * folder are the work folder. See {@link Confinement} for what this rests on.
  *
  * <p>Standard output is the caller's to read; a process that nobody reads stands still until its
- * time is over. Standard error is always read and its first and last parts are kept.
+ * time is over. Standard error is always read and its first and last parts are kept; one that
+ * writes more than 16 MiB there is ended.
  */
 public final class ConfinedProcess implements AutoCloseable {
 
@@ -43,6 +45,8 @@ public final class ConfinedProcess implements AutoCloseable {
     WALL_TIME,
     /** It used up its processor time. */
     CPU_TIME,
+    /** It wrote more to standard error than anybody reads. */
+    OUTPUT,
     /** {@link ConfinedProcess#close} or an interrupt of the waiting thread. */
     CLOSED
   }
@@ -61,6 +65,7 @@ public final class ConfinedProcess implements AutoCloseable {
 
   private static final int CPU_TIME_SIGNAL = 128 + 24;
   private static final long CLOSE_SECONDS = 5;
+  private static final long MOST_OUTPUT = 16L * 1024 * 1024;
 
   private final Process process;
   private final StandardError standardError;
@@ -68,7 +73,8 @@ public final class ConfinedProcess implements AutoCloseable {
 
   private ConfinedProcess(Process process, Duration wallTime) {
     this.process = process;
-    this.standardError = StandardError.of(process.getErrorStream());
+    this.standardError =
+        StandardError.of(process.getErrorStream(), MOST_OUTPUT, () -> kill(Cause.OUTPUT));
     var kill = ProcessThreads.after(wallTime, () -> kill(Cause.WALL_TIME));
     var unused = process.onExit().thenRun(() -> kill.cancel(false));
   }
@@ -91,6 +97,15 @@ public final class ConfinedProcess implements AutoCloseable {
   /** What it wrote to standard error until now, shortened in the middle beyond 64 KiB. */
   public String standardError() {
     return standardError.text();
+  }
+
+  /**
+   * Processor time that it and the processes below it have used so far, of those that still run.
+   */
+  public Duration processorTime() {
+    return Stream.concat(Stream.of(process.toHandle()), process.descendants())
+        .map(handle -> handle.info().totalCpuDuration().orElse(Duration.ZERO))
+        .reduce(Duration.ZERO, Duration::plus);
   }
 
   /** Whether it still runs. */
@@ -156,6 +171,16 @@ public final class ConfinedProcess implements AutoCloseable {
     /** Runs a module of the {@link #pythonPath} as {@code python -m} does. */
     public Builder module(String name) {
       command.program("module", name);
+      return this;
+    }
+
+    /**
+     * The program calls components through {@code component_client.py}: each then lives in a
+     * process of its own, which may write nothing but a folder of its own in the work folder, and
+     * has these limits for itself.
+     */
+    public Builder components() {
+      command.components();
       return this;
     }
 

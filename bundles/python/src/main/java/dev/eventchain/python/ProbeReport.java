@@ -3,53 +3,33 @@ package dev.eventchain.python;
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.MissingNode;
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
-import java.nio.file.Path;
-import java.time.Duration;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 
 /**
  * What component_probe.py wrote, and how it ended.
  *
- * @param output its lines of JSON, and the traceback of a part that took too long
+ * @param output its findings as a JSON array
  */
-record ProbeReport(
-    String output, ConfinedProcess.Termination end, String errors, Duration timeLimit) {
+record ProbeReport(String output, ConfinedProcess.Termination end, String errors) {
 
   private static final ObjectMapper JSON = new ObjectMapper();
-  private static final Pattern FRAME =
-      Pattern.compile("^ {2}File \"(.*)\", line (\\d+)", Pattern.MULTILINE);
   private static final int LAST_LINES = 300;
 
-  /** The findings; a process that did not finish is one. */
-  List<Diagnostic> diagnostics(SourceText source, Path file) {
-    Map<String, Diagnostic> found = new LinkedHashMap<>();
-    String stage = "reading the file";
-    boolean done = false;
-    List<String> rest = new ArrayList<>();
-    for (String line : output.lines().toList()) {
-      JsonNode message = parse(line);
-      if (message.has("finding")) {
-        Diagnostic finding = diagnostic(message.get("finding"), source);
-        found.putIfAbsent(kind(finding), finding);
-      } else if (message.has("stage")) {
-        stage = message.get("stage").asText();
-      } else if (message.has("done")) {
-        done = true;
-      } else {
-        rest.add(line);
-      }
+  /** The findings; a check that did not come to its end is one. */
+  List<Diagnostic> diagnostics(SourceText source) {
+    JsonNode findings = parse();
+    if (!end.isSuccess() || !findings.isArray()) {
+      return List.of(unfinished(source));
     }
-    if (!done) {
-      Diagnostic finding = unfinished(stage, String.join("\n", rest), source, file);
-      found.put(kind(finding), finding);
+    Map<String, Diagnostic> found = new LinkedHashMap<>();
+    for (JsonNode entry : findings) {
+      Diagnostic finding = diagnostic(entry, source);
+      found.putIfAbsent(kind(finding), finding);
     }
     return found.values().stream().sorted().toList();
   }
@@ -60,11 +40,11 @@ record ProbeReport(
     return finding.id() + finding.location() + (ofCall ? "" : finding.message());
   }
 
-  private static JsonNode parse(String line) {
+  private JsonNode parse() {
     try {
-      return line.startsWith("{") ? JSON.readTree(line) : JSON.nullNode();
+      return JSON.readTree(output);
     } catch (JsonProcessingException e) {
-      return JSON.nullNode(); // not ours: foreign code may have written it
+      return MissingNode.getInstance(); // a part of an array
     }
   }
 
@@ -72,38 +52,19 @@ record ProbeReport(
     return Diagnostic.error(
             finding.path("id").asText(),
             finding.path("message").asText(),
-            source.at(finding.path("line").asInt(1), finding.path("column").asInt(1)))
+            source.at(finding.path("line").asInt(1), Math.max(1, finding.path("column").asInt(1))))
         .withHint(finding.path("hint").asText());
   }
 
-  private Diagnostic unfinished(String stage, String rest, SourceText source, Path file) {
-    boolean slow =
-        rest.contains("Timeout (")
-            || end.cause() == ConfinedProcess.Cause.WALL_TIME
-            || end.cause() == ConfinedProcess.Cause.CPU_TIME;
-    SourceLocation place = place(rest, source, file);
-    if (slow) {
-      String limit = timeLimit.toMillis() / 1000.0 + " s";
-      return Diagnostic.error(
-              "component.timeout", "It took more than " + limit + ": " + stage + ".", place)
-          .withHint("Compute with loops that end, without waiting.");
-    }
+  private Diagnostic unfinished(SourceText source) {
     String last = errors.substring(Math.max(0, errors.length() - LAST_LINES)).strip();
-    String message = "The process ended with " + end.exitCode() + " during " + stage + ".";
-    return Diagnostic.error("component.ended", message, place)
-        .withHint(last.isEmpty() ? "Do not end the process." : "Its last output: " + last);
-  }
-
-  /** The innermost line of the component that a traceback names; the most recent call is first. */
-  private static SourceLocation place(String traceback, SourceText source, Path file) {
-    Matcher frame = FRAME.matcher(traceback);
-    while (frame.find()) {
-      if (frame.group(1).equals(file.toString())) {
-        SourceLocation start = source.at(Integer.parseInt(frame.group(2)), 1);
-        String line = start.excerpt();
-        return source.at(start.line(), line.length() - line.stripLeading().length() + 1);
-      }
-    }
-    return source.at(1, 1);
+    String message =
+        switch (end.cause()) {
+          case OUTPUT -> "The component writes without end.";
+          case WALL_TIME -> "The check of the component did not end.";
+          default -> "The check of the component ended with " + end.exitCode() + ".";
+        };
+    return Diagnostic.error("component.ended", message, source.at(1, 1))
+        .withHint(last.isEmpty() ? "It says nothing about why." : "Its last output: " + last);
   }
 }

@@ -15,12 +15,22 @@ final class StandardError {
   private final ByteArrayOutputStream first = new ByteArrayOutputStream();
   private final byte[] last = new byte[PART];
   private long beyond;
+  private final long most;
+  private final Runnable tooMuch;
   private Thread reader;
 
-  private StandardError() {}
+  private StandardError(long most, Runnable tooMuch) {
+    this.most = most;
+    this.tooMuch = tooMuch;
+  }
 
-  static StandardError of(InputStream stream) {
-    StandardError result = new StandardError();
+  /**
+   * Reads a stream from now on.
+   *
+   * @param most bytes after which {@code tooMuch} is run, once
+   */
+  static StandardError of(InputStream stream, long most, Runnable tooMuch) {
+    StandardError result = new StandardError(most, tooMuch);
     result.reader = ProcessThreads.daemon(() -> result.read(stream), "confined-process-stderr");
     result.reader.start();
     return result;
@@ -28,9 +38,14 @@ final class StandardError {
 
   private void read(InputStream stream) {
     byte[] buffer = new byte[8192];
+    long all = 0;
     try (stream) {
       for (int count = stream.read(buffer); count >= 0; count = stream.read(buffer)) {
         keep(buffer, count);
+        if (all <= most && all + count > most) {
+          tooMuch.run();
+        }
+        all += count;
       }
     } catch (IOException e) {
       keep(new byte[0], 0); // the pipe of a killed process: what was read is all there is

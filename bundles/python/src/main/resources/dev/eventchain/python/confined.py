@@ -2,38 +2,93 @@
 
 The only argument of :func:`main` is a JSON object: ``work`` (the folder that may be written, and the current one),
 ``readable`` (paths), ``path`` (for ``sys.path``), ``script`` or ``module``, ``arguments``, ``limits`` (address space,
-file size and processor time, open files) and ``enclosed`` (whether bubblewrap holds this process already).
+file size and processor time, open files), ``enclosed`` (whether bubblewrap holds this process already), and
+``components`` (whether the program calls components, which then live in processes of their own).
 """
 
 from __future__ import annotations
 
+import gc
 import json
 import os
 import resource
 import sys
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import audit
+
+if TYPE_CHECKING:
+    from fork_server import NewProcess
 
 SECONDS_TO_CLEAN_UP = 1
 # Libraries and the devices that Python opens by itself.
 SYSTEM = ("/usr", "/lib", "/lib64", "/lib32", "/bin", "/nix/store", "/etc/ld.so.cache", "/etc/localtime")
 DEVICES = ("/dev/null", "/dev/urandom", "/dev/random", "/dev/zero")
+OURS = ("audit", "confined", "fork_server", "kernel")
 
 
 def main(description: str) -> None:
     """Give up rights, then become the program."""
     settings = json.loads(description)
     os.chdir(settings["work"])
+    if not settings["enclosed"]:
+        os.setsid()  # an interrupt at the terminal is for Eventchain, which then ends this process
+    here, component = os.getpid(), None
+    if settings["components"]:
+        component = _serve(settings)
+    if component is not None:
+        import component_process
+
+        channel, stack = component.settle()
+        _give_up_rights(settings, component.folder, here)
+        component_process.run(channel, stack, component.description)
+    parent = here if settings["components"] else None if settings["enclosed"] else settings["parent"]
+    _give_up_rights(settings, settings["work"], parent)
+    _become(settings)
+
+
+def _serve(settings: dict[str, Any]) -> NewProcess | None:
+    """Be the parent of the program and of the processes of its components.
+
+    Returns:
+        In the process of the program nothing, in that of a component what it is. In the parent never.
+
+    """
+    import socket
+
+    import fork_server
+
+    if settings["kernel"] and not settings["enclosed"]:
+        _die_with_parent(settings["parent"])
+    ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+    gc.freeze()
+    program = os.fork()
+    if program == 0:
+        ours.close()
+        os.environ["EVENTCHAIN_FORK_SERVER"] = str(theirs.detach())
+        import component_client  # noqa: F401  # takes the socket before it could no longer be made
+
+        return None
+    theirs.close()
+    nothing = os.open(os.devnull, os.O_RDWR)
+    for descriptor in (0, 1):
+        os.dup2(nothing, descriptor)
+    try:
+        os._exit(fork_server.ForkServer(ours, program, Path(settings["work"])).serve())
+    except fork_server.NewProcess as new:
+        return new.with_traceback(None)
+
+
+def _give_up_rights(settings: dict[str, Any], work: str, parent: int | None) -> None:
+    """Keep what a program with this writable folder needs; end with the parent, if there is one to end with."""
     _limit(settings["limits"])
     readable = [*SYSTEM, *DEVICES, sys.prefix, sys.base_prefix, sys.base_exec_prefix, *settings["readable"]]
     readable += settings["path"]
-    if not settings["enclosed"]:
-        os.setsid()  # an interrupt at the terminal is for Eventchain, which then ends this process
     if settings["kernel"]:
-        _ask_kernel(readable, settings)
+        _ask_kernel(readable, work, parent)
     if settings["hooks"]:
-        audit.install(readable, settings["work"])
-    _become(settings)
+        audit.install(readable, work)
 
 
 def _limit(limits: dict[str, int]) -> None:
@@ -51,24 +106,32 @@ def _limit(limits: dict[str, int]) -> None:
         resource.setrlimit(kind, (lowest, lowest))
 
 
-def _ask_kernel(readable: list[str], settings: dict[str, object]) -> None:
+def _die_with_parent(parent: int) -> None:
+    try:
+        import kernel
+    except ImportError:
+        return
+    kernel.die_with_parent()
+    if os.getppid() != parent:
+        sys.exit(1)
+
+
+def _ask_kernel(readable: list[str], work: str, parent: int | None) -> None:
     """Use what the kernel offers; a Python without ctypes cannot ask."""
     try:
         import kernel
     except ImportError:
         return
-    if not settings["enclosed"]:
-        kernel.die_with_parent()
-        if os.getppid() != settings["parent"]:
-            sys.exit(1)
-        kernel.restrict_files(readable, [str(settings["work"]), "/dev/null"])
+    if parent is not None:
+        _die_with_parent(parent)
+    kernel.restrict_files(readable, [work, "/dev/null"])
     kernel.drop_capabilities()
     kernel.filter_system_calls()
     for name in [name for name in sys.modules if name in ("kernel", "_ctypes") or name.startswith("ctypes")]:
         del sys.modules[name]
 
 
-def _become(settings: dict[str, list[str]]) -> None:
+def _become(settings: dict[str, Any]) -> None:
     """Run the program as ``__main__``, with this module out of its sight."""
     import runpy
 
@@ -76,7 +139,7 @@ def _become(settings: dict[str, list[str]]) -> None:
     sys.argv = [str(program or settings["module"]), *settings["arguments"]]
     here = __file__.rpartition("/")[0]
     sys.path[:] = [*settings["path"], *(entry for entry in sys.path if entry not in ("", here))]
-    for name in ("confined", "audit"):
+    for name in OURS:
         sys.modules.pop(name, None)
     if program:
         runpy.run_path(str(program), run_name="__main__")

@@ -71,7 +71,7 @@ class ComponentProbeTest {
       calls.add(new ComponentCall(call.get("name").asText(), arguments(call.get("arguments"))));
     }
     Duration timeLimit = Duration.ofMillis(800);
-    return new ComponentProbe(TestEnvironment.PYTHON, timeLimit, confinement)
+    return new ComponentProbe(TestEnvironment.PYTHON, timeLimit, Duration.ofMinutes(5), confinement)
         .check(component, signature, calls);
   }
 

@@ -25,7 +25,7 @@ final class LockstepChannel {
   static final int RESET = 8;
 
   /** Longer frames are taken for garbage. */
-  private static final int LONGEST = 1 << 28;
+  private static final int LONGEST = 1 << 25;
 
   private static final int HEADER = 5;
 

@@ -21,9 +21,6 @@ final class LockstepProcess implements AutoCloseable {
   private static final String HOST = "eventchain_ros2.lockstep";
   private static final int MEMORY_MIB = 1024;
 
-  /** An upper bound for a whole suite; hanging is found by the step limit long before. */
-  private static final Duration LONGEST = Duration.ofMinutes(60);
-
   private final Path workFolder;
   private final ConfinedProcess process;
   private final Watchdog watchdog;
@@ -34,25 +31,38 @@ final class LockstepProcess implements AutoCloseable {
     Path runtime = PythonSources.unpack(LockstepProcess.class.getClassLoader(), RUNTIME);
     List<Path> readable = new ArrayList<>(request.messageFolders());
     readable.add(request.packageFolder());
+    Duration longest = request.limits().run();
     this.process =
         ConfinedProcess.on(python)
             .module(HOST)
             .pythonPath(runtime)
             .readable(readable.toArray(Path[]::new))
             .workFolder(workFolder)
-            .limits(new ConfinedProcess.Limits(LONGEST, LONGEST, MEMORY_MIB))
+            .components()
+            .limits(new ConfinedProcess.Limits(longest, longest, MEMORY_MIB))
             .confinement(confinement)
             .start();
-    // The host itself interrupts Python code that takes too long, and says where it was; this is
-    // for
-    // code that cannot be interrupted.
-    this.watchdog = new Watchdog(request.stepLimit().plusSeconds(2), process::close);
+    this.watchdog = watchdog(request, process);
     this.session =
         new LockstepSession(
             new LockstepChannel(process.stdout(), process.stdin()),
             watchdog,
-            this::standardError,
+            this::lastWords,
             new UserFiles(request.packageFolder()));
+  }
+
+  /**
+   * The host itself ends components and interrupts nodes that take too long, and says where they
+   * were; this is for what it cannot interrupt, when each of them might have used up its time.
+   */
+  private static Watchdog watchdog(SimulationRequest request, ConfinedProcess process) {
+    int all = request.chain().getSoftware().size() + 1;
+    SimulationRequest.Limits limits = request.limits();
+    return new Watchdog(
+        limits.processorTime().multipliedBy(all).plusSeconds(2),
+        limits.wallTime().multipliedBy(all).plusSeconds(10),
+        process::processorTime,
+        process::close);
   }
 
   private static Path temporaryFolder() {
@@ -67,10 +77,10 @@ final class LockstepProcess implements AutoCloseable {
     return session;
   }
 
-  private String standardError() {
+  private LockstepSession.LastWords lastWords() {
     process.close();
-    process.await();
-    return process.standardError();
+    ConfinedProcess.Cause cause = process.await().cause();
+    return new LockstepSession.LastWords(cause, process.standardError());
   }
 
   @Override

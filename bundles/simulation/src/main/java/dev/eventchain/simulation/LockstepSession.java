@@ -6,10 +6,12 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.python.ConfinedProcess;
 import dev.eventchain.simulation.LockstepChannel.Frame;
 import dev.eventchain.simulation.LockstepChannel.Inbound;
 import java.io.EOFException;
 import java.io.IOException;
+import java.nio.BufferUnderflowException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -26,42 +28,70 @@ final class LockstepSession {
   /** A message that the nodes published, when, in ns, and on which topic of the configuration. */
   record Outbound(long time, int topic, ByteBuffer message) {}
 
+  /**
+   * What there is to say of a process that has ended.
+   *
+   * @param standardError what it complained about
+   */
+  record LastWords(ConfinedProcess.Cause cause, String standardError) {}
+
   private static final ObjectMapper JSON = new ObjectMapper();
   private static final int LAST_LINES = 12;
 
   private final LockstepChannel channel;
   private final Watchdog watchdog;
-  private final Supplier<String> standardError;
+  private final Supplier<LastWords> lastWords;
   private final UserFiles files;
-  private boolean configured;
+  private JsonNode configuration;
+  private long now;
+  private List<Outbound> commands = new ArrayList<>();
 
   /**
    * Over an open channel.
    *
    * @param watchdog ends the other side when an answer takes too long
-   * @param standardError what the other side complained about until now
+   * @param lastWords ends the other side and says how it ended
    * @param files turns the other side's file names into those that people know
    */
   LockstepSession(
-      LockstepChannel channel, Watchdog watchdog, Supplier<String> standardError, UserFiles files) {
+      LockstepChannel channel, Watchdog watchdog, Supplier<LastWords> lastWords, UserFiles files) {
     this.channel = channel;
     this.watchdog = watchdog;
-    this.standardError = standardError;
+    this.lastWords = lastWords;
     this.files = files;
   }
 
   /** Starts with fresh nodes at time 0. Answers what the process says of itself. */
-  JsonNode configure(JsonNode configuration) {
-    int kind = configured ? LockstepChannel.RESET : LockstepChannel.CONFIGURE;
-    configured = true;
+  JsonNode configure(JsonNode newConfiguration) {
+    int kind = configuration == null ? LockstepChannel.CONFIGURE : LockstepChannel.RESET;
+    configuration = newConfiguration;
+    now = 0;
+    commands = new ArrayList<>();
     byte[] payload = configuration.toString().getBytes(StandardCharsets.UTF_8);
     return json(ask(LockstepChannel.READY, () -> channel.send(kind, payload)));
   }
 
-  /** Publishes messages now and lets time pass; answers what the nodes published. */
+  /**
+   * Publishes messages now and lets time pass; answers what the nodes published meanwhile, in the
+   * order of time.
+   */
   List<Outbound> step(long until, List<Inbound> messages) {
     Frame frame = ask(LockstepChannel.STEPPED, () -> channel.sendStep(until, messages));
-    ByteBuffer payload = frame.payload();
+    List<Outbound> published = published(frame.payload());
+    long earliest = now;
+    for (Outbound command : published) {
+      boolean known = command.topic() < configuration.path("world_subscribes").size();
+      if (!known || command.time() < earliest || command.time() >= until) {
+        throw garbage("a message that cannot be one of this step");
+      }
+      earliest = command.time();
+    }
+    now = until;
+    commands.addAll(published);
+    return published;
+  }
+
+  private List<Outbound> published(ByteBuffer payload) {
     try {
       int count = Short.toUnsignedInt(payload.getShort());
       List<Outbound> published = new ArrayList<>(count);
@@ -73,10 +103,13 @@ final class LockstepSession {
         payload.position(payload.position() + length);
         published.add(new Outbound(time, topic, message));
       }
-      return published;
-    } catch (RuntimeException e) {
-      throw garbage("an answer to a step that is not as long as it says");
+      if (!payload.hasRemaining()) {
+        return published;
+      }
+    } catch (BufferUnderflowException | IllegalArgumentException | IndexOutOfBoundsException e) {
+      // Said below.
     }
+    throw garbage("an answer to a step that is not as long as it says");
   }
 
   /** Ends the scenario; answers what the nodes did. */
@@ -84,9 +117,11 @@ final class LockstepSession {
     Frame frame =
         ask(LockstepChannel.FINISHED, () -> channel.send(LockstepChannel.FINISH, new byte[0]));
     try {
-      return RunLog.parse(json(frame));
-    } catch (IllegalArgumentException | NullPointerException e) {
-      throw garbage("a record of activations that is incomplete: " + e.getMessage());
+      RunLog log = RunLog.parse(json(frame));
+      new RunLogCheck(log, configuration, now).check(commands);
+      return log;
+    } catch (IllegalArgumentException e) {
+      throw garbage("a record of activations that cannot be one: " + e.getMessage());
     }
   }
 
@@ -137,31 +172,45 @@ final class LockstepSession {
             node,
             failure.path("excerpt").asText(""));
     String text = node.isEmpty() ? message : "Node " + node + ": " + message;
-    return failure(Diagnostic.error(failure.path("id").asText("node.failed"), text, location));
+    return failure(
+        Diagnostic.error(failure.path("id").asText("node.failed"), text, location)
+            .withHint(failure.path("hint").asText("")));
   }
 
   private DiagnosticException ended() {
-    if (watchdog.hasFired()) {
-      String message =
-          "The nodes did not answer within " + watchdog.limit().toMillis() + " ms and were ended.";
+    LastWords last = lastWords.get();
+    if (!watchdog.reason().isEmpty()) {
+      String message = "The nodes did not answer within " + watchdog.reason() + " and were ended.";
       return failure(
           Diagnostic.error("simulation.step.timeout", message, files.folder())
-              .withHint("Look for an endless loop or a wait in a component's execute()."));
+              .withHint("Look for an endless loop or a wait in a node."));
     }
-    String message = "The process that runs the nodes ended before the scenario did.";
-    return failure(
-        Diagnostic.error("simulation.process.ended", message, files.folder())
-            .withHint(lastWords()));
+    return switch (last.cause()) {
+      case OUTPUT ->
+          ended("simulation.limit", "The nodes write to standard error without end.", last);
+      case WALL_TIME, CPU_TIME ->
+          ended("simulation.run.timeout", "The simulation took longer than it may.", last);
+      default ->
+          ended(
+              "simulation.process.ended",
+              "The process that runs the nodes ended before the scenario did.",
+              last);
+    };
+  }
+
+  private DiagnosticException ended(String id, String message, LastWords last) {
+    return failure(Diagnostic.error(id, message, files.folder()).withHint(text(last)));
   }
 
   private DiagnosticException garbage(String what) {
     String message = "The process that runs the nodes sent " + what + ".";
     return failure(
-        Diagnostic.error("simulation.protocol", message, files.folder()).withHint(lastWords()));
+        Diagnostic.error("simulation.protocol", message, files.folder())
+            .withHint(text(lastWords.get())));
   }
 
-  private String lastWords() {
-    List<String> lines = standardError.get().lines().toList();
+  private static String text(LastWords words) {
+    List<String> lines = words.standardError().lines().toList();
     List<String> last = lines.subList(Math.max(0, lines.size() - LAST_LINES), lines.size());
     return last.isEmpty()
         ? "It said nothing about why."

@@ -126,7 +126,8 @@ final class NodeSetup {
     ArrayNode publishes = json.putArray("world_publishes");
     bridge.published().forEach(topic -> publishes.add(configuration(topic)));
     json.putArray("world_subscribes").add(configuration(CarlaBridge.CONTROL));
-    json.put("step_limit_s", request.stepLimit().toNanos() / 1e9);
+    json.put("step_limit_s", request.limits().processorTime().toNanos() / 1e9);
+    json.put("wall_limit_s", request.limits().wallTime().toNanos() / 1e9);
     return json;
   }
 
@@ -143,8 +144,19 @@ final class NodeSetup {
     json.put("name", name);
     json.put("execution_time_ms", executionTime(node));
     json.put("phase_ms", phase(node, seed));
-    ArrayNode outputs = json.putArray("outputs");
-    generated.component().outputs().forEach(output -> outputs.add(output.name()));
+    NodeManifest.Component known = generated.component();
+    ObjectNode component = json.putObject("component");
+    component.put("module", known.module());
+    component.put("class", known.className());
+    component.put("file", absolute(request.packageFolder().resolve(known.file())));
+    component.put("restricted", request.generated().contains(name));
+    ArrayNode inputs = component.putArray("inputs");
+    known.inputs().forEach(inputs::add);
+    ArrayNode outputs = component.putArray("outputs");
+    known
+        .outputs()
+        .forEach(
+            output -> outputs.addObject().put("name", output.name()).put("type", output.type()));
     return json;
   }
 

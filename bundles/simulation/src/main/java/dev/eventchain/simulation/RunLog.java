@@ -27,13 +27,15 @@ record RunLog(Map<String, List<Activation>> nodes, Map<String, Map<Long, Long>> 
       for (JsonNode activation : node.required("activations")) {
         activations.add(
             new Activation(
-                activation.required(0).longValue(),
-                activation.required(1).longValue(),
-                activation.required(2).longValue(),
+                number(activation, 0),
+                number(activation, 1),
+                number(activation, 2),
                 samples(activation.required(3)),
                 samples(activation.required(4))));
       }
-      nodes.put(node.required("name").textValue(), activations);
+      if (nodes.put(text(node.required("name")), activations) != null) {
+        throw new IllegalArgumentException("a node twice");
+      }
     }
     Map<String, Map<Long, Long>> publications = new LinkedHashMap<>();
     json.required("publications")
@@ -42,10 +44,25 @@ record RunLog(Map<String, List<Activation>> nodes, Map<String, Map<Long, Long>> 
     return new RunLog(nodes, publications);
   }
 
+  private static long number(JsonNode array, int index) {
+    JsonNode number = array.required(index);
+    if (!number.isIntegralNumber() || !number.canConvertToLong()) {
+      throw new IllegalArgumentException("something that is no whole number");
+    }
+    return number.longValue();
+  }
+
+  private static String text(JsonNode json) {
+    if (!json.isTextual()) {
+      throw new IllegalArgumentException("something that is no text");
+    }
+    return json.textValue();
+  }
+
   private static List<SampleId> samples(JsonNode json) {
     List<SampleId> samples = new ArrayList<>(json.size());
     for (JsonNode sample : json) {
-      samples.add(new SampleId(sample.required(0).textValue(), sample.required(1).longValue()));
+      samples.add(new SampleId(text(sample.required(0)), number(sample, 1)));
     }
     return samples;
   }
@@ -53,7 +70,7 @@ record RunLog(Map<String, List<Activation>> nodes, Map<String, Map<Long, Long>> 
   private static Map<Long, Long> times(JsonNode json) {
     Map<Long, Long> times = new LinkedHashMap<>();
     for (JsonNode publication : json) {
-      times.put(publication.required(0).longValue(), publication.required(1).longValue());
+      times.put(number(publication, 0), number(publication, 1));
     }
     return times;
   }

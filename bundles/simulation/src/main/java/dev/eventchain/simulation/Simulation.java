@@ -28,7 +28,7 @@ public final class Simulation {
   private final AtomicBoolean stopped = new AtomicBoolean();
   private final List<LockstepProcess> open = new ArrayList<>();
   private final SortedMap<Integer, Run> runs = new TreeMap<>();
-  private final SortedMap<Integer, RuntimeException> failures = new TreeMap<>();
+  private final SortedMap<Integer, Throwable> failures = new TreeMap<>();
 
   private Simulation(
       SimulationRequest request, PythonEnvironment python, Consumer<ScenarioVerdict> progress) {
@@ -47,9 +47,11 @@ public final class Simulation {
    * @throws DiagnosticException (INPUT) if the messages of the vehicle are not defined ({@code
    *     message.unknown}, {@code message.field.missing}), or the manifest is not that of the chain
    *     ({@code simulation.manifest}); (FINDINGS) if the nodes cannot be driven through a scenario:
-   *     one raises, hangs ({@code simulation.step.timeout}), ends the process ({@code
-   *     simulation.process.ended}), returns something else than its signature says, or breaks the
-   *     protocol ({@code simulation.protocol}); (UNAVAILABLE) if the process cannot be started
+   *     one raises, hangs, ends its process, or returns something else than its signature says
+   *     ({@code component.*}, {@code node.*}), or the process that runs the nodes hangs ({@code
+   *     simulation.step.timeout}), ends ({@code simulation.process.ended}), writes or publishes
+   *     without end ({@code simulation.limit}) or breaks the protocol ({@code
+   *     simulation.protocol}); (UNAVAILABLE) if the process cannot be started
    * @throws InterruptedException if the calling thread was interrupted; the processes are ended
    */
   public static SimulationResult run(
@@ -76,11 +78,21 @@ public final class Simulation {
       throw e;
     }
     if (!failures.isEmpty()) {
-      throw failures.get(failures.firstKey());
+      throwUnchecked(failures.get(failures.firstKey()));
+    }
+    if (runs.size() != request.scenarios().size()) {
+      throw new IllegalStateException("a scenario was not simulated");
     }
     double wallSeconds = (System.nanoTime() - started) / 1e9;
     return new ResultBuilder(setup, List.copyOf(runs.values()))
         .build(confinement.describe(), processes, wallSeconds);
+  }
+
+  private static void throwUnchecked(Throwable failure) {
+    if (failure instanceof Error error) {
+      throw error;
+    }
+    throw (RuntimeException) failure;
   }
 
   /** Ends the processes, so that the threads that wait for their answers end. */
@@ -105,7 +117,7 @@ public final class Simulation {
       while (!stopped.get() && (scenario = next.getAndIncrement()) < request.scenarios().size()) {
         done(scenario, runner.run(request.scenarios().get(scenario)));
       }
-    } catch (RuntimeException e) { // rethrown by run(): a thread must not end unnoticed
+    } catch (RuntimeException | Error e) { // rethrown by run(): a thread must not end unnoticed
       failed(scenario, e);
     }
   }
@@ -115,7 +127,7 @@ public final class Simulation {
     progress.accept(ResultBuilder.verdict(run));
   }
 
-  private synchronized void failed(int scenario, RuntimeException failure) {
+  private synchronized void failed(int scenario, Throwable failure) {
     stopped.set(true);
     failures.put(scenario, failure);
   }

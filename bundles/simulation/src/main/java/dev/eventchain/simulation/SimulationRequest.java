@@ -4,6 +4,7 @@ import dev.eventchain.metamodel.eventchain.EventChain;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Set;
 
 /**
  * What to simulate.
@@ -15,8 +16,9 @@ import java.util.List;
  * @param scenarios at least one
  * @param processes how many scenarios are simulated at the same time, at least 1; the result does
  *     not depend on it
- * @param stepLimit time on this machine that the nodes may take for 50 ms of simulated time before
- *     they count as hanging
+ * @param generated names of the components that were generated and have to keep to the rules of
+ *     such; the others are people's own
+ * @param limits what the nodes and their components may use
  */
 public record SimulationRequest(
     EventChain chain,
@@ -25,18 +27,36 @@ public record SimulationRequest(
     List<Path> messageFolders,
     List<Scenario> scenarios,
     int processes,
-    Duration stepLimit) {
+    Set<String> generated,
+    Limits limits) {
+
+  /**
+   * What foreign code may use before it counts as hanging. Processor time does not depend on what
+   * else this machine does.
+   *
+   * @param processorTime of a component for one call, and of a node between two messages of a
+   *     sensor
+   * @param wallTime on the clock for the same, for code that waits: much longer
+   * @param run on the clock for all scenarios together
+   */
+  public record Limits(Duration processorTime, Duration wallTime, Duration run) {
+
+    /** Ten seconds of processor time, a minute for code that waits, an hour for all. */
+    public static final Limits DEFAULT =
+        new Limits(Duration.ofSeconds(10), Duration.ofMinutes(1), Duration.ofHours(1));
+  }
 
   /** Copies the lists; refuses a request without scenario or process. */
   public SimulationRequest {
     messageFolders = List.copyOf(messageFolders);
     scenarios = List.copyOf(scenarios);
+    generated = Set.copyOf(generated);
     if (scenarios.isEmpty() || processes < 1) {
       throw new IllegalArgumentException("a simulation needs a scenario and a process");
     }
   }
 
-  /** With two processes and a limit of ten seconds. */
+  /** With two processes and the default limits; no component counts as generated. */
   public static SimulationRequest of(
       EventChain chain,
       Path packageFolder,
@@ -44,18 +64,26 @@ public record SimulationRequest(
       List<Path> messageFolders,
       List<Scenario> scenarios) {
     return new SimulationRequest(
-        chain, packageFolder, manifest, messageFolders, scenarios, 2, Duration.ofSeconds(10));
+        chain, packageFolder, manifest, messageFolders, scenarios, 2, Set.of(), Limits.DEFAULT);
   }
 
   /** The same on another number of processes. */
   public SimulationRequest withProcesses(int number) {
-    return new SimulationRequest(
-        chain, packageFolder, manifest, messageFolders, scenarios, number, stepLimit);
+    return with(number, generated, limits);
   }
 
-  /** The same with another limit. */
-  public SimulationRequest withStepLimit(Duration limit) {
+  /** The same with other components that count as generated. */
+  public SimulationRequest withGenerated(Set<String> names) {
+    return with(processes, names, limits);
+  }
+
+  /** The same with other limits. */
+  public SimulationRequest withLimits(Limits other) {
+    return with(processes, generated, other);
+  }
+
+  private SimulationRequest with(int number, Set<String> names, Limits newLimits) {
     return new SimulationRequest(
-        chain, packageFolder, manifest, messageFolders, scenarios, processes, limit);
+        chain, packageFolder, manifest, messageFolders, scenarios, number, names, newLimits);
   }
 }

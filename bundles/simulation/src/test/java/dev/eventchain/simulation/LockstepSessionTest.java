@@ -5,8 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.python.ConfinedProcess;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -30,7 +32,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class LockstepSessionTest {
 
   private static LockstepSession session(InputStream input, OutputStream output) {
-    return session(input, output, new Watchdog(Duration.ofMinutes(1), () -> {}));
+    return session(input, output, watchdog(Duration.ofMinutes(1), () -> {}));
   }
 
   private static LockstepSession session(
@@ -38,8 +40,14 @@ class LockstepSessionTest {
     return new LockstepSession(
         new LockstepChannel(input, output),
         watchdog,
-        () -> "Traceback\nValueError: last words\n",
+        () ->
+            new LockstepSession.LastWords(
+                ConfinedProcess.Cause.EXITED, "Traceback\nValueError: last words\n"),
         new UserFiles(Path.of("out/ros2/aeb")));
+  }
+
+  private static Watchdog watchdog(Duration wallTime, Runnable end) {
+    return new Watchdog(Duration.ofMinutes(1), wallTime, () -> Duration.ZERO, end);
   }
 
   private static byte[] frame(int kind, String text) {
@@ -61,24 +69,30 @@ class LockstepSessionTest {
     return exception.diagnostics().get(0);
   }
 
+  /** A session that has been configured for a world that listens to three topics. */
+  private static LockstepSession configured(String answer, ByteArrayOutputStream written) {
+    ByteArrayOutputStream answers = new ByteArrayOutputStream();
+    answers.writeBytes(frame(LockstepChannel.READY, "{}"));
+    answers.writeBytes(HexFormat.of().parseHex(answer));
+    LockstepSession session = session(new ByteArrayInputStream(answers.toByteArray()), written);
+    ObjectNode configuration = JsonNodeFactory.instance.objectNode();
+    configuration.putArray("world_subscribes").add("/a").add("/b").add("/c");
+    session.configure(configuration);
+    written.reset();
+    return session;
+  }
+
   @Test
-  void stepIsWrittenAsTheProtocolSays() throws IOException {
+  void stepIsWrittenAsTheProtocolSays() {
     ByteArrayOutputStream written = new ByteArrayOutputStream();
-    byte[] answer =
-        HexFormat.of()
-            .parseHex(
-                "16000000"
-                    + "04"
-                    + "0100"
-                    + "40420f0000000000"
-                    + "0200"
-                    + "05000000"
-                    + "0001000007");
-    LockstepSession session = session(new ByteArrayInputStream(answer), written);
+    String answer =
+        "16000000" + "04" + "0100" + "40420f0000000000" + "0200" + "05000000" + "0001000007";
     List<LockstepSession.Outbound> published =
-        session.step(
-            50_000_000L,
-            List.of(new LockstepChannel.Inbound(3, ByteBuffer.wrap(new byte[] {0, 1, 0, 0, 9}))));
+        configured(answer, written)
+            .step(
+                50_000_000L,
+                List.of(
+                    new LockstepChannel.Inbound(3, ByteBuffer.wrap(new byte[] {0, 1, 0, 0, 9}))));
     assertEquals(
         "16000000" + "03" + "80f0fa0200000000" + "0100" + "0300" + "05000000" + "0001000009",
         HexFormat.of().formatHex(written.toByteArray()));
@@ -86,6 +100,27 @@ class LockstepSessionTest {
     assertEquals(1_000_000L, published.get(0).time());
     assertEquals(2, published.get(0).topic());
     assertEquals(ByteBuffer.wrap(new byte[] {0, 1, 0, 0, 7}), published.get(0).message());
+  }
+
+  /** Time, topic and length of the message that is published in a step from 0 to 1 ms. */
+  @ParameterizedTest
+  @CsvSource({
+    "ffffffffffffffff, 0000, 00000000, a message that cannot be one of this step",
+    "40420f0000000000, 0000, 00000000, a message that cannot be one of this step",
+    "0000000000000000, 0300, 00000000, a message that cannot be one of this step",
+    "0000000000000000, 0000, 01000000, an answer to a step that is not as long as it says",
+    "0000000000000000, 0000, ffffffff, an answer to a step that is not as long as it says",
+    "0000000000000000, 0000, 0000000000, an answer to a step that is not as long as it says"
+  })
+  void messageThatCannotBeIsNotBelieved(String time, String topic, String length, String what) {
+    String rest = "04" + "0100" + time + topic + length;
+    String answer = String.format("%02x000000", rest.length() / 2) + rest;
+    LockstepSession session = configured(answer, new ByteArrayOutputStream());
+    DiagnosticException exception =
+        assertThrows(DiagnosticException.class, () -> session.step(1_000_000L, List.of()));
+    Diagnostic finding = exception.diagnostics().get(0);
+    assertEquals("simulation.protocol", finding.id());
+    assertTrue(finding.message().contains(what), finding::message);
   }
 
   @Test
@@ -115,17 +150,6 @@ class LockstepSessionTest {
     assertEquals("simulation.protocol", finding.id());
     assertTrue(finding.message().contains(what), finding::message);
     assertTrue(finding.hint().contains("last words"), finding::hint);
-  }
-
-  @Test
-  void answerToAStepThatIsTooShortIsGarbage() {
-    byte[] answer =
-        HexFormat.of().parseHex("0d000000" + "04" + "0200" + "40420f0000000000" + "0000");
-    LockstepSession session =
-        session(new ByteArrayInputStream(answer), OutputStream.nullOutputStream());
-    DiagnosticException exception =
-        assertThrows(DiagnosticException.class, () -> session.step(1, List.of()));
-    assertEquals("simulation.protocol", exception.diagnostics().get(0).id());
   }
 
   @ParameterizedTest
@@ -159,7 +183,7 @@ class LockstepSessionTest {
   void silenceIsEndedByTheWatchdog() throws IOException {
     PipedOutputStream otherSide = new PipedOutputStream();
     try (PipedInputStream input = new PipedInputStream(otherSide);
-        Watchdog watchdog = new Watchdog(Duration.ofMillis(50), () -> close(otherSide))) {
+        Watchdog watchdog = watchdog(Duration.ofMillis(50), () -> close(otherSide))) {
       LockstepSession session = session(input, OutputStream.nullOutputStream(), watchdog);
       DiagnosticException exception =
           assertThrows(DiagnosticException.class, () -> session.step(1, List.of()));

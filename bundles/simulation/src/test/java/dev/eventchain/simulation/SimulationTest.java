@@ -67,25 +67,41 @@ class SimulationTest {
     SimulationRequest request =
         project
             .request(List.of(AebProject.scenario("stopped-vehicle-50")))
-            .withStepLimit(Duration.ofMillis(400));
+            .withLimits(
+                new SimulationRequest.Limits(
+                    Duration.ofSeconds(1), Duration.ofMinutes(5), Duration.ofHours(1)));
     DiagnosticException failure =
         assertThrows(DiagnosticException.class, () -> AebProject.simulate(request));
     assertEquals(DiagnosticException.Reason.FINDINGS, failure.reason());
     Diagnostic finding = failure.diagnostics().get(0);
     assertEquals(id, finding.id(), finding::toString);
     assertEquals(line, finding.location().line(), finding::toString);
-    Path expected = line > 0 ? project.component("Braking_Decision") : folder.resolve("aeb");
+    Path expected = project.component("Braking_Decision");
     assertEquals(expected.toString(), finding.location().file());
   }
 
   @Test
-  void lastWordsOfAProcessThatEndsAreShown() throws Exception {
+  void outputWithoutEndEndsTheSimulation() throws Exception {
     AebProject project =
-        new AebProject(folder).with("Braking_Decision", "failing/ends_the_process.py");
-    List<Scenario> scenarios = List.of(AebProject.scenario("empty-road"));
+        new AebProject(folder).with("Braking_Decision", "failing/writes_without_end.py");
+    assertEquals("simulation.limit", failure(project, SimulationRequest.Limits.DEFAULT));
+  }
+
+  @Test
+  void suiteThatTakesTooLongIsEnded() throws Exception {
+    AebProject project = new AebProject(folder).with("Braking_Decision", "failing/hangs.py");
+    SimulationRequest.Limits limits =
+        new SimulationRequest.Limits(
+            Duration.ofHours(1), Duration.ofHours(1), Duration.ofSeconds(3));
+    assertEquals("simulation.run.timeout", failure(project, limits));
+  }
+
+  private static String failure(AebProject project, SimulationRequest.Limits limits) {
+    SimulationRequest request =
+        project.request(List.of(AebProject.scenario("stopped-vehicle-50"))).withLimits(limits);
     DiagnosticException failure =
-        assertThrows(DiagnosticException.class, () -> project.simulate(scenarios));
-    assertTrue(failure.diagnostics().get(0).hint().contains("giving up"));
+        assertThrows(DiagnosticException.class, () -> AebProject.simulate(request));
+    return failure.diagnostics().get(0).id();
   }
 
   @Test

@@ -45,7 +45,6 @@ class RulePagesTest {
       Set.of(
           "llm.recording.unwritable",
           "message.malformed",
-          "node.timeout",
           "protocol.frame",
           "simulation.interrupted");
 

@@ -1,0 +1,334 @@
+"""Components in processes of their own, seen from the process that calls them and records what they did.
+
+Foreign code shares nothing with this process but a socket. What comes through it is a value or it ends the component;
+when it comes, and how much processor time was spent, is measured here and by the kernel.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import socket
+import struct
+import time
+from array import array
+from typing import Any, NamedTuple
+
+import component_values
+from component_results import VALUE_HINT
+from component_values import LONGEST, NO_OBJECTS, MalformedError, Objects
+
+CONTROL = "EVENTCHAIN_FORK_SERVER"
+"""The environment variable with the file descriptor of the :class:`ForkServer`."""
+
+_LENGTH = struct.Struct("<I")
+_FIRST_READ = 1 << 16
+_FRAME = re.compile(r'^ {2}File "(.*)", line (\d+) in', re.MULTILINE)
+_PATIENCE = 2.0  # s for the stack of a process that hangs
+_SIGXCPU = 24
+_TOO_LATE_HINT = "Compute with loops that end, without waiting."
+_ENDED_HINT = "Do not end the process."
+_CRASHED_HINT = "It crashed in native code, or something ended it."
+_LONGEST_TEXT = 500
+
+
+class ComponentError(BaseException):
+    """A component did not give a result. Not an `Exception`, so that nodes which catch those do not go on without it.
+
+    Args:
+        identifier: `component.raised`, `.syntax`, `.timeout`, `.ended` or `.result.type`.
+        message: what happened, in one line.
+        file: where, with 1-based line and column; 0: unknown.
+        hint: what to do about it.
+
+    """
+
+    def __init__(
+        self,
+        identifier: str,
+        message: str,
+        file: str = "",
+        line: int = 0,
+        column: int = 0,
+        hint: str = "",
+    ) -> None:
+        super().__init__(message)
+        self.identifier = identifier
+        self.message = message
+        self.file = file
+        self.line = line
+        self.column = column
+        self.hint = hint
+
+
+class Limits(NamedTuple):
+    """What a component may use for one answer: processor time, and time on the clock for those that sleep; in s."""
+
+    processor: float
+    wall: float
+
+
+class Result(NamedTuple):
+    """What `execute` returned, as values of this process, where it says it did, and the processor time in ns."""
+
+    values: Any
+    line: int
+    column: int
+    processor: int
+
+
+class ForkServer:
+    """Starts and ends processes; the parent of this process, see :mod:`fork_server`."""
+
+    def __init__(self, control: socket.socket) -> None:
+        self._control = control
+
+    @classmethod
+    def inherited(cls) -> ForkServer:
+        """The one that started this process."""
+        return cls(_inherited())
+
+    def start(self, description: dict[str, Any]) -> tuple[int, int, int]:
+        """Start the process of a component; its id, and file descriptors of its channel and of its stack."""
+        self._control.send(json.dumps(["start", description]).encode())
+        descriptors = array("i")
+        message, ancillary, _, _ = self._control.recvmsg(64, socket.CMSG_SPACE(2 * descriptors.itemsize))
+        for _, _, data in ancillary:
+            descriptors.frombytes(data[: len(data) - len(data) % descriptors.itemsize])
+        channel, stack = descriptors
+        return int(message), channel, stack
+
+    def show_stack(self, process: int) -> None:
+        """Let a process write where it is."""
+        self._ask("stack", process)
+
+    def end(self, process: int) -> int:
+        """End a process, if it has not ended by itself; its exit code, or the negative number of a signal."""
+        return self._ask("end", process)
+
+    def _ask(self, what: str, process: int) -> int:
+        self._control.send(json.dumps([what, process]).encode())
+        return int(self._control.recv(64))
+
+
+def _inherited() -> socket.socket:
+    if _INHERITED is None:
+        raise RuntimeError("this process was not started by confined.py, which starts those of components")
+    return _INHERITED
+
+
+# Made when this module is imported, before audit hooks refuse sockets.
+_INHERITED = socket.socket(fileno=int(os.environ[CONTROL])) if CONTROL in os.environ else None
+
+
+class ComponentProcess:
+    """One component. The calls raise :class:`ComponentError`, after which the process has been ended.
+
+    Args:
+        server: starts the process.
+        description: as of `component_process.ComponentProcess`.
+        limits: for each answer.
+        objects: what besides plain values may be sent.
+
+    """
+
+    def __init__(
+        self, server: ForkServer, description: dict[str, Any], limits: Limits, objects: Objects = NO_OBJECTS
+    ) -> None:
+        self._server = server
+        self._file: str = description["file"]
+        self._sources: list[str] = description["sources"]
+        self._limits = limits
+        self._objects = objects
+        self._ended = False
+        self._process, self._channel, self._stack = server.start(description)
+        self._clock = (~self._process << 3) | 2  # the processor time of another process, clock_getcpuclockid(3)
+        self._deadlines = 0.0, 0.0
+        self._buffer = memoryview(bytearray(_FIRST_READ))
+
+    def load(self) -> None:
+        """Import the file."""
+        self._expect_done(self._ask(["load"]))
+
+    def make(self) -> None:
+        """Make the object."""
+        self._expect_done(self._ask(["make"]))
+
+    def call(self, arguments: tuple[Any, ...], inputs: dict[str, Any]) -> Result:
+        """Execute it."""
+        before = time.clock_gettime_ns(self._clock)
+        answer = self._ask(["call", arguments, inputs])
+        processor = time.clock_gettime_ns(self._clock) - before
+        if answer[0] == "result" and len(answer) == 4:
+            return Result(answer[1], _number(answer[2]), _number(answer[3]), processor)
+        if answer[0] == "unfit" and len(answer) == 5:
+            what, hint = (", not dict", "") if answer[2] is None else (f" for '{_line(answer[2])}'", VALUE_HINT)
+            text = f"execute() returned {_line(answer[1])}{what}"
+            place = self._file, _number(answer[3]), _number(answer[4])
+            raise self._error("component.result.type", text, *place, hint=hint)
+        raise self._strange()
+
+    def close(self) -> int:
+        """End the process; its exit code, or the negative number of a signal."""
+        if self._ended:
+            return 0
+        self._ended = True
+        os.close(self._channel)
+        status = self._server.end(self._process)
+        os.close(self._stack)
+        return status
+
+    def _expect_done(self, answer: list[Any]) -> None:
+        if answer != ["done"]:
+            raise self._strange()
+
+    def _ask(self, question: list[Any]) -> list[Any]:
+        if self._ended:
+            raise ComponentError("component.ended", "the process of the component has ended", self._file)
+        self._start_clocks()
+        self._send(component_values.write(question, self._objects))
+        try:
+            answer = component_values.read(self._receive(), self._objects)
+        except MalformedError:
+            raise self._strange() from None
+        if type(answer) is not list or not answer:
+            raise self._strange()
+        if answer[0] == "raised" and len(answer) == 6:
+            raise self._raised(*answer[1:])
+        return answer
+
+    def _start_clocks(self) -> None:
+        processor = time.clock_gettime(self._clock) + self._limits.processor
+        self._deadlines = processor, time.monotonic() + self._limits.wall
+
+    def _send(self, buffers: list[Any]) -> None:
+        length = sum(map(len, buffers))
+        written = self._write([_LENGTH.pack(length), *buffers])
+        if written < length + _LENGTH.size:
+            rest = memoryview(b"".join((_LENGTH.pack(length), *buffers)))
+            while written < len(rest):
+                written += self._write([rest[written:]])
+
+    def _write(self, buffers: list[Any]) -> int:
+        """Write as much as there is room for; the socket gives up from time to time (SO_SNDTIMEO)."""
+        while True:
+            try:
+                return os.writev(self._channel, buffers)
+            except BlockingIOError:
+                self._check_deadlines()
+            except OSError:
+                raise self._gone() from None
+
+    def _receive(self) -> memoryview:
+        view = self._buffer
+        have = self._read(view)
+        while have < _LENGTH.size:
+            have += self._read(view[have:])
+        (length,) = _LENGTH.unpack_from(view)
+        whole = length + _LENGTH.size
+        if length > LONGEST or have > whole:
+            raise self._strange()
+        if whole > len(view):
+            view = memoryview(bytearray(whole))
+            view[:have] = self._buffer[:have]
+        while have < whole:
+            have += self._read(view[have:whole])
+        return view[_LENGTH.size : whole]
+
+    def _read(self, view: memoryview) -> int:
+        """Read what there is; the socket gives up from time to time (SO_RCVTIMEO)."""
+        while True:
+            try:
+                count = os.readv(self._channel, [view])
+            except BlockingIOError:
+                self._check_deadlines()
+                continue
+            except OSError:
+                raise self._gone() from None
+            if count == 0:
+                raise self._gone()
+            return count
+
+    def _check_deadlines(self) -> None:
+        processor, wall = self._deadlines
+        try:
+            used = time.clock_gettime(self._clock)
+        except OSError:
+            raise self._gone() from None
+        if used > processor:
+            raise self._late(f"it used more than {self._limits.processor:g} s of processor time")
+        if time.monotonic() > wall:
+            raise self._late(f"it did not answer within {self._limits.wall:g} s")
+
+    def _late(self, message: str) -> ComponentError:
+        line = self._line_of_stack()
+        return self._error("component.timeout", message, self._file, line, hint=_TOO_LATE_HINT)
+
+    def _line_of_stack(self) -> int:
+        """Where the process is: the innermost line of the component, 0 if it does not tell."""
+        self._server.show_stack(self._process)
+        os.set_blocking(self._stack, False)
+        text, end = "", time.monotonic() + _PATIENCE
+        while time.monotonic() < end:
+            time.sleep(0.01)
+            try:
+                text += os.read(self._stack, _FIRST_READ).decode(errors="replace")
+            except BlockingIOError:
+                continue
+            except OSError:
+                break
+            found = [int(line) for file, line in _FRAME.findall(text) if file == self._file]
+            if found:
+                return found[0]
+        return 0
+
+    def _gone(self) -> ComponentError:
+        status = self.close()
+        if status == -_SIGXCPU:
+            message = "it used up the processor time that a component may use"
+            return ComponentError("component.timeout", message, self._file, hint=_TOO_LATE_HINT)
+        how, hint = f"by signal {-status}", _CRASHED_HINT
+        if status >= 0:
+            how, hint = f"with the exit code {status}", _ENDED_HINT
+        return ComponentError("component.ended", f"its process ended {how}", self._file, hint=hint)
+
+    def _strange(self) -> ComponentError:
+        return self._error("component.ended", "its process wrote something else than an answer", self._file)
+
+    def _raised(self, kind: Any, text: Any, file: Any, line: Any, column: Any) -> ComponentError:
+        """The file is believed only if it is one of the sources: a finding shows lines of it."""
+        place = file if type(file) is str and self._is_source(file) else self._file
+        known = place == file
+        shown = _line(text)
+        message = f"{_line(kind)}: {shown}" if shown else _line(kind)
+        return self._error(
+            "component.syntax"
+            if _line(kind) in ("SyntaxError", "IndentationError", "TabError")
+            else "component.raised",
+            message,
+            place,
+            _number(line) if known else 0,
+            _number(column) if known else 0,
+        )
+
+    def _is_source(self, file: str) -> bool:
+        plain = os.path.normpath(file) == file
+        return plain and any(file == source or file.startswith(source.rstrip("/") + "/") for source in self._sources)
+
+    def _error(
+        self, identifier: str, message: str, file: str, line: int = 0, column: int = 0, hint: str = ""
+    ) -> ComponentError:
+        self.close()
+        return ComponentError(identifier, message, file, line, column, hint)
+
+
+def _number(value: Any) -> int:
+    return value if type(value) is int and 0 <= value <= 1_000_000 else 0
+
+
+def _line(value: Any) -> str:
+    """Foreign text on one line, without characters that do something to a terminal, and not too long."""
+    text = value if type(value) is str else ""
+    shown = "".join(c if c.isprintable() else c.encode("unicode_escape", "replace").decode() for c in text)
+    return shown if len(shown) <= _LONGEST_TEXT else shown[: _LONGEST_TEXT - 3] + "..."

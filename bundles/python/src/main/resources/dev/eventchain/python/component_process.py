@@ -1,0 +1,201 @@
+"""The process in which one component lives: it gets the arguments of execute() and gives back its result.
+
+Nothing else that this process says is believed, since foreign code runs in it: see :mod:`component_client`, the other
+side. Frames in both directions are the length of what follows (u32, little endian) and a value of
+:mod:`component_values`, question and answer in turn:
+
+- ``["load"]``, which imports the file, and ``["make"]``, which makes the object, are answered by ``["done"]``,
+- ``["call", [argument...], {name: argument...}]`` by ``["result", value, line, column]``, with the place where
+  `execute` returned, or by ``["unfit", type, key, line, column]``: a value that cannot be sent; the key is null where
+  it is the result itself,
+- each of them by ``["raised", type, text, file, line, column]`` if the code raised something.
+"""
+
+from __future__ import annotations
+
+import ast
+import faulthandler
+import importlib
+import os
+import struct
+import sys
+from collections.abc import Iterable
+from signal import SIGUSR1
+from types import ModuleType, TracebackType
+from typing import Any, NoReturn
+
+import component_values
+from component_rules import Component, Rules
+
+SHOW_STACK = SIGUSR1
+"""The signal at which the process writes where it is."""
+
+_LENGTH = struct.Struct("<I")
+_MARKER = "_eventchain_returning"
+_LONGEST_TEXT = 2000
+
+
+class ComponentProcess:
+    """Answers the questions about one component.
+
+    Args:
+        channel: file descriptor to read questions from and to write answers to.
+        description: `file`, `module` (its name), `class`, `path` (for `sys.path`), `sources` (folders or files whose
+            lines are places of errors), `messages` (folders with message definitions; absent: no message classes).
+
+    """
+
+    def __init__(self, channel: int, description: dict[str, Any]) -> None:
+        self._channel = channel
+        self._file: str = description["file"]
+        self._module_name: str = description["module"]
+        self._class_name: str = description["class"]
+        self._sources: list[str] = description["sources"]
+        self._objects = _objects(description.get("messages"))
+        self._module: ModuleType | None = None
+        self._component: Any = None
+        self._execute_place = 1, 1
+        self._place = self._execute_place
+
+    def serve(self) -> NoReturn:
+        """Answer until nobody asks any more."""
+        while True:
+            question = component_values.read(self._receive(), self._objects)
+            try:
+                answer = self._answer(question)
+            except BaseException as problem:  # foreign code may raise anything
+                answer = self._raised(problem)
+            try:
+                buffers = component_values.write(answer, self._objects)
+            except TypeError:
+                buffers = component_values.write(self._unfit(answer[1]))
+            _write_all(self._channel, [_LENGTH.pack(sum(map(len, buffers))), *buffers])
+
+    def _receive(self) -> memoryview:
+        (length,) = _LENGTH.unpack(_read_all(self._channel, _LENGTH.size))
+        return memoryview(_read_all(self._channel, length))
+
+    def _answer(self, question: list[Any]) -> list[Any]:
+        kind = question[0]
+        if kind == "call":
+            return self._call(*question[1:])
+        if kind == "load":
+            self._load()
+        else:
+            self._component = getattr(self._module, self._class_name)()
+        return ["done"]
+
+    def _load(self) -> None:
+        """Import the file as the module it is, with its `return` statements marked."""
+        with open(self._file, encoding="utf-8-sig", newline="") as file:  # noqa: PTH123
+            source = file.read()
+        ast.parse(source, self._file)  # says what is wrong with a file that is no Python
+        rules = Rules(source, Component(self._class_name, [], []))
+        rules.check()
+        package = self._module_name.rpartition(".")[0]
+        if package:
+            importlib.import_module(package)
+        module = ModuleType(self._module_name)
+        module.__file__ = self._file
+        module.__package__ = package
+        module.__dict__[_MARKER] = self._returning
+        self._execute_place = rules.execute_place()
+        sys.modules[self._module_name] = self._module = module
+        exec(compile(rules.marked_tree(_MARKER), self._file, "exec"), module.__dict__)
+
+    def _returning(self, line: int, column: int, value: Any) -> Any:
+        self._place = line, column
+        return value
+
+    def _call(self, arguments: list[Any], inputs: dict[str, Any]) -> list[Any]:
+        self._place = self._execute_place
+        result = self._component.execute(*arguments, **inputs)
+        if type(result) is not dict:
+            return ["unfit", type(result).__name__, None, *self._place]
+        return ["result", result, *self._place]
+
+    def _unfit(self, result: dict[Any, Any]) -> list[Any]:
+        """Name the value that cannot be sent."""
+        for key, value in result.items():
+            try:
+                component_values.write(value, self._objects)
+            except TypeError as problem:
+                return ["unfit", str(problem), str(key), *self._place]
+        return ["unfit", type(result).__name__, None, *self._place]
+
+    def _raised(self, problem: BaseException) -> list[Any]:
+        if isinstance(problem, SyntaxError) and problem.filename:
+            place = problem.filename, problem.lineno or 0, problem.offset or 0
+            text = problem.msg
+        else:
+            place = place_of(problem, self._sources)
+            try:
+                text = str(problem)
+            except BaseException:
+                text = ""
+        return ["raised", type(problem).__name__, text[:_LONGEST_TEXT], *place]
+
+
+def place_of(problem: BaseException, sources: Iterable[str]) -> tuple[str, int, int]:
+    """File, line and column (1-based, 0: unknown) of the innermost frame in one of the files or folders."""
+    found = "", 0, 0
+    trace = problem.__traceback__
+    while trace is not None:
+        file = trace.tb_frame.f_code.co_filename
+        if any(file == source or file.startswith(source.rstrip("/") + "/") for source in sources):
+            found = file, trace.tb_lineno, _column(trace)
+        trace = trace.tb_next
+    return found
+
+
+def _column(trace: TracebackType) -> int:
+    """The column of what the frame executes, where this Python records it (3.11 and later)."""
+    if sys.version_info < (3, 11):
+        return 0
+    column = list(trace.tb_frame.f_code.co_positions())[trace.tb_lasti // 2][2]
+    return 0 if column is None else column + 1
+
+
+def _objects(folders: list[str] | None) -> component_values.Objects:
+    """The message classes of the runtime, if its package is on the path."""
+    if folders is None:
+        return component_values.NO_OBJECTS
+    from eventchain_ros2 import message_objects  # type: ignore[import-not-found,unused-ignore]
+
+    objects: component_values.Objects = message_objects.serve(folders)
+    return objects
+
+
+def _read_all(channel: int, length: int) -> bytes:
+    data = os.read(channel, length)
+    while len(data) < length:
+        more = os.read(channel, length - len(data))
+        if not more:
+            os._exit(0)
+        data += more
+    return data
+
+
+def _write_all(channel: int, buffers: list[Any]) -> None:
+    written = os.writev(channel, buffers)
+    length = sum(map(len, buffers))
+    if written < length:
+        rest = memoryview(b"".join(buffers))
+        while written < length:
+            written += os.write(channel, rest[written:])
+
+
+def run(channel: int, stack: int, description: dict[str, Any]) -> NoReturn:
+    """Be the process of a component.
+
+    Args:
+        channel: see :class:`ComponentProcess`.
+        stack: file descriptor for the stack at :data:`SHOW_STACK`.
+        description: see :class:`ComponentProcess`.
+
+    """
+    faulthandler.register(SHOW_STACK, file=stack, all_threads=False)
+    sys.stdout = sys.stderr
+    sys.dont_write_bytecode = True
+    sys.path[:] = [*description["path"], *(entry for entry in sys.path if entry != "")]
+    ComponentProcess(channel, description).serve()

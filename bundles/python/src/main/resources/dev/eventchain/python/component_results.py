@@ -1,0 +1,82 @@
+"""What a component has to return: a dict with its outputs and nothing else, each of the declared type."""
+
+from __future__ import annotations
+
+import math
+from array import array
+from typing import Any, NamedTuple
+
+_INTEGERS = frozenset({f"{sign}int{bits}" for sign in ("", "u") for bits in (8, 16, 32, 64)} | {"char"})
+_NUMBERS = _INTEGERS | {"float", "float32", "float64", "double"}
+
+VALUE_HINT = "Return a number, a truth value, a string, or a list of these."
+
+
+class Output(NamedTuple):
+    """An output: the key in the dict, and its type as the chain declares it, or "" for any."""
+
+    name: str
+    type: str = ""
+
+
+class Problem(NamedTuple):
+    """What is wrong with a result: the rule's id, a sentence without its subject `execute()`, and what to do."""
+
+    rule: str
+    message: str
+    hint: str
+
+
+def keys_hint(outputs: list[Output]) -> str:
+    """What to return."""
+    return f"Return a dict with exactly these keys: {', '.join(output.name for output in outputs)}."
+
+
+def check(values: Any, outputs: list[Output]) -> list[Problem]:
+    """What is wrong with the value that `execute` returned."""
+    expected = keys_hint(outputs)
+    if type(values) is not dict:
+        return [Problem("component.result.type", f"returned {type(values).__name__}, not dict", expected)]
+    names = [output.name for output in outputs]
+    missing = [name for name in names if name not in values]
+    extra = [str(key) for key in values if key not in names]
+    if missing or extra:
+        parts = [f"{word} {', '.join(keys)}" for word, keys in (("without", missing), ("with", extra)) if keys]
+        return [Problem("component.result.keys", f"returned a dict {' and '.join(parts)}", expected)]
+    return [problem for output in outputs for problem in _check_output(output, values[output.name])]
+
+
+def _check_output(output: Output, value: Any) -> list[Problem]:
+    name, declared = output
+    if value is None or isinstance(value, dict):
+        return [Problem("component.result.type", f"returned {type(value).__name__} for '{name}'", VALUE_HINT)]
+    if declared in _NUMBERS and (isinstance(value, bool) or not isinstance(value, (int, float))):
+        hint = f"Return a number: '{name}' is declared as {declared}."
+        return [Problem("component.result.type", f"returned {_shown(value)} for '{name}'", hint)]
+    if isinstance(value, float) and not math.isfinite(value):
+        hint = "Return a finite number in every case."
+        return [Problem("component.result.nan", f"returned {value} for '{name}'", hint)]
+    if isinstance(value, (list, array)) or hasattr(value, "tolist"):
+        return _check_elements(name, value)
+    return []
+
+
+def _check_elements(name: str, values: Any) -> list[Problem]:
+    """Infinity is right in a sequence, as in a laser scan: nothing in range (REP 117)."""
+    if not isinstance(values, list):
+        total = sum(values) if isinstance(values, array) else values.sum()
+        if total == total:  # sums keep NaN
+            return []
+        values = values.tolist()
+    for index, element in enumerate(values):
+        if element is None:
+            hint = "Return a number for each element."
+            return [Problem("component.result.type", f"returned None in '{name}' at index {index}", hint)]
+        if type(element) is float and element != element:
+            hint = "Use infinity for 'nothing there', as a laser scan does."
+            return [Problem("component.result.nan", f"returned nan in '{name}' at index {index}", hint)]
+    return []
+
+
+def _shown(value: Any) -> str:
+    return f"the {type(value).__name__} {value!r}"[:80] if isinstance(value, (bool, str)) else type(value).__name__

@@ -1,0 +1,176 @@
+"""The components of nodes: each lives in a process of its own, and its node gets a stand-in.
+
+No code of a component is imported into this process, which holds the records of the scenario.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from importlib.abc import Loader, MetaPathFinder
+from importlib.machinery import ModuleSpec
+from pathlib import Path
+from types import ModuleType
+from typing import Any, NamedTuple
+
+import component_results
+from component_client import ComponentError, ComponentProcess, ForkServer, Limits, Result
+from component_results import Output
+from component_rules import Component, Rules
+from component_values import Objects
+
+
+class Configuration(NamedTuple):
+    """A component as the host is told of it.
+
+    Args:
+        module: the module from which its node imports it.
+        class_name: what the node imports.
+        file: the file of that module.
+        inputs: names of the arguments of `execute`; None: not known.
+        outputs: what it returns; None: not known.
+        restricted: whether the rules of generated components hold for it.
+
+    """
+
+    module: str
+    class_name: str
+    file: str
+    inputs: list[str] | None
+    outputs: list[Output] | None
+    restricted: bool
+
+    @classmethod
+    def of(cls, json: dict[str, Any]) -> Configuration:
+        """From the entry `component` of a node in the configuration."""
+        outputs = json.get("outputs")
+        return cls(
+            json["module"],
+            json["class"],
+            json["file"],
+            json.get("inputs"),
+            None if outputs is None else [Output(output["name"], output.get("type", "")) for output in outputs],
+            bool(json.get("restricted", False)),
+        )
+
+
+class Environment(NamedTuple):
+    """What the processes of components need: folders for `sys.path`, folders with messages, and the limits."""
+
+    path: list[str]
+    sources: list[str]
+    messages: list[str]
+    limits: Limits
+    objects: Objects
+
+
+class Components(MetaPathFinder, Loader):
+    """The components of a scenario.
+
+    Args:
+        configurations: of all of them.
+        environment: of their processes.
+        spend: is told the processor time of each call, in ns.
+
+    """
+
+    def __init__(
+        self, configurations: list[Configuration], environment: Environment, spend: Callable[[int], None]
+    ) -> None:
+        self._configurations = {configuration.module: configuration for configuration in configurations}
+        self._environment = environment
+        self._spend = spend
+        self._processes: list[ComponentProcess] = []
+
+    def install(self) -> None:
+        """Serve the imports of nodes, before everything else."""
+        sys.meta_path.insert(0, self)
+
+    def end(self) -> None:
+        """End the processes and serve no more."""
+        if self in sys.meta_path:
+            sys.meta_path.remove(self)
+        for process in self._processes:
+            process.close()
+        for module in self._configurations:
+            sys.modules.pop(module, None)
+
+    def find_spec(self, fullname: str, path: object, target: object = None) -> ModuleSpec | None:
+        """Find the modules of components."""
+        return ModuleSpec(fullname, self) if fullname in self._configurations else None
+
+    def create_module(self, spec: ModuleSpec) -> ModuleType:
+        """Make a module with the stand-in's class."""
+        configuration = self._configurations[spec.name]
+        module = ModuleType(spec.name)
+        stand_in = type(configuration.class_name, (_StandIn,), {"_start": staticmethod(self._starter(configuration))})
+        setattr(module, configuration.class_name, stand_in)
+        return module
+
+    def exec_module(self, module: ModuleType) -> None:
+        """Do nothing: the component's code runs elsewhere."""
+
+    def _starter(self, configuration: Configuration) -> Callable[[], Callable[..., Any]]:
+        def start() -> Callable[..., Any]:
+            if configuration.restricted:
+                _check_rules(configuration)
+            process = self._start(configuration)
+
+            def execute(*arguments: Any, **inputs: Any) -> Any:
+                result = _call(configuration, process, arguments, inputs)
+                self._spend(result.processor)
+                if configuration.outputs is not None:
+                    for problem in component_results.check(result.values, configuration.outputs):
+                        place = configuration.file, result.line, result.column
+                        raise ComponentError(problem.rule, f"execute() {problem.message}", *place, hint=problem.hint)
+                return result.values
+
+            return execute
+
+        return start
+
+    def _start(self, configuration: Configuration) -> ComponentProcess:
+        environment = self._environment
+        description = {
+            "file": configuration.file,
+            "module": configuration.module,
+            "class": configuration.class_name,
+            "path": environment.path,
+            "sources": environment.sources,
+            "messages": environment.messages,
+        }
+        server = ForkServer.inherited()
+        process = ComponentProcess(server, description, environment.limits, environment.objects)
+        self._processes.append(process)
+        process.load()
+        process.make()
+        return process
+
+
+class _StandIn:
+    """What a node has instead of its component: it can be made and executed, and that is all."""
+
+    _start: Callable[[], Callable[..., Any]]
+
+    def __init__(self) -> None:
+        self.execute = self._start()
+
+
+def _call(
+    configuration: Configuration, process: ComponentProcess, arguments: tuple[Any, ...], inputs: dict[str, Any]
+) -> Result:
+    try:
+        return process.call(arguments, inputs)
+    except ComponentError as error:
+        if error.identifier == "component.result.type" and not error.hint and configuration.outputs is not None:
+            error.hint = component_results.keys_hint(configuration.outputs)
+        raise
+
+
+def _check_rules(configuration: Configuration) -> None:
+    """Hold a generated component to the rules of its kind, whoever has changed it since."""
+    source = Path(configuration.file).read_text(encoding="utf-8-sig")
+    names = [output.name for output in configuration.outputs or ()]
+    for finding in Rules(source, Component(configuration.class_name, configuration.inputs or [], names)).check():
+        place = configuration.file, finding.line, finding.column
+        raise ComponentError(finding.id, finding.message, *place, hint=finding.hint)
