@@ -44,6 +44,7 @@ final class SimulationReport {
       statistics(json, "jitter", node.jitter());
       statistics(json, "executionTime", node.executionTime());
       statistics(json, "hostExecutionTime", node.hostExecutionTime());
+      node.timesWorstCase().ifPresent(times -> json.put("timesWorstCase", times));
     }
     return report;
   }

@@ -3,6 +3,7 @@ package dev.eventchain.simulation;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /**
  * What the simulation measured of the nodes, over all scenarios. Times are in ms of simulated time
@@ -66,5 +67,20 @@ public record Measurements(String runId, String firstNode, String lastNode, List
       Optional<Statistics> period,
       Optional<Statistics> jitter,
       Optional<Statistics> executionTime,
-      Optional<Statistics> hostExecutionTime) {}
+      Optional<Statistics> hostExecutionTime) {
+
+    /**
+     * How many times the execution time of the model the median on this machine is. Far above 1,
+     * the model promises more than the component can hold; it decides nothing, since this machine
+     * is not the vehicle's.
+     *
+     * @return empty if the model states no execution time, or nothing was executed
+     */
+    public OptionalDouble timesWorstCase() {
+      double declared = executionTime.map(Statistics::maximum).orElse(0.0);
+      return declared > 0 && hostExecutionTime.isPresent()
+          ? OptionalDouble.of(hostExecutionTime.get().median() / declared)
+          : OptionalDouble.empty();
+    }
+  }
 }

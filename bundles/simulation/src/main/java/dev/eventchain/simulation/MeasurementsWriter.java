@@ -129,6 +129,7 @@ final class MeasurementsWriter {
       json.writeStartObject();
       json.writeStringField("name", node.name());
       statistics("hostExecutionTime", node.hostExecutionTime());
+      optional("timesWorstCase", node.timesWorstCase());
       json.writeEndObject();
     }
     json.writeEndArray();

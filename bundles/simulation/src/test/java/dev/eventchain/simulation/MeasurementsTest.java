@@ -20,6 +20,8 @@ import dev.eventchain.ocl.OclRules;
 import dev.eventchain.ocl.OclValidator;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -125,7 +127,21 @@ class MeasurementsTest {
     assertFalse(json.get("nodes").get(0).has("hostExecutionTime"));
     assertTrue(
         json.get("host").get("nodes").get(0).get("hostExecutionTime").get("count").asInt() > 100);
+    assertTrue(json.get("host").get("nodes").get(0).get("timesWorstCase").asDouble() > 0);
     assertFalse(json.get("host").get("confinement").asText().isEmpty());
+  }
+
+  @Test
+  void hostTimeIsComparedWithTheWorstCaseOfTheModel() {
+    Optional<Measurements.Statistics> five = Measurements.Statistics.of(new double[] {5});
+    Optional<Measurements.Statistics> none = Measurements.Statistics.of(new double[] {0});
+    Optional<Measurements.Statistics> host = Measurements.Statistics.of(new double[] {1, 20, 30});
+    assertEquals(
+        OptionalDouble.of(4),
+        new Measurements.Node("X", 3, five, five, five, host).timesWorstCase());
+    assertEquals(
+        OptionalDouble.empty(),
+        new Measurements.Node("X", 3, five, five, none, host).timesWorstCase());
   }
 
   @Test

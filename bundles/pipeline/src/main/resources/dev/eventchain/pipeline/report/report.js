@@ -294,7 +294,9 @@ function completeMeasurements() {
     const host = record(node.hostExecutionTime);
     if (last && number(host.median) !== null) {
       last.classList.add("minor");
-      last.after(html("tr", null, html("th", { scope: "row" }, unseen(text(node.name))), html("td", null, "Execution time, this host"),
+      const times = number(node.timesWorstCase) ?? 0;
+      const above = times > 1 ? `, ${times.toFixed(1)} times the worst case of the model` : "";
+      last.after(html("tr", null, html("th", { scope: "row" }, unseen(text(node.name))), html("td", null, `Processor time, this host${above}`),
         ["minimum", "median", "percentile99", "maximum"].map((name) => html("td", { class: "number" }, milliseconds(host[name]))),
         html("td", { class: "number" }, whole(host.count))));
     }
