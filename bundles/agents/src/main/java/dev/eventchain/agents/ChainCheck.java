@@ -1,7 +1,7 @@
 package dev.eventchain.agents;
 
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.modeler.JsonText;
+import dev.eventchain.documents.Document;
 import dev.eventchain.modeler.Requirements;
 import java.util.List;
 
@@ -13,7 +13,7 @@ final class ChainCheck {
     this.requirements = requirements.items().stream().map(Requirements.Item::id).toList();
   }
 
-  List<Diagnostic> check(JsonText text) {
+  List<Diagnostic> check(Document text) {
     Findings findings = new Findings(text);
     ChainView chain = ChainView.of(text.root());
     new ComponentCheck(findings).check(chain);

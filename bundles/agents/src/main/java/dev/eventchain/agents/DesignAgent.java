@@ -4,10 +4,11 @@ import dev.eventchain.analysis.ChainAnalysis;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.Document;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.modeler.EventChainReader;
-import dev.eventchain.modeler.JsonText;
+import dev.eventchain.modeler.JsonDocument;
 import dev.eventchain.modeler.Modeled;
 import dev.eventchain.modeler.Requirements;
 import dev.eventchain.modeler.SoftwareBase;
@@ -77,7 +78,7 @@ public final class DesignAgent {
     diagnostics.addAll(base.check(chain.root(), locator));
     diagnostics.addAll(
         ChainAnalysis.of(messages, base.signals()).check(chain.root(), locator).diagnostics());
-    JsonText json = JsonText.parse(text);
+    Document json = JsonDocument.parse(text);
     if (json.root().isArray()) {
       diagnostics.addAll(new ChainCheck(requirements).check(json));
     }

@@ -1,16 +1,16 @@
 package dev.eventchain.agents;
 
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.modeler.JsonText;
+import dev.eventchain.documents.Document;
 import java.util.ArrayList;
 import java.util.List;
 
 /** Collects what is found in a JSON text, each finding with its place. */
 final class Findings {
-  private final JsonText text;
+  private final Document text;
   private final List<Diagnostic> diagnostics = new ArrayList<>();
 
-  Findings(JsonText text) {
+  Findings(Document text) {
     this.text = text;
   }
 

@@ -3,7 +3,8 @@ package dev.eventchain.agents;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.modeler.JsonText;
+import dev.eventchain.documents.JsonLayout;
+import dev.eventchain.modeler.JsonDocument;
 import dev.eventchain.modeler.Requirements;
 import dev.eventchain.python.ComponentProbe;
 import java.util.List;
@@ -48,7 +49,7 @@ public final class ImplementAgent {
    */
   public AgentResult implement(SourceText chain, String component, Requirements requirements) {
     ChainView.Component described =
-        ChainView.of(JsonText.parse(chain).root()).components().stream()
+        ChainView.of(JsonDocument.parse(chain).root()).components().stream()
             .filter(candidate -> candidate.name().equals(component))
             .findFirst()
             .orElseThrow(

@@ -15,9 +15,14 @@ import com.fasterxml.jackson.databind.cfg.JsonNodeFeature;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.modeler.JsonText;
+import dev.eventchain.documents.Document;
+import dev.eventchain.documents.DocumentFormat;
+import dev.eventchain.documents.FindingIds;
+import dev.eventchain.documents.JsonLayout;
 import java.io.IOException;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -31,7 +36,7 @@ final class JsonAnswer {
       JsonMapper.builder(
               JsonFactory.builder()
                   .streamReadConstraints(
-                      StreamReadConstraints.builder().maxNestingDepth(JsonText.DEEPEST).build())
+                      StreamReadConstraints.builder().maxNestingDepth(Document.DEEPEST).build())
                   .build())
           .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
           .enable(JsonReadFeature.ALLOW_TRAILING_COMMA)
@@ -40,6 +45,7 @@ final class JsonAnswer {
           .disable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
           .configure(JsonNodeFeature.STRIP_TRAILING_BIGDECIMAL_ZEROES, false)
           .build();
+  private static final FindingIds IDS = FindingIds.all("agents.answer.json");
   private static final Pattern START = Pattern.compile("(?m)^[ \\t]*[\\[{]");
   private static final Pattern START_IN_LINE = Pattern.compile("[\\[{]\\s*[\\[{\"]");
 
@@ -57,7 +63,7 @@ final class JsonAnswer {
       int end = (int) parser.currentLocation().getCharOffset();
       return holdsAnother(rest.substring(end))
           ? AnswerText.several(AnswerKind.JSON, file, 2)
-          : AnswerText.found(file, JsonLayout.of(node));
+          : found(file, node);
     } catch (IOException e) {
       return broken(file, rest, e);
     }
@@ -91,12 +97,18 @@ final class JsonAnswer {
     try {
       JsonNode node =
           TOLERANT.reader().with(DeserializationFeature.FAIL_ON_TRAILING_TOKENS).readTree(text);
-      return node.isContainerNode()
-          ? AnswerText.found(file, JsonLayout.of(node))
-          : AnswerText.nothing(AnswerKind.JSON, file);
+      return node.isContainerNode() ? found(file, node) : AnswerText.nothing(AnswerKind.JSON, file);
     } catch (IOException e) {
       return broken(file, text, e);
     }
+  }
+
+  /** In one layout, unless a text in it cannot be shown or a file cannot hold it. */
+  private static AnswerText found(String file, JsonNode node) {
+    AnswerText found = AnswerText.found(file, JsonLayout.of(node));
+    List<Diagnostic> problems = new ArrayList<>();
+    Document.parse(found.artefact().orElseThrow(), DocumentFormat.JSON, IDS, problems::add);
+    return problems.isEmpty() ? found : new AnswerText(Optional.empty(), problems);
   }
 
   private static AnswerText broken(String file, String text, IOException e) {
@@ -108,14 +120,14 @@ final class JsonAnswer {
     return AnswerText.problem(
         Diagnostic.error(
             "agents.answer.json",
-            "This is no JSON: " + reason(e),
+            "This is not JSON: " + reason(e),
             place == null ? source.at(0) : source.at(place.getLineNr(), place.getColumnNr())));
   }
 
   /** What the parser says, without the names of its settings. */
   private static String reason(IOException e) {
     if (e instanceof StreamConstraintsException) {
-      return "it is nested deeper than " + JsonText.DEEPEST + " levels, or a token is too long.";
+      return "it is nested deeper than " + Document.DEEPEST + " levels, or a token is too long.";
     }
     return e instanceof JsonProcessingException json
         ? json.getOriginalMessage().replaceAll(": enable .*", "")

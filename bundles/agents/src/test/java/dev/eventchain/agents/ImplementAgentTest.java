@@ -9,7 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.fixtures.ExpectedFile;
-import dev.eventchain.modeler.JsonText;
+import dev.eventchain.modeler.JsonDocument;
 import dev.eventchain.modeler.Requirements;
 import dev.eventchain.python.ComponentProbe;
 import dev.eventchain.python.PythonEnvironment;
@@ -41,7 +41,7 @@ class ImplementAgentTest {
   void eachFaultIsFoundWhereItIs(Path file) throws IOException {
     ImplementationCheck check =
         new ImplementationCheck(
-            probe, ChainView.of(JsonText.parse(CHAIN).root()).components().get(0));
+            probe, ChainView.of(JsonDocument.parse(CHAIN).root()).components().get(0));
     List<Diagnostic> found = check.check(SourceText.read(file));
     // One line for each kind of fault: how many calls show it does not matter here.
     List<Diagnostic> first = found.stream().limit(1).toList();

@@ -77,7 +77,7 @@ final class RecordingFolder {
           List.of(
               Diagnostic.error(
                       "llm.recording.unwritable",
-                      "The recording cannot be written: " + e,
+                      "The recording cannot be written: " + SourceText.reason(e) + ".",
                       SourceLocation.of(file))
                   .withHint("Make the folder writable, or run without --record.")));
     }

@@ -3,6 +3,7 @@ package dev.eventchain.modeler;
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.documents.Document;
 import java.math.BigDecimal;
 import java.math.BigInteger;
 import java.util.Date;
@@ -40,10 +41,10 @@ final class AttributeValues {
 
   private static final Set<Class<?>> TRUTH_VALUES = Set.of(boolean.class, Boolean.class);
 
-  private final JsonText text;
+  private final Document text;
   private final List<Diagnostic> findings;
 
-  AttributeValues(JsonText text, List<Diagnostic> findings) {
+  AttributeValues(Document text, List<Diagnostic> findings) {
     this.text = text;
     this.findings = findings;
   }
@@ -67,7 +68,7 @@ final class AttributeValues {
       return;
     }
     for (int i = 0; i < value.size(); i++) {
-      String place = JsonText.below(pointer, i);
+      String place = Document.below(pointer, i);
       convert(attribute, value.get(i), place)
           .ifPresent(converted -> add(values, converted, attribute, place));
     }
@@ -193,7 +194,7 @@ final class AttributeValues {
     find(
         "modeler.value.type",
         "'%s' must be %s, not %s%s."
-            .formatted(attribute.getName(), wanted, JsonObjectReader.kind(value), shown),
+            .formatted(attribute.getName(), wanted, text.kind(value), shown),
         pointer,
         "");
     return Optional.empty();

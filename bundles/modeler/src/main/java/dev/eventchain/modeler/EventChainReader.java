@@ -1,9 +1,13 @@
 package dev.eventchain.modeler;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.Document;
+import dev.eventchain.documents.NumberRange;
+import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.messages.RosNames;
 import dev.eventchain.metamodel.Origins;
 import dev.eventchain.metamodel.PythonNames;
@@ -43,19 +47,19 @@ public final class EventChainReader {
 
   private static final EventchainFactory FACTORY = EventchainFactory.eINSTANCE;
 
-  private final JsonText text;
+  private static final NumberRange NOT_NEGATIVE = NumberRange.atLeast(0);
+
+  private final Document text;
   private final Origins origins = new Origins();
   private final List<Diagnostic> diagnostics = new ArrayList<>();
   private final EventChain chain = FACTORY.createEventChain();
   private final Map<String, Requirement> requirements = new LinkedHashMap<>();
   private final OptionalDouble defaultFrequency;
-  private final QosReader qosReader;
   private boolean requirementsKnown = true;
 
-  private EventChainReader(JsonText description, OptionalDouble defaultFrequency) {
+  private EventChainReader(Document description, OptionalDouble defaultFrequency) {
     this.text = description;
     this.defaultFrequency = defaultFrequency;
-    this.qosReader = new QosReader(text, diagnostics::add);
   }
 
   /**
@@ -68,7 +72,8 @@ public final class EventChainReader {
    */
   public static Modeled<EventChain> read(
       SourceText description, String name, Requirements written, OptionalDouble defaultFrequency) {
-    EventChainReader reader = new EventChainReader(JsonText.parse(description), defaultFrequency);
+    EventChainReader reader =
+        new EventChainReader(JsonDocument.parse(description), defaultFrequency);
     reader.chain.setName(name);
     written.items().forEach(reader::addRequirement);
     reader.readComponents();
@@ -87,7 +92,7 @@ public final class EventChainReader {
   }
 
   /** Reads the components of a software base: as an event chain, but for requirements. */
-  static Modeled<EventChain> readExisting(JsonText components) {
+  static Modeled<EventChain> readExisting(Document components) {
     EventChainReader reader = new EventChainReader(components, OptionalDouble.empty());
     reader.requirementsKnown = false;
     reader.readArray();
@@ -117,35 +122,25 @@ public final class EventChainReader {
 
   private void readArray() {
     origins.put(chain, text.at(""));
-    if (!text.root().isArray()) {
-      find(
-          "modeler.value.type",
-          "The description must be an array of components, not "
-              + JsonObjectReader.kind(text.root())
-              + ".",
-          text.at(""));
-      return;
-    }
-    for (int i = 0; i < text.root().size(); i++) {
-      JsonObjectReader.at(text, "/" + i, diagnostics::add).ifPresent(this::readComponent);
-    }
+    text.objects(diagnostics::add).forEach(this::readComponent);
     refuseDuplicates(chain.getSoftware());
   }
 
-  private void readComponent(JsonObjectReader json) {
+  private void readComponent(ObjectReader json) {
     SoftwareNode node = FACTORY.createSoftwareNode();
     chain.getSoftware().add(node);
     origins.put(node, json.location());
     node.setName(name(json, "component"));
     json.text("description").ifPresent(node::setDescription);
-    OptionalDouble frequency = json.positiveNumber("frequency");
+    OptionalDouble frequency = json.number("frequency", NumberRange.above(0));
     if (frequency.isPresent() || json.value("frequency").isEmpty()) {
       frequency = frequency.isPresent() ? frequency : defaultFrequency;
       frequency.ifPresent(node::setFrequency);
     }
-    json.number("best_case_execution_time").ifPresent(node::setBestCaseExecutionTime);
-    json.number("worst_case_execution_time").ifPresent(node::setWorstCaseExecutionTime);
-    json.number("memory").ifPresent(node::setMemory);
+    json.number("best_case_execution_time", NOT_NEGATIVE).ifPresent(node::setBestCaseExecutionTime);
+    json.number("worst_case_execution_time", NOT_NEGATIVE)
+        .ifPresent(node::setWorstCaseExecutionTime);
+    json.number("memory", NOT_NEGATIVE).ifPresent(node::setMemory);
     json.value("implementation");
     json.value("file");
     readRequirements(json, node);
@@ -154,7 +149,7 @@ public final class EventChainReader {
     json.refuseOthers();
   }
 
-  private void readRequirements(JsonObjectReader json, SoftwareNode node) {
+  private void readRequirements(ObjectReader json, SoftwareNode node) {
     List<String> ids = json.texts("requirements");
     for (int i = 0; i < ids.size(); i++) {
       Requirement requirement = requirements.get(ids.get(i));
@@ -163,7 +158,7 @@ public final class EventChainReader {
             Diagnostic.error(
                     "modeler.reference.unresolved",
                     "There is no requirement '" + ids.get(i) + "'.",
-                    text.at(JsonText.below(json.pointerTo("requirements"), i)))
+                    text.at(Document.below(json.pointerTo("requirements"), i)))
                 .withHint(NearestName.hint(ids.get(i), requirements.keySet())));
       } else if (requirement != null) {
         node.getSatisfies().add(requirement);
@@ -171,38 +166,30 @@ public final class EventChainReader {
     }
   }
 
-  private void readPorts(JsonObjectReader json, String side, List<Data> data) {
+  private void readPorts(ObjectReader json, String side, List<Data> data) {
     Set<String> names = new HashSet<>();
-    for (String pointer : json.elements(side)) {
-      JsonObjectReader.at(text, pointer, diagnostics::add)
-          .ifPresent(port -> readPort(port, names, data));
-    }
+    json.objects(side).forEach(port -> readPort(port, names, data));
   }
 
-  private void readPort(JsonObjectReader port, Set<String> names, List<Data> data) {
+  private void readPort(ObjectReader port, Set<String> names, List<Data> data) {
     String topic = checked(port, "topic", RosNames::isTopic, "modeler.topic.illegal");
     String type = checked(port, "message_type", RosNames::isMessageType, "modeler.type.illegal");
-    Optional<QosProfile> qos = qosReader.read(port);
-    List<String> values = port.elements("values");
-    if (values.isEmpty()) {
+    Optional<QosProfile> qos = QosReader.read(port);
+    if (port.value("values").map(JsonNode::isEmpty).orElse(true)) {
       find("modeler.feature.missing", "The topic '" + topic + "' has no values.", port.location());
     }
-    for (String pointer : values) {
-      JsonObjectReader.at(text, pointer, diagnostics::add)
-          .ifPresent(
-              json -> {
-                Data value = readValue(json, names);
-                value.setTopicName(topic);
-                value.setMessageType(type);
-                qos.map(EcoreUtil::copy).ifPresent(value::setQos);
-                chain.getData().add(value);
-                data.add(value);
-              });
+    for (ObjectReader json : port.objects("values")) {
+      Data value = readValue(json, names);
+      value.setTopicName(topic);
+      value.setMessageType(type);
+      qos.map(EcoreUtil::copy).ifPresent(value::setQos);
+      chain.getData().add(value);
+      data.add(value);
     }
     port.refuseOthers();
   }
 
-  private Data readValue(JsonObjectReader json, Set<String> names) {
+  private Data readValue(ObjectReader json, Set<String> names) {
     Data value = FACTORY.createData();
     origins.put(value, json.location());
     value.setName(name(json, "value"));
@@ -220,7 +207,7 @@ public final class EventChainReader {
     return value;
   }
 
-  private String name(JsonObjectReader json, String what) {
+  private String name(ObjectReader json, String what) {
     String name = json.requiredText("name");
     if (!name.isBlank() && !PythonNames.isFreeIdentifier(name)) {
       diagnostics.add(
@@ -235,8 +222,7 @@ public final class EventChainReader {
     return name;
   }
 
-  private String checked(
-      JsonObjectReader json, String property, Predicate<String> legal, String id) {
+  private String checked(ObjectReader json, String property, Predicate<String> legal, String id) {
     String value = json.requiredText(property);
     if (!value.isBlank() && !legal.test(value)) {
       String message =

@@ -2,6 +2,7 @@ package dev.eventchain.modeler;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.documents.Document;
 import dev.eventchain.modeler.InstanceObjects.Link;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -18,12 +19,12 @@ final class InstanceLinks {
 
   private record Slot(EObject source, EReference reference) {}
 
-  private final JsonText text;
+  private final Document text;
   private final InstanceObjects objects;
   private final List<Diagnostic> findings;
   private final Map<Slot, List<EObject>> targets = new HashMap<>();
 
-  InstanceLinks(JsonText text, InstanceObjects objects, List<Diagnostic> findings) {
+  InstanceLinks(Document text, InstanceObjects objects, List<Diagnostic> findings) {
     this.text = text;
     this.objects = objects;
     this.findings = findings;

@@ -2,6 +2,7 @@ package dev.eventchain.modeler;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.Document;
 import dev.eventchain.metamodel.Origins;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -39,7 +40,7 @@ public final class InstanceModeler {
    *     the text is not JSON
    */
   public Modeled<List<EObject>> model(SourceText instance) {
-    JsonText text = JsonText.parse(instance);
+    Document text = JsonDocument.parse(instance);
     List<Diagnostic> findings = new ArrayList<>();
     Origins origins = new Origins();
     InstanceObjects objects = new InstanceObjects(text, classes, origins, findings);

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.documents.Document;
 import dev.eventchain.metamodel.Origins;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -31,7 +32,7 @@ final class InstanceObjects {
   /** Ids in a reference, in the order of the text. */
   record Link(EObject source, EReference reference, String id, String pointer) {}
 
-  private final JsonText text;
+  private final Document text;
   private final ClassIndex classes;
   private final Origins origins;
   private final List<Diagnostic> findings;
@@ -42,7 +43,7 @@ final class InstanceObjects {
   private final Map<EObject, String> pointers = new HashMap<>();
   private final Map<EObject, Set<EStructuralFeature>> given = new HashMap<>();
 
-  InstanceObjects(JsonText text, ClassIndex classes, Origins origins, List<Diagnostic> findings) {
+  InstanceObjects(Document text, ClassIndex classes, Origins origins, List<Diagnostic> findings) {
     this.text = text;
     this.classes = classes;
     this.origins = origins;
@@ -71,7 +72,7 @@ final class InstanceObjects {
   /** The place of a feature of an object; that of the object where the text lacks the feature. */
   SourceLocation placeOf(EObject object, EStructuralFeature feature) {
     String pointer = pointers.get(object);
-    return text.at(isGiven(object, feature) ? JsonText.below(pointer, feature.getName()) : pointer);
+    return text.at(isGiven(object, feature) ? Document.below(pointer, feature.getName()) : pointer);
   }
 
   void read() {
@@ -97,13 +98,13 @@ final class InstanceObjects {
   }
 
   private void readClass(JsonNode root, String name) {
-    Optional<EClass> implied = classNamed(name, JsonText.below("", name));
-    implied.ifPresent(eClass -> readArray(root.get(name), JsonText.below("", name), eClass));
+    Optional<EClass> implied = classNamed(name, Document.below("", name));
+    implied.ifPresent(eClass -> readArray(root.get(name), Document.below("", name), eClass));
   }
 
   private void readArray(JsonNode array, String pointer, EClass implied) {
     for (int i = 0; i < array.size(); i++) {
-      readObject(array.get(i), JsonText.below(pointer, i), implied);
+      readObject(array.get(i), Document.below(pointer, i), implied);
     }
   }
 
@@ -129,10 +130,10 @@ final class InstanceObjects {
   private Optional<EClass> classOf(JsonNode json, String pointer, EClass implied) {
     JsonNode name = json.get(CLASS);
     if (name != null && name.isTextual()) {
-      return classNamed(name.asText(), JsonText.below(pointer, CLASS));
+      return classNamed(name.asText(), Document.below(pointer, CLASS));
     }
     if (name != null && !name.isNull()) {
-      type("'eClass' must be the name of a class", name, JsonText.below(pointer, CLASS));
+      type("'eClass' must be the name of a class", name, Document.below(pointer, CLASS));
       return Optional.empty();
     }
     if (implied != null && !implied.isAbstract()) {
@@ -181,7 +182,7 @@ final class InstanceObjects {
     JsonNode id = json.get(ID);
     boolean named = id != null && (id.isTextual() || id.isIntegralNumber());
     if (id != null && !id.isNull() && !named) {
-      type("'id' must be a text", id, JsonText.below(pointer, ID));
+      type("'id' must be a text", id, Document.below(pointer, ID));
     }
     if (!named) {
       return;
@@ -192,7 +193,7 @@ final class InstanceObjects {
           "modeler.id.duplicate",
           "The id '%s' is that of the %s in line %d already."
               .formatted(id.asText(), earlier.eClass().getName(), origins.locate(earlier).line()),
-          JsonText.below(pointer, ID),
+          Document.below(pointer, ID),
           "");
     }
   }
@@ -202,7 +203,7 @@ final class InstanceObjects {
     if (name.equals(CLASS) || (name.equals(ID) && feature == null)) {
       return;
     }
-    String place = JsonText.below(pointer, name);
+    String place = Document.below(pointer, name);
     given.computeIfAbsent(object, key -> new HashSet<>()).add(feature);
     if (feature == null) {
       List<String> known =
@@ -210,11 +211,10 @@ final class InstanceObjects {
               .filter(InstanceObjects::isWritable)
               .map(EStructuralFeature::getName)
               .toList();
-      find(
-          "modeler.feature.unknown",
-          "Class '" + object.eClass().getName() + "' has no feature '" + name + "'.",
-          place,
-          NearestName.hint(name, known));
+      String message = "Class '" + object.eClass().getName() + "' has no feature '" + name + "'.";
+      findings.add(
+          Diagnostic.error("modeler.feature.unknown", message, text.atKey(place))
+              .withHint(NearestName.hint(name, known)));
     } else if (!isWritable(feature)) {
       find(
           "modeler.feature.derived",
@@ -235,13 +235,13 @@ final class InstanceObjects {
   private void readReference(EObject object, EReference reference, JsonNode value, String place) {
     if (!reference.isMany()) {
       if (value.isArray() && value.size() == 1) {
-        readTarget(object, reference, value.get(0), JsonText.below(place, 0));
+        readTarget(object, reference, value.get(0), Document.below(place, 0));
       } else {
         readTarget(object, reference, value, place);
       }
     } else if (value.isArray()) {
       for (int i = 0; i < value.size(); i++) {
-        readTarget(object, reference, value.get(i), JsonText.below(place, i));
+        readTarget(object, reference, value.get(i), Document.below(place, i));
       }
     } else {
       readTarget(object, reference, value, place);
@@ -275,7 +275,7 @@ final class InstanceObjects {
   }
 
   private void type(String wanted, JsonNode value, String pointer) {
-    String message = wanted + ", not " + JsonObjectReader.kind(value) + ".";
+    String message = wanted + ", not " + text.kind(value) + ".";
     find("modeler.value.type", message, pointer, "");
   }
 

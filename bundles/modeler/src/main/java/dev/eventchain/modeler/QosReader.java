@@ -2,7 +2,8 @@ package dev.eventchain.modeler;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.documents.NumberRange;
+import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.messages.QosSettings;
 import dev.eventchain.metamodel.eventchain.Durability;
 import dev.eventchain.metamodel.eventchain.EventchainFactory;
@@ -12,7 +13,6 @@ import dev.eventchain.metamodel.eventchain.QosProfile;
 import dev.eventchain.metamodel.eventchain.Reliability;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.function.Consumer;
 import java.util.function.Function;
 
 /**
@@ -21,39 +21,29 @@ import java.util.function.Function;
  */
 final class QosReader {
 
+  private static final String NAME = "qos_profile";
   private static final String DEFAULT = "default";
 
-  private final JsonText text;
-  private final Consumer<Diagnostic> findings;
-
-  QosReader(JsonText text, Consumer<Diagnostic> findings) {
-    this.text = text;
-    this.findings = findings;
-  }
+  private QosReader() {}
 
   /** The profile of {@code qos_profile}; nothing where it is missing or not understood. */
-  Optional<QosProfile> read(JsonObjectReader port) {
-    Optional<JsonNode> value = port.value("qos_profile");
+  static Optional<QosProfile> read(ObjectReader port) {
+    Optional<JsonNode> value = port.value(NAME);
     if (value.isEmpty()) {
       return Optional.empty();
     }
     if (value.get().isObject()) {
-      return JsonObjectReader.at(text, port.pointerTo("qos_profile"), findings).map(this::policies);
+      return port.object(NAME).map(QosReader::policies);
     }
     if (value.get().isTextual() || value.get().isIntegralNumber()) {
-      return named(value.get().asText(), port.at("qos_profile"));
+      return named(value.get().asText(), port);
     }
-    port.find(
-        "modeler.value.type",
-        "'qos_profile' must be a profile's name, a depth or an object, not "
-            + JsonObjectReader.kind(value.get())
-            + ".",
-        port.at("qos_profile"));
+    port.refuseType(NAME, "a profile's name, a depth or an object");
     return Optional.empty();
   }
 
   /** Accepts the ways in which C++, Python and documentation write the same profiles. */
-  private Optional<QosProfile> named(String written, SourceLocation location) {
+  private static Optional<QosProfile> named(String written, ObjectReader port) {
     QosProfile qos = EventchainFactory.eINSTANCE.createQosProfile();
     String name =
         written.strip().toLowerCase(Locale.ROOT).replaceFirst("^(rmw_)?(qos_profile_)", "");
@@ -67,11 +57,11 @@ final class QosReader {
     } else if (name.equals("best_effort")) {
       qos.setReliability(Reliability.BEST_EFFORT);
     } else {
-      findings.accept(
+      port.find(
           Diagnostic.error(
                   "modeler.qos.unknown",
                   "There is no profile of quality of service called '" + written + "'.",
-                  location)
+                  port.at(NAME))
               .withHint(
                   "Use "
                       + String.join(", ", QosSettings.names())
@@ -81,7 +71,7 @@ final class QosReader {
     return Optional.of(qos);
   }
 
-  private QosProfile policies(JsonObjectReader object) {
+  private static QosProfile policies(ObjectReader object) {
     QosProfile qos = EventchainFactory.eINSTANCE.createQosProfile();
     qos.setName(object.text("profile").orElse(DEFAULT));
     if (QosSettings.named(qos.getName()).isEmpty()) {
@@ -94,23 +84,16 @@ final class QosReader {
     policy(object, "durability", Durability::getByName).ifPresent(qos::setDurability);
     policy(object, "history", History::getByName).ifPresent(qos::setHistory);
     policy(object, "liveliness", Liveliness::getByName).ifPresent(qos::setLiveliness);
-    object.number("depth").ifPresent(depth -> setDepth(qos, depth, object));
-    object.number("deadline").ifPresent(qos::setDeadline);
+    object
+        .wholeNumber("depth", NumberRange.of(0, Integer.MAX_VALUE))
+        .ifPresent(depth -> qos.setDepth((int) depth));
+    object.number("deadline", NumberRange.atLeast(0)).ifPresent(qos::setDeadline);
     object.refuseOthers();
     return qos;
   }
 
-  private static void setDepth(QosProfile qos, double depth, JsonObjectReader object) {
-    if (depth == (int) depth) {
-      qos.setDepth((int) depth);
-    } else {
-      object.find(
-          "modeler.value.range", "'depth' must be a whole number of samples.", object.at("depth"));
-    }
-  }
-
   private static <E> Optional<E> policy(
-      JsonObjectReader object, String name, Function<String, E> literal) {
+      ObjectReader object, String name, Function<String, E> literal) {
     Optional<String> value = object.text(name);
     Optional<E> found = value.map(v -> literal.apply(v.strip().toUpperCase(Locale.ROOT)));
     if (value.isPresent() && found.isEmpty()) {

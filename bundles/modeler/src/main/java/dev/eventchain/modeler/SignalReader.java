@@ -2,6 +2,8 @@ package dev.eventchain.modeler;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.documents.Document;
+import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.messages.RosNames;
 import dev.eventchain.metamodel.Signal;
 import dev.eventchain.metamodel.eventchain.QosProfile;
@@ -17,11 +19,11 @@ final class SignalReader {
 
   private static final List<String> DIRECTIONS = List.of("provided", "consumed", "internal");
 
-  private final JsonText text;
+  private final Document text;
   private final List<Diagnostic> findings;
   private final Set<String> topics = new HashSet<>();
 
-  SignalReader(JsonText text, List<Diagnostic> findings) {
+  SignalReader(Document text, List<Diagnostic> findings) {
     this.text = text;
     this.findings = findings;
   }
@@ -29,23 +31,11 @@ final class SignalReader {
   /** The signals in the order of the file; whatever is not as it should be is a finding. */
   List<Signal> read() {
     List<Signal> signals = new ArrayList<>();
-    if (!text.root().isArray()) {
-      findings.add(
-          Diagnostic.error(
-              "modeler.value.type",
-              "The file must hold an array, not " + JsonObjectReader.kind(text.root()) + ".",
-              text.at("")));
-      return signals;
-    }
-    for (int i = 0; i < text.root().size(); i++) {
-      JsonObjectReader.at(text, "/" + i, findings::add)
-          .map(this::readSignal)
-          .ifPresent(signals::add);
-    }
+    text.objects(findings::add).forEach(json -> signals.add(readSignal(json)));
     return signals;
   }
 
-  private Signal readSignal(JsonObjectReader json) {
+  private Signal readSignal(ObjectReader json) {
     String topic = legal(json, "Topic Name", SignalReader::isTopic, "modeler.topic.illegal");
     if (!topic.isEmpty() && !topics.add(RosNames.resolve(topic, ""))) {
       json.find(
@@ -54,12 +44,10 @@ final class SignalReader {
           json.at("Topic Name"));
     }
     String type = legal(json, "Message Type", RosNames::isMessageType, "modeler.type.illegal");
-    Optional<QosProfile> qos = new QosReader(text, findings::add).read(json);
+    Optional<QosProfile> qos = QosReader.read(json);
     Signal.Direction direction = direction(json);
     List<Signal.Field> fields = new ArrayList<>();
-    for (String pointer : json.elements("Message Definition")) {
-      JsonObjectReader.at(text, pointer, findings::add).map(this::readField).ifPresent(fields::add);
-    }
+    json.objects("Message Definition").forEach(field -> fields.add(readField(field)));
     json.refuseOthers();
     return new Signal(topic, type, direction, qos, fields, json.location());
   }
@@ -69,7 +57,7 @@ final class SignalReader {
     return RosNames.isTopic(name) && !RosNames.isPrivate(name);
   }
 
-  private Signal.Direction direction(JsonObjectReader json) {
+  private Signal.Direction direction(ObjectReader json) {
     String direction = json.text("direction").orElse("internal");
     if (!DIRECTIONS.contains(direction)) {
       findings.add(
@@ -86,7 +74,7 @@ final class SignalReader {
     };
   }
 
-  private Signal.Field readField(JsonObjectReader json) {
+  private Signal.Field readField(ObjectReader json) {
     String path = legal(json, "Field", RosNames::isFieldPath, "modeler.field.illegal");
     String type = json.requiredText("Type");
     json.text("Description");
@@ -96,7 +84,7 @@ final class SignalReader {
   }
 
   private static String legal(
-      JsonObjectReader json, String property, Predicate<String> legal, String id) {
+      ObjectReader json, String property, Predicate<String> legal, String id) {
     String value = json.requiredText(property);
     if (!value.isBlank() && !legal.test(value)) {
       json.find(id, "'" + value + "' is no legal " + property + ".", json.at(property));

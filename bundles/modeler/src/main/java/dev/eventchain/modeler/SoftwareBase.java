@@ -3,6 +3,8 @@ package dev.eventchain.modeler;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.Document;
+import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.metamodel.PythonNames;
 import dev.eventchain.metamodel.Signal;
 import dev.eventchain.metamodel.eventchain.ComponentImplementation;
@@ -73,7 +75,7 @@ public final class SoftwareBase {
     if (Files.exists(componentsFile)) {
       SourceText source = SourceText.read(componentsFile);
       componentsText = source.text();
-      JsonText json = JsonText.parse(source);
+      Document json = JsonDocument.parse(source);
       Modeled<EventChain> read = EventChainReader.readExisting(json);
       diagnostics.addAll(read.diagnostics());
       described = read.root();
@@ -85,7 +87,7 @@ public final class SoftwareBase {
     if (Files.exists(signalsFile)) {
       SourceText source = SourceText.read(signalsFile);
       signalsText = source.text();
-      signals = Optional.of(new SignalReader(JsonText.parse(source), diagnostics).read());
+      signals = Optional.of(new SignalReader(JsonDocument.parse(source), diagnostics).read());
     }
     return new SoftwareBase(
         components, described, componentsText, signalsText, signals, diagnostics);
@@ -151,10 +153,10 @@ public final class SoftwareBase {
 
   private static final class Reader {
     private final Path folder;
-    private final JsonText text;
+    private final Document text;
     private final List<Diagnostic> diagnostics;
 
-    Reader(Path folder, JsonText text, List<Diagnostic> diagnostics) {
+    Reader(Path folder, Document text, List<Diagnostic> diagnostics) {
       this.folder = folder;
       this.text = text;
       this.diagnostics = diagnostics;
@@ -165,7 +167,7 @@ public final class SoftwareBase {
       for (int i = 0; text.root().isArray() && i < text.root().size(); i++) {
         String pointer = "/" + i;
         if (text.root().at(pointer).isObject()) {
-          JsonObjectReader.at(text, pointer, diagnostics::add)
+          text.object(pointer, diagnostics::add)
               .flatMap(json -> component(json, pointer))
               .ifPresent(component -> components.putIfAbsent(component.name(), component));
         }
@@ -174,7 +176,7 @@ public final class SoftwareBase {
     }
 
     /** The descriptions are checked where they are read as a chain; here it is about the files. */
-    private Optional<Component> component(JsonObjectReader json, String pointer) {
+    private Optional<Component> component(ObjectReader json, String pointer) {
       String name = text.root().at(pointer).path("name").asText();
       if (!PythonNames.isFreeIdentifier(name)) {
         return Optional.empty();
@@ -198,7 +200,7 @@ public final class SoftwareBase {
       return Optional.of(new Component(name, implementation, path, json.location()));
     }
 
-    private ComponentImplementation implementation(JsonObjectReader json) {
+    private ComponentImplementation implementation(ObjectReader json) {
       String written = json.text("implementation").orElse("component");
       return switch (written) {
         case "component" -> ComponentImplementation.COMPONENT;

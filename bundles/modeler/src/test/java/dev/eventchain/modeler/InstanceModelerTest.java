@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.Document;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
 import java.io.IOException;
@@ -109,7 +110,7 @@ class InstanceModelerTest {
   void everyValueIsFoundAtItsPlace() throws IOException {
     String source =
         Files.readString(Path.of("src/test/resources/cases/instance/good-nested/instance.json"));
-    JsonText text = JsonText.parse(SourceText.of("instance.json", source));
+    Document text = JsonDocument.parse(SourceText.of("instance.json", source));
     assertEquals(1, text.at("").line());
     assertEquals("\"Emma.\",", textAt(text, source, "/items/1/title"));
     assertEquals("-128,", textAt(text, source, "/items/0/weight"));
@@ -119,7 +120,7 @@ class InstanceModelerTest {
     assertEquals("{\"eClass\":", textAt(text, source, "/items/1/nothing/here"));
   }
 
-  private static String textAt(JsonText text, String source, String pointer) {
+  private static String textAt(Document text, String source, String pointer) {
     var location = text.at(pointer);
     assertEquals(pointer, location.element());
     String line = source.lines().toList().get(location.line() - 1);

@@ -2,29 +2,18 @@ package dev.eventchain.pipeline;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.diagnostics.NearestName;
-import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.diagnostics.Suppressions;
-import java.io.StringReader;
+import dev.eventchain.documents.Document;
+import dev.eventchain.documents.DocumentFormat;
+import dev.eventchain.documents.FindingIds;
+import dev.eventchain.documents.ObjectReader;
 import java.nio.file.Path;
 import java.time.DateTimeException;
 import java.time.LocalDate;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
-import org.yaml.snakeyaml.LoaderOptions;
-import org.yaml.snakeyaml.Yaml;
-import org.yaml.snakeyaml.error.Mark;
-import org.yaml.snakeyaml.error.MarkedYAMLException;
-import org.yaml.snakeyaml.error.YAMLException;
-import org.yaml.snakeyaml.nodes.MappingNode;
-import org.yaml.snakeyaml.nodes.Node;
-import org.yaml.snakeyaml.nodes.NodeTuple;
-import org.yaml.snakeyaml.nodes.ScalarNode;
-import org.yaml.snakeyaml.nodes.SequenceNode;
-import org.yaml.snakeyaml.nodes.Tag;
+import java.util.Optional;
 
 /**
  * Reads the findings that people have decided to live with: a YAML list of entries with {@code id},
@@ -34,17 +23,10 @@ import org.yaml.snakeyaml.nodes.Tag;
 public final class SuppressionFile {
 
   private static final String INVALID = "suppression.invalid";
-  private static final List<String> REQUIRED = List.of("id", "reason", "expires");
-  private static final List<String> KEYS =
-      List.of("id", "rule", "element", "file", "message", "reason", "expires");
 
-  private final SourceText text;
   private final List<Diagnostic> problems = new ArrayList<>();
-  private final List<Suppressions.Entry> entries = new ArrayList<>();
 
-  private SuppressionFile(SourceText text) {
-    this.text = text;
-  }
+  private SuppressionFile() {}
 
   /**
    * Reads a file.
@@ -54,101 +36,63 @@ public final class SuppressionFile {
    *     understood ({@code suppression.invalid})
    */
   public static Suppressions read(Path file, LocalDate today) {
-    SuppressionFile reader = new SuppressionFile(SourceText.read(file));
-    reader.readAll();
+    SuppressionFile reader = new SuppressionFile();
+    List<Suppressions.Entry> entries = reader.entries(SourceText.read(file));
     if (!reader.problems.isEmpty()) {
       throw new DiagnosticException(DiagnosticException.Reason.INPUT, reader.problems);
     }
-    return new Suppressions(reader.entries, today);
+    return new Suppressions(entries, today);
   }
 
-  private void readAll() {
-    LoaderOptions options = new LoaderOptions();
-    options.setMaxAliasesForCollections(0);
-    try {
-      Node root = new Yaml(options).compose(new StringReader(text.text()));
-      if (root instanceof SequenceNode list) {
-        list.getValue().forEach(this::readEntry);
-      } else if (root != null) {
-        problem("The file must be a list of suppressions.", root.getStartMark());
-      }
-    } catch (MarkedYAMLException e) {
-      problem("This is no YAML: " + e.getProblem() + ".", e.getProblemMark());
-    } catch (YAMLException e) {
-      problem("This is no YAML: " + e.getMessage(), null);
-    }
+  /** None in a file that is empty, or has nothing but comments. */
+  private List<Suppressions.Entry> entries(SourceText text) {
+    List<Suppressions.Entry> entries = new ArrayList<>();
+    Document.parseIfAny(text, DocumentFormat.YAML, FindingIds.all(INVALID), problems::add)
+        .map(document -> document.objects(problems::add))
+        .orElse(List.of())
+        .forEach(entry -> read(entry).ifPresent(entries::add));
+    return entries;
   }
 
-  private void readEntry(Node node) {
-    if (!(node instanceof MappingNode mapping)) {
-      problem("An entry must have keys.", node.getStartMark());
-      return;
-    }
+  private Optional<Suppressions.Entry> read(ObjectReader entry) {
     int before = problems.size();
-    Map<String, ScalarNode> values = new LinkedHashMap<>();
-    mapping.getValue().forEach(tuple -> readKey(tuple, values));
-    for (String key : REQUIRED) {
-      boolean blank = values.containsKey(key) && values.get(key).getValue().isBlank();
-      if (blank || (!values.containsKey(key) && problems.size() == before)) {
-        Mark mark = blank ? values.get(key).getStartMark() : node.getStartMark();
-        problem("A suppression needs '" + key + "'.", mark);
-      }
+    String id = entry.requiredText("id").strip();
+    String rule = optional(entry, "rule");
+    String element = optional(entry, "element");
+    String file = optional(entry, "file");
+    String message = optional(entry, "message");
+    String reason = entry.requiredText("reason").strip();
+    Optional<LocalDate> expires = expires(entry);
+    entry.refuseOthers();
+    if (!id.isEmpty() && !Suppressions.mayBeSuppressed(id)) {
+      entry.find(INVALID, "Findings of " + id + " cannot be suppressed.", entry.at("id"));
     }
-    if (problems.size() == before) {
-      add(values, node.getStartMark());
-    }
+    return problems.size() > before
+        ? Optional.empty()
+        : Optional.of(
+            new Suppressions.Entry(
+                id,
+                rule,
+                element,
+                file,
+                message,
+                reason,
+                expires.orElseThrow(),
+                entry.location().withElement("")));
   }
 
-  private void readKey(NodeTuple tuple, Map<String, ScalarNode> values) {
-    Mark mark = tuple.getKeyNode().getStartMark();
-    String key = tuple.getKeyNode() instanceof ScalarNode scalar ? scalar.getValue() : "";
-    if (!KEYS.contains(key)) {
-      problems.add(
-          Diagnostic.error(INVALID, "There is no key '" + key + "' here.", at(mark))
-              .withHint(NearestName.hint(key, KEYS)));
-    } else if (!(tuple.getValueNode() instanceof ScalarNode value)
-        || value.getTag().equals(Tag.NULL)) {
-      problem("The key '" + key + "' needs a text.", mark);
-    } else if (values.putIfAbsent(key, value) != null) {
-      problem("The key '" + key + "' stands here a second time.", mark);
-    }
+  private static String optional(ObjectReader entry, String key) {
+    return entry.text(key).map(String::strip).orElse("");
   }
 
-  private void add(Map<String, ScalarNode> values, Mark start) {
-    String id = values.get("id").getValue();
-    if (!Suppressions.mayBeSuppressed(id)) {
-      problem("Findings of " + id + " cannot be suppressed.", values.get("id").getStartMark());
-      return;
-    }
+  private static Optional<LocalDate> expires(ObjectReader entry) {
+    String written = entry.requiredText("expires").strip();
     try {
-      entries.add(
-          new Suppressions.Entry(
-              id,
-              text(values, "rule"),
-              text(values, "element"),
-              text(values, "file"),
-              text(values, "message"),
-              text(values, "reason"),
-              LocalDate.parse(text(values, "expires")),
-              at(start)));
+      return written.isEmpty() ? Optional.empty() : Optional.of(LocalDate.parse(written));
     } catch (DateTimeException e) {
-      problem(
-          "'" + text(values, "expires") + "' is no day; write it as 2027-03-31.",
-          values.get("expires").getStartMark());
+      entry.find(
+          INVALID, "'" + written + "' is no day; write it as 2027-03-31.", entry.at("expires"));
+      return Optional.empty();
     }
-  }
-
-  private static String text(Map<String, ScalarNode> values, String key) {
-    return values.containsKey(key) ? values.get(key).getValue().strip() : "";
-  }
-
-  private void problem(String message, Mark mark) {
-    problems.add(Diagnostic.error(INVALID, message, at(mark)));
-  }
-
-  private SourceLocation at(Mark mark) {
-    return mark == null
-        ? SourceLocation.of(text.name())
-        : text.at(mark.getLine() + 1, mark.getColumn() + 1);
   }
 }

@@ -1,6 +1,7 @@
 package dev.eventchain.pipeline;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -48,30 +49,52 @@ class ProjectTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "''|0|empty",
-        "title: X|0|'name' is missing",
-        "name: ../../x|1|'../../x'",
-        "name: Aeb|1|'Aeb'",
-        "name: aeb; nam: x|2|no setting 'nam'",
-        "name: aeb; name: b|2|Duplicate",
-        "name: aeb; frequency: fast|2|a number in Hz",
-        "name: aeb; frequency: .nan|2|frequency",
-        "name: aeb; frequency: -1|2|frequency",
-        "name: aeb; repairs: 1000|2|repairs",
-        "name: aeb; models: {dessign: x}|2|no task 'dessign'",
-        "name: aeb; models: [1]|2|a mapping",
-        "name: aeb; package: MIT|2|a mapping with texts",
-        "name: aeb; package: {licence: MIT}|2|no setting 'licence'",
+        "''|1:1|empty",
+        "# nothing yet|1:1|empty",
+        "[]|1:1|a mapping, not a list",
+        "just a text|1:1|a mapping, not a text",
+        "title: X|1:1|'name' is missing",
+        "name: ../../x|1:7|'../../x'",
+        "name: Aeb|1:7|'Aeb'",
+        "name: 12|1:7|a text, not a number 12",
+        "name: aeb; nam: x|2:1|no key 'nam'",
+        "name: aeb; name: b|2:1|'name' stands here a second time",
+        "name: aeb; title: 5|2:8|a text, not a number 5",
+        "name: aeb; title: true|2:8|a text, not a truth value",
+        "name: aeb; title: \"a\\0b\"|2:8|control character U+0000",
+        "name: aeb; frequency: fast|2:12|a number, not a text \"fast\"",
+        "name: aeb; frequency: '20'|2:12|a number, not a text \"20\"",
+        "name: aeb; frequency: .nan|2:12|a number",
+        "name: aeb; frequency: 020|2:12|a number, not a text \"020\"",
+        "name: aeb; frequency: 1:30|2:12|a number",
+        "name: aeb; frequency: 1e999|2:12|at most 10000",
+        "name: aeb; frequency: -1|2:12|above 0 and at most 10000, not -1",
+        "name: aeb; frequency: 0|2:12|above 0",
+        "name: aeb; frequency: yes|2:12|a number",
+        "name: aeb; repairs: 1000|2:10|from 0 to 20, not 1000",
+        "name: aeb; repairs: 2.5|2:10|a whole number, not a number 2.5",
+        "name: aeb; repairs: '2'|2:10|a whole number",
+        "name: aeb; repairs:|2:9|nothing stands here",
+        "name: aeb; models: {dessign: x}|2:10|no key 'dessign'",
+        "name: aeb; models: [1]|2:9|a mapping",
+        "name: aeb; models: {design: }|2:17|nothing stands here",
+        "name: aeb; models: {design: ''}|2:18|'design' is empty",
+        "name: aeb; models: &m {design: *m}|2:21|Aliases are not read",
+        "name: aeb; package: MIT|2:10|a mapping",
+        "name: aeb; package: {licence: MIT}|2:11|no key 'licence'",
+        "name: aeb; ---; name: b|2:1|A second document",
+        "name: [|2:1|not YAML",
       })
-  void whatIsNotUnderstoodIsSaidWithItsPlace(String yaml, int line, String message) {
+  void whatIsNotUnderstoodIsSaidWithItsPlace(String yaml, String place, String message) {
     DiagnosticException e =
         assertThrows(DiagnosticException.class, () -> open(yaml.replace("; ", "\n") + "\n"));
     assertEquals(DiagnosticException.Reason.INPUT, e.reason());
     Diagnostic found = e.diagnostics().get(0);
     assertEquals("project.configuration", found.id());
-    assertEquals(line, found.location().line(), found.toString());
-    String expected = message == null ? "" : message;
-    assertTrue(found.message().contains(expected), found.message());
+    assertTrue(found.location().toString().endsWith(":" + place), found.toString());
+    assertTrue(found.message().contains(message), found.message());
+    assertEquals(1, e.diagnostics().size(), e.diagnostics().toString());
+    assertFalse(found.message().matches("(?s).*(java\\.|Exception|dev\\.).*"), found.message());
   }
 
   @Test

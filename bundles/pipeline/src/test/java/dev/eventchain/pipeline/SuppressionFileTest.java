@@ -58,20 +58,22 @@ class SuppressionFileTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "- id: a.b;  expires: 2027-03-31|1:3|needs 'reason'",
-        "- id: a.b;  reason: ' ';  expires: 2027-03-31|2:11|needs 'reason'",
-        "- id: a.b;  reason: r|1:3|needs 'expires'",
-        "- reason: r;  expires: 2027-03-31|1:3|needs 'id'",
+        "- id: a.b;  expires: 2027-03-31|1:3|'reason' is missing",
+        "- id: a.b;  reason: ' ';  expires: 2027-03-31|2:11|'reason' is empty",
+        "- id: a.b;  reason: r|1:3|'expires' is missing",
+        "- reason: r;  expires: 2027-03-31|1:3|'id' is missing",
         "- id: a.b;  reason: r;  expires: 2027-02-30|3:12|no day",
         "- id: a.b;  reason: r;  expires: soon|3:12|no day",
-        "- id: a.b;  reason: r;  expires: ~|3:3|'expires' needs a text",
+        "- id: a.b;  reason: r;  expires: ~|3:12|'expires' must be a text, but nothing stands",
+        "- id: a.b;  reason: r;  expires: 2027|3:12|'expires' must be a text, not a number 2027",
         "- id: a.b;  rul: x;  reason: r;  expires: 2027-03-31|2:3|no key 'rul'",
         "- id: a.b;  id: a.c;  reason: r;  expires: 2027-03-31|2:3|second time",
         "- id: ocl.nothing-evaluated;  reason: r;  expires: 2027-03-31|1:7|cannot be suppressed",
         "- id: xmi.syntax;  reason: r;  expires: 2027-03-31|1:7|cannot be suppressed",
-        "- a|1:3|must have keys",
-        "id: a.b|1:1|must be a list",
-        "- [|2:1|no YAML",
+        "- a|1:3|must be a mapping",
+        "id: a.b|1:1|must hold a list",
+        "- [|2:1|not YAML",
+        "- id: a.b;  reason: r;  expires: 2027-03-31;---;- id: c.d|4:1|second document",
       })
   void whatIsNotUnderstoodIsNamedWithItsPlace(String text, String place, String problem) {
     DiagnosticException refused =

@@ -1,20 +1,25 @@
 package dev.eventchain.simulation;
 
+import dev.eventchain.documents.NumberRange;
+import dev.eventchain.documents.ObjectReader;
 import java.util.ArrayList;
 import java.util.List;
 
 /** Reads the section {@code accept} of a scenario. */
 final class CriteriaReader {
 
+  private static final NumberRange TOLERANCE = NumberRange.of(0, 10);
+  private static final NumberRange LIMIT = NumberRange.of(0, 1000);
+
   private CriteriaReader() {}
 
   /** The criteria in the order of the file, then those that every scenario has. */
-  static List<Criterion> read(YamlSection section) {
+  static List<Criterion> read(ObjectReader section) {
     Criterion.Tolerances usual = Criterion.Tolerances.USUAL;
     Criterion.Tolerances tolerances =
         new Criterion.Tolerances(
-            section.number("tolerance_ttc_s", usual.timeToCollision(), 0, 10),
-            section.number("tolerance_reaction_s", usual.reaction(), 0, 10));
+            section.number("tolerance_ttc_s", TOLERANCE).orElse(usual.timeToCollision()),
+            section.number("tolerance_reaction_s", TOLERANCE).orElse(usual.reaction()));
     List<Criterion> criteria = new ArrayList<>();
     for (CriterionKind kind : CriterionKind.values()) {
       if (kind.always() || section.has(kind.key())) {
@@ -22,23 +27,26 @@ final class CriteriaReader {
       }
     }
     if (criteria.stream().allMatch(criterion -> criterion.kind().always())) {
-      section.missing("Nothing is asked of the software in this scenario.");
+      section.find(
+          "scenario.key.missing",
+          "Nothing is asked of the software in this scenario.",
+          section.location());
     }
-    section.finish();
+    section.refuseOthers();
     return criteria;
   }
 
   private static Criterion criterion(
-      YamlSection section, CriterionKind kind, Criterion.Tolerances tolerances) {
+      ObjectReader section, CriterionKind kind, Criterion.Tolerances tolerances) {
     if (kind.always()) {
       return new Criterion(kind, 0, tolerances, section.location());
     }
     double limit = 0;
     if (kind.hasLimit()) {
-      limit = section.requiredNumber(kind.key(), 0, 1000) * kind.unit();
+      limit = section.requiredNumber(kind.key(), LIMIT) * kind.unit();
     } else {
       section.requireTrue(kind.key());
     }
-    return new Criterion(kind, limit, tolerances, section.location(kind.key()));
+    return new Criterion(kind, limit, tolerances, section.atKey(kind.key()));
   }
 }

@@ -45,6 +45,7 @@ class ArchitectureTest {
       new TreeMap<>(
           Map.ofEntries(
               Map.entry("diagnostics", 12),
+              Map.entry("documents", 6),
               Map.entry("metamodel", 7),
               Map.entry("ocl", 11),
               Map.entry("messages", 8),

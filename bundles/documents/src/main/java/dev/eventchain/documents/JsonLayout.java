@@ -1,4 +1,4 @@
-package dev.eventchain.agents;
+package dev.eventchain.documents;
 
 import com.fasterxml.jackson.core.util.DefaultIndenter;
 import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
@@ -8,13 +8,14 @@ import com.fasterxml.jackson.databind.json.JsonMapper;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 
-/** The layout in which JSON is shown to models and written to files. */
-final class JsonLayout {
+/** The layout in which JSON is shown to people and language models, and written to files. */
+public final class JsonLayout {
   private static final JsonMapper MAPPER = new JsonMapper();
 
   private JsonLayout() {}
 
-  static String of(JsonNode node) {
+  /** The text, indented by two blanks, without a line break at its end. */
+  public static String of(JsonNode node) {
     DefaultIndenter indenter = new DefaultIndenter("  ", "\n");
     DefaultPrettyPrinter printer =
         new DefaultPrettyPrinter(

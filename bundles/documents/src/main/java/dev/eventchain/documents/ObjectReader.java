@@ -1,0 +1,300 @@
+package dev.eventchain.documents;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.MissingNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceLocation;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.OptionalLong;
+import java.util.Set;
+import java.util.function.Consumer;
+
+/**
+ * Reads one object of a document (a mapping in YAML) key by key. Whatever is not as it should be is
+ * a finding, and reading goes on.
+ *
+ * <p>A value of the wrong type is never turned into the right one. In JSON, {@code null} counts as
+ * not written; in YAML it is a value that somebody forgot.
+ */
+public final class ObjectReader {
+
+  private final Document document;
+  private final String pointer;
+  private final JsonNode object;
+  private final Consumer<Diagnostic> findings;
+  private final Set<String> known = new LinkedHashSet<>();
+
+  ObjectReader(Document document, String pointer, JsonNode object, Consumer<Diagnostic> findings) {
+    this.document = document;
+    this.pointer = pointer;
+    this.object = object;
+    this.findings = findings;
+  }
+
+  /** Where the object begins. */
+  public SourceLocation location() {
+    return document.at(pointer);
+  }
+
+  /** The pointer to a key's value. */
+  public String pointerTo(Object name) {
+    return Document.below(pointer, name);
+  }
+
+  /** The place of a key's value, or of the object where the key is missing. */
+  public SourceLocation at(String name) {
+    return document.at(pointerTo(name));
+  }
+
+  /** The place of a key, or of the object where the key is missing. */
+  public SourceLocation atKey(String name) {
+    return document.atKey(pointerTo(name));
+  }
+
+  /** Whether the key is there, with a value or not. */
+  public boolean has(String name) {
+    known.add(name);
+    return object.has(name);
+  }
+
+  /** The keys, in the order of the file. */
+  public List<String> names() {
+    List<String> names = new ArrayList<>();
+    object.fieldNames().forEachRemaining(names::add);
+    return names;
+  }
+
+  /** The value as it is; nothing where it is missing or null. */
+  public Optional<JsonNode> value(String name) {
+    known.add(name);
+    JsonNode value = object.get(name);
+    return value == null || value.isNull() ? Optional.empty() : Optional.of(value);
+  }
+
+  /** A value that is looked at; a null that counts as one is a finding. */
+  private Optional<JsonNode> given(String name, String wanted) {
+    Optional<JsonNode> value = value(name);
+    if (value.isEmpty() && object.has(name) && document.format() == DocumentFormat.YAML) {
+      refuseType(name, wanted);
+    }
+    return value;
+  }
+
+  /** The finding that a key is missing, unless its value is there and was found wanting. */
+  private void require(String name) {
+    if (!object.has(name)) {
+      find(document.ids().missing(), "'" + name + "' is missing.", location());
+    } else if (object.get(name).isNull() && document.format() == DocumentFormat.JSON) {
+      find(document.ids().missing(), "'" + name + "' is empty.", at(name));
+    }
+  }
+
+  /** A text with more than blanks; empty where it is missing, which is a finding. */
+  public String requiredText(String name) {
+    Optional<String> value = text(name);
+    require(name);
+    if (value.isPresent() && value.get().isBlank()) {
+      find(document.ids().missing(), "'" + name + "' is empty.", at(name));
+    }
+    return value.orElse("");
+  }
+
+  /** A text that may be missing. */
+  public Optional<String> text(String name) {
+    Optional<JsonNode> value = given(name, "a text");
+    if (value.isPresent() && !value.get().isTextual()) {
+      refuseType(name, "a text");
+      return Optional.empty();
+    }
+    return value.map(JsonNode::textValue);
+  }
+
+  /** A number; the least one where it is missing or wrong, which is a finding. */
+  public double requiredNumber(String name, NumberRange range) {
+    OptionalDouble value = number(name, range);
+    require(name);
+    return value.orElse(range.least());
+  }
+
+  /** A number that may be missing. */
+  public OptionalDouble number(String name, NumberRange range) {
+    Optional<JsonNode> value = given(name, "a number");
+    if (value.isEmpty()) {
+      return OptionalDouble.empty();
+    }
+    if (!value.get().isNumber()) {
+      refuseType(name, "a number");
+      return OptionalDouble.empty();
+    }
+    double number = value.get().doubleValue();
+    return isIn(name, number, range) ? OptionalDouble.of(number) : OptionalDouble.empty();
+  }
+
+  /** A whole number that may be missing. */
+  public OptionalLong wholeNumber(String name, NumberRange range) {
+    Optional<JsonNode> value = given(name, "a whole number");
+    if (value.isEmpty()) {
+      return OptionalLong.empty();
+    }
+    if (!value.get().isIntegralNumber()) {
+      refuseType(name, "a whole number");
+      return OptionalLong.empty();
+    }
+    return isIn(name, value.get().doubleValue(), range) && value.get().canConvertToLong()
+        ? OptionalLong.of(value.get().longValue())
+        : OptionalLong.empty();
+  }
+
+  /** A whole number; the least one where it is missing or wrong, which is a finding. */
+  public long requiredWholeNumber(String name, NumberRange range) {
+    OptionalLong value = wholeNumber(name, range);
+    require(name);
+    return value.orElse((long) range.least());
+  }
+
+  private boolean isIn(String name, double number, NumberRange range) {
+    if (!range.holds(number)) {
+      String message =
+          String.format(
+              "'%s' must be %s, not %s.", name, range.words(), shortened(object.get(name)));
+      find(document.ids().range(), message, at(name));
+    }
+    return range.holds(number);
+  }
+
+  /** A key that is either there and {@code true}, or left out. */
+  public void requireTrue(String name) {
+    Optional<JsonNode> value = given(name, "true");
+    if (value.isPresent() && !(value.get().isBoolean() && value.get().booleanValue())) {
+      findings.accept(
+          Diagnostic.error(document.ids().type(), wrong(name, "true"), at(name))
+              .withHint("Write true, or leave the " + document.format().key() + " out."));
+    }
+  }
+
+  /** The texts of an array that may be missing. */
+  public List<String> texts(String name) {
+    List<String> texts = new ArrayList<>();
+    JsonNode array = array(name);
+    for (int i = 0; i < array.size(); i++) {
+      JsonNode value = array.get(i);
+      if (value.isTextual()) {
+        texts.add(value.textValue());
+      } else {
+        String message = "This must be a text, not " + shown(value) + ".";
+        findings.accept(
+            Diagnostic.error(
+                    document.ids().type(), message, document.at(Document.below(pointerTo(name), i)))
+                .withHint(TypeHint.of("a text", value)));
+      }
+    }
+    return texts;
+  }
+
+  /** The pointers to the elements of an array that may be missing. */
+  public List<String> elements(String name) {
+    List<String> pointers = new ArrayList<>();
+    int size = array(name).size();
+    for (int i = 0; i < size; i++) {
+      pointers.add(Document.below(pointerTo(name), i));
+    }
+    return pointers;
+  }
+
+  private JsonNode array(String name) {
+    String wanted = document.format().array();
+    Optional<JsonNode> value = given(name, wanted);
+    if (value.isPresent() && !value.get().isArray()) {
+      refuseType(name, wanted);
+    }
+    return value.filter(JsonNode::isArray).orElse(MissingNode.getInstance());
+  }
+
+  /** An object that may be missing. */
+  public Optional<ObjectReader> object(String name) {
+    String wanted = document.format().object();
+    Optional<JsonNode> value = given(name, wanted);
+    if (value.isPresent() && !value.get().isObject()) {
+      refuseType(name, wanted);
+      return Optional.empty();
+    }
+    return value.map(node -> new ObjectReader(document, pointerTo(name), node, findings));
+  }
+
+  /** An object that must be there. */
+  public Optional<ObjectReader> requiredObject(String name) {
+    Optional<ObjectReader> found = object(name);
+    require(name);
+    return found;
+  }
+
+  /** The objects of an array that may be missing. */
+  public List<ObjectReader> objects(String name) {
+    return document.objects(pointerTo(name), array(name), findings);
+  }
+
+  /** The objects of an array that must be there. */
+  public List<ObjectReader> requiredObjects(String name) {
+    List<ObjectReader> found = objects(name);
+    require(name);
+    return found;
+  }
+
+  /** Reports the keys that nobody asked for. Called last. */
+  public void refuseOthers() {
+    for (String name : names()) {
+      if (!known.contains(name)) {
+        String message = "There is no " + document.format().key() + " '" + name + "' here.";
+        findings.accept(
+            Diagnostic.error(document.ids().unknown(), message, atKey(name))
+                .withHint(NearestName.hint(name, known)));
+      }
+    }
+  }
+
+  /** Reports something else about the object. */
+  public void find(String id, String message, SourceLocation location) {
+    find(Diagnostic.error(id, message, location));
+  }
+
+  /** Reports something else about the object. */
+  public void find(Diagnostic finding) {
+    findings.accept(finding);
+  }
+
+  /**
+   * Reports that a value is of another type.
+   *
+   * @param wanted what it must be: "a text"
+   */
+  public void refuseType(String name, String wanted) {
+    findings.accept(
+        Diagnostic.error(document.ids().type(), wrong(name, wanted), at(name))
+            .withHint(TypeHint.of(wanted, object.get(name))));
+  }
+
+  private String wrong(String name, String wanted) {
+    JsonNode value = object.get(name);
+    String found = value.isNull() ? "but nothing stands here" : "not " + shown(value);
+    return "'" + name + "' must be " + wanted + ", " + found + ".";
+  }
+
+  private static String shortened(JsonNode value) {
+    String text = value.toString();
+    return text.length() > 60 ? text.substring(0, 60) + "..." : text;
+  }
+
+  /** What stands here, with the value itself if it is short enough to be shown. */
+  private String shown(JsonNode value) {
+    String kind = document.kind(value);
+    if (!value.isValueNode() || value.isNull()) {
+      return kind;
+    }
+    return kind + " " + shortened(value);
+  }
+}

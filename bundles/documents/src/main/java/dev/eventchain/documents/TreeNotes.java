@@ -1,0 +1,129 @@
+package dev.eventchain.documents;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceText;
+import java.util.HashMap;
+import java.util.Map;
+import java.util.function.Consumer;
+
+/**
+ * Where the values and keys of a tree stand, noted while it is built, and what is wrong with it
+ * that does not keep anybody from reading on.
+ */
+final class TreeNotes {
+
+  private final SourceText source;
+  private final DocumentFormat format;
+  private final FindingIds ids;
+  private final boolean anyText;
+  private final Consumer<Diagnostic> findings;
+  private final Map<String, Integer> values = new HashMap<>();
+  private final Map<String, Integer> keys = new HashMap<>();
+
+  TreeNotes(
+      SourceText source,
+      DocumentFormat format,
+      FindingIds ids,
+      boolean anyText,
+      Consumer<Diagnostic> findings) {
+    this.source = source;
+    this.format = format;
+    this.ids = ids;
+    this.anyText = anyText;
+    this.findings = findings;
+  }
+
+  /** The pointer to something below a pointer; nothing below nothing, which has no place. */
+  static String below(String pointer, Object name) {
+    return pointer == null ? null : Document.below(pointer, name);
+  }
+
+  Integer value(String pointer) {
+    return values.get(pointer);
+  }
+
+  Integer key(String pointer) {
+    return keys.get(pointer);
+  }
+
+  void noteValue(String pointer, int offset) {
+    if (pointer != null) {
+      values.put(pointer, offset);
+    }
+  }
+
+  /**
+   * Notes a key, and whether it is the first of its name.
+   *
+   * @return the pointer to its value; null if the value is to be read and forgotten
+   */
+  String noteKey(ObjectNode object, String pointer, String name, int offset) {
+    if (pointer == null) {
+      return null;
+    }
+    check(name, pointer, offset);
+    if (object.has(name)) {
+      String message = "The " + format.key() + " '" + name + "' stands here a second time.";
+      report(ids.duplicate(), message, TreeNotes.below(pointer, name), offset);
+      return null;
+    }
+    String below = below(pointer, name);
+    keys.put(below, offset);
+    return below;
+  }
+
+  /** Adds a value, unless its key is one that {@link #noteKey} refused. */
+  static void put(ObjectNode object, String pointer, String name, JsonNode value) {
+    if (pointer != null) {
+      object.set(name, value);
+    }
+  }
+
+  /** A text or a key that no terminal, file or message could show as it is. */
+  String check(String text, String pointer, int offset) {
+    int found = anyText || pointer == null ? -1 : unprintable(text);
+    if (found >= 0) {
+      String message = String.format("This holds %s.", described(text.charAt(found)));
+      report(ids.type(), message, pointer, offset);
+    }
+    return text;
+  }
+
+  /** The first character of a text that is no text; -1 if there is none. */
+  static int unprintable(String text) {
+    for (int i = 0; i < text.length(); i++) {
+      char c = text.charAt(i);
+      if (Character.isHighSurrogate(c)
+          && i + 1 < text.length()
+          && Character.isLowSurrogate(text.charAt(i + 1))) {
+        i++;
+      } else if (isControl(c) || Character.isSurrogate(c)) {
+        return i;
+      }
+    }
+    return -1;
+  }
+
+  private static boolean isControl(char c) {
+    return Character.isISOControl(c) && c != '\t' && c != '\n' && c != '\r';
+  }
+
+  /** A character that cannot be shown, in words. */
+  static String described(char c) {
+    String kind = Character.isSurrogate(c) ? "half of a character, U+" : "the control character U+";
+    return kind + String.format("%04X", (int) c);
+  }
+
+  void report(String id, String message, String pointer, int offset) {
+    findings.accept(Diagnostic.error(id, message, source.at(offset).withElement(pointer)));
+  }
+
+  /** Reports a value that cannot be one, in a part of the document that is read at all. */
+  void reportType(String message, String pointer, int offset) {
+    if (pointer != null) {
+      report(ids.type(), message, pointer, offset);
+    }
+  }
+}

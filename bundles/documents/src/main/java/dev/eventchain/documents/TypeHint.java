@@ -1,0 +1,30 @@
+package dev.eventchain.documents;
+
+import com.fasterxml.jackson.databind.JsonNode;
+
+/** What to do about a value that is of another type than the one that is meant. */
+final class TypeHint {
+
+  private TypeHint() {}
+
+  /** The hint; empty if the message says it all. */
+  static String of(String wanted, JsonNode value) {
+    if (wanted.equals("a text")) {
+      return value.isNumber() || value.isBoolean()
+          ? "Put it into quotes: \"" + value.asText() + "\"."
+          : "";
+    }
+    return wanted.endsWith("number") && value.isTextual() ? number(value.textValue()) : "";
+  }
+
+  private static String number(String written) {
+    PlainScalar meant = PlainScalar.of(written.strip());
+    if (meant == PlainScalar.WHOLE_NUMBER || meant == PlainScalar.NUMBER) {
+      return "Leave the quotes out.";
+    }
+    if (written.matches("[-+]?0[0-9_.]+")) {
+      return "Leave the zeros in front out.";
+    }
+    return written.matches("[-+.]?[0-9].*") ? "Write it in decimal digits: 90, 0.5 or 1.5e3." : "";
+  }
+}
