@@ -151,6 +151,9 @@ final class YamlTree {
   }
 
   private static JsonNode whole(BigInteger number) {
+    if (number.bitLength() < Integer.SIZE) {
+      return JSON.numberNode(number.intValue());
+    }
     return number.bitLength() < Long.SIZE
         ? JSON.numberNode(number.longValue())
         : JSON.numberNode(number);

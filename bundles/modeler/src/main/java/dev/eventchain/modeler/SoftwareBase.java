@@ -12,6 +12,7 @@ import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainFactory;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -23,7 +24,7 @@ import org.eclipse.emf.ecore.EObject;
 
 /**
  * What a project has already: the components of {@code components.json} with their files, and the
- * signals of {@code signals.json}. Both files are optional; without them, everything is missing.
+ * signals of {@code signals.json}.
  */
 public final class SoftwareBase {
 
@@ -36,6 +37,9 @@ public final class SoftwareBase {
    */
   public record Component(
       String name, ComponentImplementation implementation, Path file, SourceLocation location) {}
+
+  private static final String COMPONENTS = "components.json";
+  private static final String SIGNALS = "signals.json";
 
   private final Map<String, Component> components;
   private final String componentsText;
@@ -60,7 +64,7 @@ public final class SoftwareBase {
   }
 
   /**
-   * Reads a software base.
+   * Reads a software base. A file that is missing is a finding, {@code file.missing}.
    *
    * @param folder the folder {@code software-base}
    * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if a file cannot be read or is not
@@ -71,26 +75,34 @@ public final class SoftwareBase {
     Map<String, Component> components = new LinkedHashMap<>();
     EventChain described = EventchainFactory.eINSTANCE.createEventChain();
     String componentsText = "[]";
-    Path componentsFile = folder.resolve("components.json");
-    if (Files.exists(componentsFile)) {
-      SourceText source = SourceText.read(componentsFile);
-      componentsText = source.text();
-      Document json = JsonDocument.parse(source);
+    Optional<SourceText> componentsFile = existing(folder, COMPONENTS, diagnostics);
+    if (componentsFile.isPresent()) {
+      componentsText = componentsFile.get().text();
+      Document json = JsonDocument.parse(componentsFile.get());
       Modeled<EventChain> read = EventChainReader.readExisting(json);
       diagnostics.addAll(read.diagnostics());
       described = read.root();
       components = new Reader(folder, json, diagnostics).components();
     }
-    String signalsText = "[]";
-    Optional<List<Signal>> signals = Optional.empty();
-    Path signalsFile = folder.resolve("signals.json");
-    if (Files.exists(signalsFile)) {
-      SourceText source = SourceText.read(signalsFile);
-      signalsText = source.text();
-      signals = Optional.of(new SignalReader(JsonDocument.parse(source), diagnostics).read());
-    }
+    Optional<SourceText> signalsFile = existing(folder, SIGNALS, diagnostics);
+    Optional<List<Signal>> signals =
+        signalsFile.map(file -> new SignalReader(JsonDocument.parse(file), diagnostics).read());
+    String signalsText = signalsFile.map(SourceText::text).orElse("[]");
     return new SoftwareBase(
         components, described, componentsText, signalsText, signals, diagnostics);
+  }
+
+  /** A file; that it is not there is a finding, since nothing could be checked without it. */
+  private static Optional<SourceText> existing(
+      Path folder, String name, List<Diagnostic> diagnostics) {
+    Path file = folder.resolve(name);
+    if (Files.exists(file, LinkOption.NOFOLLOW_LINKS)) {
+      return Optional.of(SourceText.read(file));
+    }
+    diagnostics.add(
+        Diagnostic.error("file.missing", "There is no such file.", SourceLocation.of(file))
+            .withHint("Write `[]` into it if there is nothing to describe."));
+    return Optional.empty();
   }
 
   /** The components, in the order of the file. */

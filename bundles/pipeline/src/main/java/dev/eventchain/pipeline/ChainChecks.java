@@ -79,7 +79,7 @@ final class ChainChecks {
 
   private static ChainChecks of(RunContext run, Constraints constraints) {
     SoftwareBase base = run.softwareBase();
-    MessageCatalog catalog = MessageCatalog.of(run.project().messageFolders());
+    MessageCatalog catalog = run.messages();
     return new ChainChecks(constraints, ChainAnalysis.of(catalog, base.signals()), base);
   }
 

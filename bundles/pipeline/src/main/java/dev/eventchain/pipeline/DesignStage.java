@@ -4,7 +4,6 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.agents.AgentResult;
 import dev.eventchain.agents.DesignAgent;
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.modeler.EventChainWriter;
 import java.util.List;
 
@@ -49,7 +48,7 @@ final class DesignStage implements StageWork {
                 configuration.frequency(),
                 run.requirements(),
                 run.softwareBase(),
-                MessageCatalog.of(run.project().messageFolders()));
+                run.messages());
     run.write(FILE, designed.text());
     ObjectNode report = AgentReport.of(run, Stage.DESIGN, List.of(designed));
     return new StageResult(

@@ -65,7 +65,7 @@ final class GenerateStage implements StageWork {
     TemplateModule module =
         Templates.compile(
             run.project(), List.of(EventchainPackage.eINSTANCE, MessageModel.metamodel()));
-    MessageCatalog messages = MessageCatalog.of(run.project().messageFolders());
+    MessageCatalog messages = run.messages();
     GenerationResult generated =
         module.generate(
             List.of(model.chain(), MessageModel.of(model.chain(), messages)),

@@ -139,9 +139,9 @@ public final class Project {
     }
   }
 
-  /** The scenarios, by name. */
-  List<Path> scenarios() {
-    return filesIn(folder.resolve("scenarios"), ".yaml");
+  /** The folder of the scenarios. */
+  Path scenarios() {
+    return folder.resolve("scenarios");
   }
 
   private Optional<Path> existing(String name) {

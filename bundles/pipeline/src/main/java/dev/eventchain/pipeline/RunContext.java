@@ -8,6 +8,7 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.llm.ChatModel;
 import dev.eventchain.llm.ChatModels;
 import dev.eventchain.m2t.OutputFolder;
+import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.metamodel.LoadedModel;
 import dev.eventchain.metamodel.Origins;
 import dev.eventchain.metamodel.XmiStore;
@@ -33,6 +34,7 @@ final class RunContext {
   private PythonEnvironment python;
   private Requirements requirements;
   private SoftwareBase softwareBase;
+  private MessageCatalog messages;
 
   /**
    * A chain and where its elements stand.
@@ -142,6 +144,15 @@ final class RunContext {
       refuseErrors(softwareBase.diagnostics());
     }
     return softwareBase;
+  }
+
+  /** The message definitions, the standard ones and the project's own, all of them sound. */
+  MessageCatalog messages() {
+    if (messages == null) {
+      messages = MessageCatalog.of(project.messageFolders());
+      refuseErrors(messages.diagnostics());
+    }
+    return messages;
   }
 
   /**

@@ -15,6 +15,7 @@ import dev.eventchain.simulation.ScenarioVerdict;
 import dev.eventchain.simulation.Simulation;
 import dev.eventchain.simulation.SimulationRequest;
 import dev.eventchain.simulation.SimulationResult;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -35,7 +36,10 @@ final class SimulateStage implements StageWork {
   @Override
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
     Project project = run.project();
-    fingerprint.addFile(run.model()).addFiles(project.scenarios());
+    fingerprint.addFile(run.model());
+    for (Path file : Scenario.filesIn(project.scenarios())) {
+      fingerprint.add(project.scenarios().relativize(file)).addFile(file);
+    }
     fingerprint.add(run.options().scenarios());
     project.ownConstraints().ifPresent(fingerprint::addFile);
     fingerprint.addFile(run.file(Constraints.GENERATED));
@@ -89,7 +93,7 @@ final class SimulateStage implements StageWork {
   }
 
   private static List<Scenario> scenarios(RunContext run) {
-    List<Scenario> all = Scenario.readFolder(run.project().folder().resolve("scenarios"));
+    List<Scenario> all = Scenario.readFolder(run.project().scenarios(), run::find);
     Set<String> wanted = new TreeSet<>(run.options().scenarios());
     if (wanted.isEmpty()) {
       return all;
@@ -103,7 +107,7 @@ final class SimulateStage implements StageWork {
             Diagnostic.error(
                     "project.scenario.unknown",
                     "There is no scenario '" + name + "'.",
-                    SourceLocation.of(run.project().folder().resolve("scenarios")))
+                    SourceLocation.of(run.project().scenarios()))
                 .withHint("The scenarios are " + String.join(", ", names) + "."));
       }
     }

@@ -4,15 +4,9 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
-import java.io.IOException;
-import java.nio.file.DirectoryStream;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
-import java.util.Collections;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
+import java.util.function.Consumer;
 
 /**
  * A situation on the road with the criteria that the software must meet in it. Read from a YAML
@@ -76,64 +70,20 @@ public final class Scenario {
   }
 
   /**
-   * Reads all {@code *.yaml} files of a folder, in the order of their names.
+   * Reads the YAML files of a folder and those below it, in the order of their paths.
    *
+   * @param warnings gets the files that are none ({@code scenario.file.unread})
    * @throws DiagnosticException (INPUT) with every problem of every file; also if there is no such
    *     folder or no scenario in it ({@code scenario.none}), or if two scenarios have one name
    *     ({@code scenario.name.duplicate})
    */
-  public static List<Scenario> readFolder(Path folder) {
-    List<Diagnostic> problems = new ArrayList<>();
-    Map<String, Scenario> byName = new HashMap<>();
-    List<Scenario> scenarios = new ArrayList<>();
-    for (Path file : files(folder)) {
-      try {
-        Scenario scenario = read(file);
-        Scenario earlier = byName.putIfAbsent(scenario.name, scenario);
-        if (earlier != null) {
-          problems.add(duplicate(scenario, earlier));
-        }
-        scenarios.add(scenario);
-      } catch (DiagnosticException e) {
-        problems.addAll(e.diagnostics());
-      }
-    }
-    if (scenarios.isEmpty() && problems.isEmpty()) {
-      problems.add(
-          Diagnostic.error(
-                  "scenario.none", "There is no scenario to simulate.", SourceLocation.of(folder))
-              .withHint("Put at least one scenario file (*.yaml) into this folder."));
-    }
-    if (!problems.isEmpty()) {
-      throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
-    }
-    return List.copyOf(scenarios);
+  public static List<Scenario> readFolder(Path folder, Consumer<Diagnostic> warnings) {
+    return new ScenarioFolder(folder).read(warnings);
   }
 
-  private static List<Path> files(Path folder) {
-    List<Path> files = new ArrayList<>();
-    if (Files.isDirectory(folder)) {
-      try (DirectoryStream<Path> stream = Files.newDirectoryStream(folder, "*.yaml")) {
-        stream.forEach(files::add);
-      } catch (IOException e) {
-        throw new DiagnosticException(
-            DiagnosticException.Reason.INPUT,
-            Diagnostic.error(
-                "file.unreadable",
-                "The folder cannot be read: " + SourceText.reason(e) + ".",
-                SourceLocation.of(folder)));
-      }
-    }
-    Collections.sort(files);
-    return files;
-  }
-
-  private static Diagnostic duplicate(Scenario scenario, Scenario earlier) {
-    return Diagnostic.error(
-            "scenario.name.duplicate",
-            "The name " + scenario.name + " is taken by " + earlier.location + ".",
-            scenario.location)
-        .withHint("Give each scenario its own name; reports and measurements use it.");
+  /** The files on which {@link #readFolder} depends, in a fixed order. */
+  public static List<Path> filesIn(Path folder) {
+    return new ScenarioFolder(folder).files();
   }
 
   /** The name, unique in a folder: lower-case letters, digits and hyphens. */

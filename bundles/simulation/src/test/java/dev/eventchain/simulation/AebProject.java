@@ -80,7 +80,7 @@ final class AebProject {
   }
 
   static List<Scenario> scenarios() {
-    return Scenario.readFolder(EXAMPLE.resolve("scenarios"));
+    return Scenario.readFolder(EXAMPLE.resolve("scenarios"), warning -> {});
   }
 
   static Scenario scenario(String name) {

@@ -10,6 +10,7 @@ import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -109,8 +110,7 @@ class ScenarioTest {
   void folderIsReadInTheOrderOfTheNamesAndTellsEveryProblem() throws IOException {
     Files.writeString(folder.resolve("b.yaml"), "name: 1");
     Files.writeString(folder.resolve("a.yaml"), "- x");
-    DiagnosticException failure =
-        assertThrows(DiagnosticException.class, () -> Scenario.readFolder(folder));
+    DiagnosticException failure = assertThrows(DiagnosticException.class, () -> read(folder));
     List<String> files =
         failure.diagnostics().stream()
             .map(problem -> Path.of(problem.location().file()).getFileName().toString())
@@ -122,8 +122,7 @@ class ScenarioTest {
   @Test
   void folderWithoutScenariosChecksNothingAndSaysSo() {
     for (Path place : List.of(folder, folder.resolve("missing"))) {
-      DiagnosticException failure =
-          assertThrows(DiagnosticException.class, () -> Scenario.readFolder(place));
+      DiagnosticException failure = assertThrows(DiagnosticException.class, () -> read(place));
       assertEquals("scenario.none", failure.diagnostics().get(0).id());
     }
   }
@@ -133,9 +132,61 @@ class ScenarioTest {
     Path original = AebProject.EXAMPLE.resolve("scenarios/empty-road.yaml");
     Files.copy(original, folder.resolve("a.yaml"));
     Files.copy(original, folder.resolve("b.yaml"));
-    DiagnosticException failure =
-        assertThrows(DiagnosticException.class, () -> Scenario.readFolder(folder));
+    DiagnosticException failure = assertThrows(DiagnosticException.class, () -> read(folder));
     assertEquals("scenario.name.duplicate", failure.diagnostics().get(0).id());
     assertTrue(failure.diagnostics().get(0).message().contains("a.yaml"));
+  }
+
+  @Test
+  void everyYamlFileBelowTheFolderCountsInTheOrderOfThePaths() throws IOException {
+    List<String> paths = List.of("B.YAML", "a/x.yml", "a/y/z.Yaml", "c.yaml", "linked/l.yaml");
+    Path elsewhere = Files.createDirectories(folder.resolve("elsewhere"));
+    Path scenarios = Files.createDirectories(folder.resolve("scenarios"));
+    Files.createSymbolicLink(scenarios.resolve("linked"), elsewhere);
+    for (int i = 0; i < paths.size(); i++) {
+      scenario(scenarios.resolve(paths.get(i)), "scenario-" + i);
+    }
+    scenario(scenarios.resolve(".hidden/h.yaml"), "hidden");
+    scenario(scenarios.resolve("d.yaml~"), "backup");
+    Files.writeString(scenarios.resolve("notes.txt"), "notes");
+    List<Diagnostic> warnings = new ArrayList<>();
+    List<Scenario> read = Scenario.readFolder(scenarios, warnings::add);
+    assertEquals(
+        List.of("scenario-0", "scenario-1", "scenario-2", "scenario-3", "scenario-4"),
+        read.stream().map(Scenario::name).toList());
+    assertEquals(
+        List.of("scenario.file.unread d.yaml~", "scenario.file.unread notes.txt"),
+        warnings.stream().map(w -> w.id() + " " + fileName(w)).toList());
+    assertEquals(7, Scenario.filesIn(scenarios).size());
+  }
+
+  @Test
+  void aFolderOfOtherFilesAndALinkThatLeadsNowhereAreErrors() throws IOException {
+    Files.writeString(folder.resolve("a.yaml.bak"), "name: a");
+    DiagnosticException none = assertThrows(DiagnosticException.class, () -> read(folder));
+    assertEquals(
+        List.of("scenario.none", "scenario.file.unread"),
+        none.diagnostics().stream().map(Diagnostic::id).toList());
+    Files.createSymbolicLink(folder.resolve("b.yaml"), folder.resolve("nowhere.yaml"));
+    DiagnosticException lost = assertThrows(DiagnosticException.class, () -> read(folder));
+    assertEquals("file.missing", lost.diagnostics().get(0).id());
+    Files.createSymbolicLink(folder.resolve("circle"), folder);
+    DiagnosticException endless = assertThrows(DiagnosticException.class, () -> read(folder));
+    assertEquals("file.unreadable", endless.diagnostics().get(0).id());
+  }
+
+  private static void scenario(Path file, String name) throws IOException {
+    Path original = AebProject.EXAMPLE.resolve("scenarios/empty-road.yaml");
+    Files.createDirectories(file.getParent());
+    Files.writeString(
+        file, Files.readString(original).replaceFirst("(?m)^name: .*", "name: " + name));
+  }
+
+  private static String fileName(Diagnostic finding) {
+    return Path.of(finding.location().file()).getFileName().toString();
+  }
+
+  private static List<Scenario> read(Path folder) {
+    return Scenario.readFolder(folder, warning -> {});
   }
 }

@@ -51,7 +51,6 @@ class LengthTest {
           Map.entry("ObjectOperations.rows", 31L),
           Map.entry("OclAnalyzer.ERROR", 35L),
           Map.entry("QosContracts.compare", 39L),
-          Map.entry("RecordingReader.sample", 31L),
           Map.entry("ReportPage.render", 38L),
           Map.entry("ResultBuilder.measure", 31L),
           Map.entry("RuleParser.addInvariant", 44L),

@@ -105,7 +105,7 @@ public final class LockstepBenchmark {
         folder.resolve("aeb"),
         NodeManifest.read(SourceText.read(folder.resolve("aeb").resolve(NodeManifest.FILE))),
         List.of(example.resolve("software-base/msg")),
-        Scenario.readFolder(example.resolve("scenarios")));
+        Scenario.readFolder(example.resolve("scenarios"), warning -> {}));
   }
 
   private static void copy(Path from, Path to) throws IOException {

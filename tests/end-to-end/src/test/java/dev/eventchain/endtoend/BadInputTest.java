@@ -64,10 +64,16 @@ class BadInputTest {
       value = {
         "requirements.md|DELETE|2|file.missing|requirements.md",
         "requirements.md|nothing here|2|modeler.requirements.none|requirements.md",
-        "eventchain.yaml|name: [|2|project.configuration|eventchain.yaml:1",
+        "eventchain.yaml|name: [|2|project.configuration|eventchain.yaml:2",
         "eventchain.yaml|nam: aeb|2|project.configuration|'nam'",
         "eventchain.yaml|name: ../../x|2|project.configuration|../../x",
+        "eventchain.yaml|[aeb]|2|project.configuration|eventchain.yaml:1",
+        "eventchain.yaml|{name: aeb, repairs: 2.5}|2|project.configuration|a whole number",
+        "eventchain.yaml|{name: aeb, models: {design: }}|2|project.configuration|'design'",
         "software-base/components.json|[{]|2|modeler.json.syntax|components.json:1",
+        "software-base/components.json|DELETE|2|file.missing|software-base/components.json",
+        "software-base/signals.json|DELETE|2|file.missing|software-base/signals.json",
+        "software-base/msg/demo/msg/Bad.msg|float32|2|message.syntax|Bad.msg:1",
         "software-base/signals.json|{}|2|modeler.value.type|signals.json:1",
         "constraints.ocl|context SoftwareNode inv X: self.nam = ''|1|ocl.type|constraints.ocl:1",
         "constraints.ocl|context SoftwareNode inv X: (|1|ocl.syntax|constraints.ocl:1",
@@ -87,7 +93,20 @@ class BadInputTest {
     }
     ended = new Program().run("run", project);
     ended.expect(code).says(id).says(place);
+    assertFalse((ended.out() + ended.err()).contains("llm.recording"), ended.err());
     assertArrayEquals(before, Files.readAllBytes(project.resolve("out/chain.xmi")));
+  }
+
+  @Test
+  void aFileAmongTheScenariosThatIsNoneIsSaidAndOneInAFolderBelowIsSimulated() throws IOException {
+    Path scenarios = project.resolve("scenarios");
+    Path below = Files.createDirectories(scenarios.resolve("more"));
+    Files.move(scenarios.resolve("empty-road.yaml"), below.resolve("empty-road.YML"));
+    Files.writeString(scenarios.resolve("cut-in.yaml.txt"), "name: cut-in\n");
+    ended = new Program().run("run", project);
+    ended.expect(0).says("10 of 10 scenarios").says("scenario.file.unread").says("cut-in.yaml.txt");
+    ended = new Program().run("run", project);
+    ended.expect(0).says("scenario.file.unread");
   }
 
   @Test
