@@ -8,8 +8,8 @@ import dev.eventchain.ocl.OclRules;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
+import java.util.Set;
+import java.util.stream.Collectors;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 
@@ -18,7 +18,6 @@ import org.eclipse.emf.ecore.EPackage;
  * constraints.
  */
 final class ConstraintCheck {
-  private static final Pattern COMMENT = Pattern.compile("(?m)^\\s*--(.*)$");
 
   private final List<String> ruleIds;
   private final Collection<EPackage> packages;
@@ -47,30 +46,28 @@ final class ConstraintCheck {
       diagnostics.add(
           Diagnostic.error(
               "agents.constraint.none", "The document holds no invariant.", document.at(0)));
+      return diagnostics;
     }
-    diagnostics.addAll(uncovered(document));
+    diagnostics.addAll(uncovered(document, rules));
     diagnostics.addAll(vacuous(rules.constraints()));
     return diagnostics;
   }
 
-  private List<Diagnostic> uncovered(SourceText document) {
-    StringBuilder comments = new StringBuilder();
-    for (Matcher comment = COMMENT.matcher(document.text()); comment.find(); ) {
-      comments.append(comment.group(1)).append('\n');
-    }
-    List<Diagnostic> diagnostics = new ArrayList<>();
-    for (String id : ruleIds) {
-      Pattern mention = Pattern.compile("(?<![\\w-])" + Pattern.quote(id) + "(?![\\w-])");
-      if (!mention.matcher(comments).find()) {
-        diagnostics.add(
-            Diagnostic.error(
-                    "agents.rule.uncovered",
-                    "No constraint is marked as the one for the design rule " + id + ".",
-                    document.at(0))
-                .withHint("Write '-- " + id + ": ...' above its invariant."));
-      }
-    }
-    return diagnostics;
+  private List<Diagnostic> uncovered(SourceText document, OclRules rules) {
+    Set<String> covered =
+        rules.constraints().stream()
+            .flatMap(constraint -> constraint.named(ruleIds).stream())
+            .collect(Collectors.toSet());
+    return ruleIds.stream()
+        .filter(id -> !covered.contains(id))
+        .map(
+            id ->
+                Diagnostic.error(
+                        "agents.rule.uncovered",
+                        "No constraint is marked as the one for the design rule " + id + ".",
+                        document.at(0))
+                    .withHint("Write '-- " + id + ": ...' right above its invariant."))
+        .toList();
   }
 
   private List<Diagnostic> vacuous(List<OclConstraint> constraints) {

@@ -3,7 +3,9 @@ package dev.eventchain.ocl;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.time.Duration;
+import java.util.Collection;
 import java.util.List;
+import java.util.Set;
 import java.util.function.Supplier;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
@@ -80,6 +82,18 @@ public final class OclConstraint {
   /** What to do about a violation; empty if the rules do not say. */
   public String hint() {
     return comments.hint();
+  }
+
+  /**
+   * Which of these ids its comment names, so that a reader can tell what it stands for: the lines
+   * and blocks right above it, but for {@code @message} and the other annotations; or, if those
+   * name none, the comment right above its context, which then is about all of its invariants.
+   * Where it stands in several documents, the comments of all of them count.
+   *
+   * @param ids as of written rules; one is not found inside of another
+   */
+  public Set<String> named(Collection<String> ids) {
+    return comments.named(ids);
   }
 
   /** Where it stands. */

@@ -4,8 +4,12 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceText;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -28,18 +32,37 @@ final class RuleComments {
   private final StringBuilder hint = new StringBuilder();
   private int messageOffset;
   private String last = "";
+  private final String own;
+  private final String context;
+  private final List<RuleComments> repeated = new ArrayList<>();
 
-  private RuleComments(SourceText source, List<Diagnostic> problems) {
+  private RuleComments(SourceText source, RuleDocument.Clause clause, List<Diagnostic> problems) {
     this.source = source;
     this.problems = problems;
+    this.own = PlainComment.in(source.text(), clause.ownComment());
+    this.context = PlainComment.in(source.text(), clause.contextComment());
   }
 
-  /** Reads the comments at the end of each of these parts; the later ones win. */
+  /** Reads the comments above an invariant and above its context; the invariant's own win. */
   static RuleComments read(
-      SourceText source, List<RuleDocument.Range> parts, List<Diagnostic> problems) {
-    RuleComments comments = new RuleComments(source, problems);
-    parts.forEach(comments::readBlock);
+      SourceText source, RuleDocument.Clause clause, List<Diagnostic> problems) {
+    RuleComments comments = new RuleComments(source, clause, problems);
+    clause.comments().forEach(comments::readBlock);
     return comments;
+  }
+
+  /** Takes in the comments above the same invariant in another document. */
+  void addRepeated(RuleDocument.Clause clause, SourceText document) {
+    repeated.add(new RuleComments(document, clause, new ArrayList<>()));
+  }
+
+  /** Which of these ids the invariant's comment names, or else the comment of its context. */
+  Set<String> named(Collection<String> ids) {
+    List<String> byItself = PlainComment.named(own, ids);
+    Set<String> named =
+        new LinkedHashSet<>(byItself.isEmpty() ? PlainComment.named(context, ids) : byItself);
+    repeated.forEach(each -> named.addAll(each.named(ids)));
+    return named;
   }
 
   /** Reads the lines between the last blank line and the end. */

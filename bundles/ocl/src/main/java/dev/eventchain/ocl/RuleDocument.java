@@ -33,7 +33,8 @@ final class RuleDocument {
    * @param keyword the offset of its keyword
    * @param start the offset of its expression, of its keyword for a definition
    * @param end the offset after it
-   * @param comments where the comments above it stand
+   * @param comments where the comments above it stand; those above the context, for its first one
+   * @param contextComment where the comment above its context stands
    */
   record Clause(
       boolean definition,
@@ -43,7 +44,14 @@ final class RuleDocument {
       int keyword,
       int start,
       int end,
-      List<Range> comments) {}
+      List<Range> comments,
+      Range contextComment) {
+
+    /** Where the comment right above it stands. */
+    Range ownComment() {
+      return comments.get(comments.size() - 1);
+    }
+  }
 
   /** A part of a document. */
   record Range(int start, int end) {}
@@ -65,6 +73,7 @@ final class RuleDocument {
   private Path packagePath;
   private Path context;
   private Range contextComments;
+  private boolean contextIsNew;
   private boolean contextFailed;
   private int at;
 
@@ -143,6 +152,7 @@ final class RuleDocument {
     Path path = readPath();
     setContext(path, path == null);
     contextComments = before(start);
+    contextIsNew = true;
     if (path == null) {
       skipToClause(start + 1);
     } else if (tokens.is(at, ":") || tokens.is(at, "(")) {
@@ -158,7 +168,7 @@ final class RuleDocument {
   private void setContext(Path path, boolean failed) {
     context = path;
     contextFailed = failed;
-    contextComments = null;
+    contextIsNew = false;
   }
 
   private Path readPath() {
@@ -211,17 +221,27 @@ final class RuleDocument {
   private void add(boolean definition, String name, int keyword, int start) {
     if (context != null) {
       List<Range> comments = new ArrayList<>();
-      if (contextComments != null) {
+      if (contextIsNew) {
         comments.add(contextComments);
       }
       comments.add(before(keyword));
       int end = endOfClause(start);
       int offset = tokens.start(keyword);
-      clauses.add(new Clause(definition, packagePath, context, name, offset, start, end, comments));
+      clauses.add(
+          new Clause(
+              definition,
+              packagePath,
+              context,
+              name,
+              offset,
+              start,
+              end,
+              comments,
+              contextComments));
     } else if (!contextFailed) {
       error(keyword, "'context' and the name of a class are missing before this.");
     }
-    contextComments = null;
+    contextIsNew = false;
   }
 
   /** What stands between a token and the one before it. */

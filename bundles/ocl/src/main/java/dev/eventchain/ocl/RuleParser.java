@@ -17,6 +17,7 @@ final class RuleParser {
   private final List<Diagnostic> problems = new ArrayList<>();
   private final List<OclConstraint> constraints = new ArrayList<>();
   private final Map<String, ResolvedClause> names = new HashMap<>();
+  private final Map<String, RuleComments> commentsOf = new HashMap<>();
   private final Map<EClass, Integer> unnamed = new HashMap<>();
 
   private final Contexts contexts;
@@ -55,7 +56,8 @@ final class RuleParser {
     if (!isNew(resolved, name)) {
       return;
     }
-    RuleComments comments = RuleComments.read(source, clause.comments(), problems);
+    RuleComments comments = RuleComments.read(source, clause, problems);
+    commentsOf.put(qualified(resolved, name), comments);
     Optional<MessageTemplate> message =
         MessageTemplate.parse(
             comments.message(),
@@ -100,12 +102,13 @@ final class RuleParser {
 
   /** Whether a name is new; the same words in another document are no fault, but count once. */
   private boolean isNew(ResolvedClause resolved, String name) {
-    ResolvedClause first =
-        names.putIfAbsent(Names.qualified(resolved.context()) + "::" + name, resolved);
+    ResolvedClause first = names.putIfAbsent(qualified(resolved, name), resolved);
     if (first == null) {
       return true;
     }
-    if (!resolved.repeats(first)) {
+    if (resolved.repeats(first)) {
+      commentsOf.get(qualified(resolved, name)).addRepeated(resolved.clause(), resolved.source());
+    } else {
       String context = resolved.context().getName();
       problems.add(
           Diagnostic.error(
@@ -116,6 +119,10 @@ final class RuleParser {
               .withRelated(first.location()));
     }
     return false;
+  }
+
+  private static String qualified(ResolvedClause resolved, String name) {
+    return Names.qualified(resolved.context()) + "::" + name;
   }
 
   private boolean isBoolean(

@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.ocl.OclConstraint.Verdict;
 import java.util.List;
+import java.util.Set;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 import org.junit.jupiter.api.Test;
@@ -115,5 +116,49 @@ class OclRulesTest {
             .toList());
     assertEquals(2, result.evaluations());
     assertEquals(3, result.constraints());
+  }
+
+  @Test
+  void aConstraintKnowsTheIdsThatItsCommentNames() {
+    OclRules rules =
+        rules(
+            """
+            -- R-1: about the whole context
+            context Book
+              inv A: pages > 0 -- R-2 is behind it
+              -- R-2, and R-30
+              inv B: pages > 1
+              /* R-3
+
+                 goes on */
+              inv C: pages > 2
+              -- @message R-2 is told
+              --   also R-3
+              inv D: pages > 3
+              -- R-2: far away
+
+              inv E: pages > 4
+            context Library
+              inv F: true
+            -- R-3: nothing follows
+            """);
+    assertEquals(
+        List.of("A [R-1]", "B [R-2]", "C [R-3]", "D [R-1]", "E [R-1]", "F []"),
+        rules.constraints().stream()
+            .map(each -> each.name() + " " + each.named(List.of("R-1", "R-2", "R-3")))
+            .toList());
+  }
+
+  @Test
+  void theSameInvariantInAnotherDocumentAddsTheIdsThatItsCommentNamesThere() {
+    String invariant = "context Book inv A: pages > 0";
+    OclRules rules =
+        OclRules.parse(
+            List.of(
+                SourceText.of("one.ocl", invariant),
+                SourceText.of("two.ocl", "-- R-2 and R-1.1\n" + invariant)),
+            List.of(metamodel));
+    assertEquals(List.of(), rules.diagnostics());
+    assertEquals(Set.of("R-2"), rules.constraints().get(0).named(List.of("R-1", "R-2")));
   }
 }

@@ -1,0 +1,71 @@
+package dev.eventchain.ocl;
+
+import java.util.Collection;
+import java.util.List;
+import java.util.regex.Pattern;
+
+/**
+ * What the comment right above a clause says to people: its lines without the annotations, and its
+ * blocks. A blank line parts it from what stands above; a comment behind other code is not above.
+ */
+final class PlainComment {
+
+  private static final Pattern ANNOTATION = Pattern.compile(" ?@\\w.*");
+
+  private final String source;
+  private final StringBuilder text = new StringBuilder();
+  private boolean annotated;
+
+  private PlainComment(String source) {
+    this.source = source;
+  }
+
+  /** The text of the comment at the end of a part of a document that holds comments only. */
+  static String in(String source, RuleDocument.Range part) {
+    return new PlainComment(source).read(part);
+  }
+
+  /** Which of these ids a text holds as a word of its own, in the order given. */
+  static List<String> named(String text, Collection<String> ids) {
+    return ids.stream()
+        .filter(
+            id ->
+                Pattern.compile("(?<![\\w-])" + Pattern.quote(id) + "(?![\\w-]|[.]\\w)")
+                    .matcher(text)
+                    .find())
+        .toList();
+  }
+
+  private String read(RuleDocument.Range part) {
+    boolean above = part.start() == 0;
+    for (int at = part.start(); at < part.end(); ) {
+      int end = Lexer.end(source, at, part.end());
+      String token = source.substring(at, end);
+      if (token.isBlank()) {
+        above |= token.indexOf('\n') >= 0;
+        // The line break behind a line comment is the first of these.
+        if (token.chars().filter(c -> c == '\n').count() > 1) {
+          text.setLength(0);
+          annotated = false;
+        }
+      } else if (above) {
+        add(token);
+      }
+      at = end;
+    }
+    return text.toString();
+  }
+
+  private void add(String comment) {
+    if (comment.startsWith("/*")) {
+      annotated = false;
+      text.append(comment).append('\n');
+      return;
+    }
+    String line = comment.substring(2).stripTrailing();
+    annotated = ANNOTATION.matcher(line).matches() || (annotated && line.startsWith("  "));
+    if (!annotated) {
+      text.append(line).append('\n');
+    }
+  }
+}
