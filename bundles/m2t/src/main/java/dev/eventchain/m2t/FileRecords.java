@@ -31,6 +31,7 @@ final class FileRecords {
   private final Map<String, String> hashes = new TreeMap<>();
   private final Map<String, Set<String>> journal = new HashMap<>();
   private final boolean damaged;
+  private final boolean absent;
   private byte[] stored = {};
   private boolean journalIsCut;
 
@@ -39,7 +40,18 @@ final class FileRecords {
     Optional<byte[]> content = storage.read(RECORDS);
     damaged = content.isPresent() && !parse(content.get());
     stored = content.orElse(stored);
+    absent = content.isEmpty() && storage.read(JOURNAL).isEmpty();
     readJournal();
+  }
+
+  /** Whether there were no records at all: nothing was written here, or somebody removed them. */
+  boolean absent() {
+    return absent;
+  }
+
+  /** The fingerprint of what a file was given last; empty if we gave it nothing. */
+  String written(String path) {
+    return hashes.getOrDefault(path, "");
   }
 
   /** Whether the records of earlier runs could not be read; every file is a stranger then. */

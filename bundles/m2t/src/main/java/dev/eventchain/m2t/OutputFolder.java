@@ -120,7 +120,7 @@ public final class OutputFolder implements AutoCloseable {
   public synchronized Written write(String name, byte[] content, OnEdit onEdit) {
     OutputPath path = OutputPath.of(name);
     if (path.refused()) {
-      return new Written(Outcome.REFUSED, Optional.of(refused(name, path)));
+      return new Written(Outcome.REFUSED, Optional.of(refusedHere(name, path)));
     }
     try {
       return put(path.value(), content, onEdit);
@@ -203,7 +203,8 @@ public final class OutputFolder implements AutoCloseable {
    * Removes the files that earlier runs wrote below a folder and that are no longer produced. Files
    * that a person changed or put there stay, and those that have protected areas.
    *
-   * @param folder the folder's name, relative to this one; "" is everything
+   * @param folder the name of the folder, or of a single file, relative to this one; "" is
+   *     everything
    * @param produced the names of all files below it that are still produced
    * @return a warning {@code eventchain.file.edited} for each file that was left for a person's
    *     sake
@@ -214,14 +215,15 @@ public final class OutputFolder implements AutoCloseable {
     String prefix = folder.isEmpty() || folder.endsWith("/") ? folder : folder + "/";
     List<Diagnostic> findings = new ArrayList<>();
     for (String path : records.files()) {
-      if (path.startsWith(prefix) && !current.contains(path)) {
-        remove(path).ifPresent(findings::add);
+      boolean below = path.equals(folder) || path.startsWith(prefix);
+      if (below && !current.contains(path)) {
+        removeUnlessKept(path).ifPresent(findings::add);
       }
     }
     return findings;
   }
 
-  private Optional<Diagnostic> remove(String path) {
+  private Optional<Diagnostic> removeUnlessKept(String path) {
     try {
       Optional<byte[]> content = storage.read(path);
       boolean keeps =
@@ -235,6 +237,58 @@ public final class OutputFolder implements AutoCloseable {
       return Optional.empty();
     } catch (IOException e) {
       throw unwritable(storage.shown(path), e);
+    }
+  }
+
+  /**
+   * Whether there are records of what earlier runs wrote. Without them, existing files that differ
+   * count as people's, unless {@link #recall} says otherwise.
+   */
+  public boolean hasRecords() {
+    return !records.damaged() && !records.absent();
+  }
+
+  /**
+   * What a file was given last, for those who remember it elsewhere, too.
+   *
+   * @return a fingerprint of the content; empty if nothing was written there
+   */
+  public synchronized String written(String name) {
+    return records.written(OutputPath.of(name).value());
+  }
+
+  /**
+   * Takes in what a file was given last, where the folder's own records are lost.
+   *
+   * @param fingerprint as {@link #written} gave it
+   */
+  public synchronized void recall(String name, String fingerprint) {
+    OutputPath path = OutputPath.of(name);
+    if (!path.refused() && !fingerprint.isEmpty()) {
+      records.put(path.value(), fingerprint);
+    }
+  }
+
+  /**
+   * Removes a result that no longer holds, whoever wrote it.
+   *
+   * @return the warning {@code eventchain.file.edited} if a person had changed it
+   */
+  public synchronized Optional<Diagnostic> remove(String name) {
+    OutputPath path = OutputPath.of(name);
+    if (path.refused()) {
+      return Optional.of(refusedHere(name, path));
+    }
+    Optional<Diagnostic> finding =
+        isEdited(name) ? Optional.of(removed(path.value())) : Optional.empty();
+    try {
+      storage.delete(path.value());
+      records.remove(path.value());
+      return finding;
+    } catch (FolderStorage.LinkLeavesFolderException e) {
+      return Optional.of(linkRefused(path.value(), e));
+    } catch (IOException e) {
+      throw unwritable(storage.shown(path.value()), e);
     }
   }
 
@@ -281,6 +335,10 @@ public final class OutputFolder implements AutoCloseable {
     return edited(path, "differed from what was written, and was replaced.");
   }
 
+  private Diagnostic removed(String path) {
+    return edited(path, "differed from what was written, and was removed.");
+  }
+
   private Diagnostic abandoned(String path) {
     return edited(path, "is no longer produced but may hold a person's work, and was kept.")
         .withHint("Delete the file if it is not needed.");
@@ -300,6 +358,11 @@ public final class OutputFolder implements AutoCloseable {
             "The file name '" + OutputPath.shown(name) + "' " + path.problem() + ".",
             SourceLocation.NONE)
         .withHint("Files are named relative to the output folder and stay below it.");
+  }
+
+  /** As {@link #refused}, at the folder that the file was to be in. */
+  private Diagnostic refusedHere(String name, OutputPath path) {
+    return refused(name, path).withLocation(SourceLocation.of(storage.shown("")));
   }
 
   private Diagnostic linkRefused(String name, IOException e) {

@@ -75,6 +75,7 @@ class OutputFolderTest {
       OutputFolder.Written written = folder.write(name, bytes("bad"));
       assertEquals(Outcome.REFUSED, written.outcome());
       assertEquals("output.path.refused", written.finding().orElseThrow().id());
+      assertEquals(base.toString(), written.finding().orElseThrow().location().file());
       assertTrue(folder.read(name).isEmpty());
     }
     try (Stream<Path> all = Files.walk(temporary)) {
@@ -349,5 +350,55 @@ class OutputFolderTest {
       assertEquals(List.of(), folder.removeOthers("", List.of()));
     }
     assertTrue(files.containsKey("../x"));
+  }
+
+  @Test
+  void whatIsRememberedElsewhereStandsInForLostRecords() {
+    Map<String, byte[]> files = new HashMap<>();
+    String fingerprint;
+    try (OutputFolder folder = OutputFolder.inMemory(files)) {
+      assertFalse(folder.hasRecords());
+      folder.write("a.txt", bytes("one"));
+      folder.write("b.txt", bytes("one"));
+      fingerprint = folder.written("a.txt");
+    }
+    files.keySet().removeIf(name -> name.startsWith(".eventchain/"));
+    try (OutputFolder folder = OutputFolder.inMemory(files)) {
+      assertFalse(folder.hasRecords());
+      assertEquals("", folder.written("a.txt"));
+      folder.recall("a.txt", fingerprint);
+      assertEquals(Outcome.WRITTEN, folder.write("a.txt", bytes("two")).outcome());
+      assertEquals(Outcome.KEPT, folder.write("b.txt", bytes("two")).outcome());
+    }
+    try (OutputFolder folder = OutputFolder.inMemory(files)) {
+      assertTrue(folder.hasRecords());
+    }
+  }
+
+  @Test
+  void aResultThatNoLongerHoldsIsRemovedAlsoIfAPersonChangedIt() {
+    Map<String, byte[]> files = new HashMap<>();
+    try (OutputFolder folder = OutputFolder.inMemory(files)) {
+      folder.write("a.txt", bytes("one"));
+      assertEquals(Optional.empty(), folder.remove("a.txt"));
+      assertEquals(Optional.empty(), folder.remove("a.txt"));
+      folder.write("a.txt", bytes("one"));
+      files.put("a.txt", bytes("mine"));
+      assertEquals("eventchain.file.edited", folder.remove("a.txt").orElseThrow().id());
+      assertEquals("output.path.refused", folder.remove("../a.txt").orElseThrow().id());
+    }
+    assertFalse(files.containsKey("a.txt"));
+  }
+
+  @Test
+  void aSingleFileThatIsNoLongerProducedIsRemoved() {
+    Map<String, byte[]> files = new HashMap<>();
+    try (OutputFolder folder = OutputFolder.inMemory(files)) {
+      folder.write("a.txt", bytes("one"));
+      folder.write("a.txt.bak", bytes("one"));
+      assertEquals(List.of(), folder.removeOthers("a.txt", List.of()));
+    }
+    assertFalse(files.containsKey("a.txt"));
+    assertTrue(files.containsKey("a.txt.bak"));
   }
 }
