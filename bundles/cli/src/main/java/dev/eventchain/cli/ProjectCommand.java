@@ -2,6 +2,7 @@ package dev.eventchain.cli;
 
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.Report;
 import dev.eventchain.diagnostics.Suppressions;
@@ -132,6 +133,20 @@ abstract class ProjectCommand implements Callable<Integer> {
             reporting.suppressions(project.suppressions(), console.today()));
     return Outcome.of(
         Pipeline.run(project, options, new ProgressLines(console.err(), console.terminal())));
+  }
+
+  /** As above, from a project's folder, for a run that may be to reach a verdict. */
+  final Outcome execute(
+      Path folder, Stage first, Stage last, boolean again, LlmOptions llm, List<String> scenarios) {
+    try {
+      return execute(Project.open(folder), first, last, again, llm, scenarios);
+    } catch (DiagnosticException e) {
+      // The project or its suppressions cannot be read, so nobody knows what a verdict is about.
+      if (last.compareTo(Stage.SIMULATE) >= 0) {
+        Pipeline.withdrawVerdict(output == null ? Project.defaultOutput(folder) : output);
+      }
+      throw e;
+    }
   }
 
   private int report(Outcome outcome, double seconds) {

@@ -1,6 +1,5 @@
 package dev.eventchain.cli;
 
-import dev.eventchain.pipeline.Project;
 import dev.eventchain.pipeline.Stage;
 import java.nio.file.Path;
 import java.util.List;
@@ -54,6 +53,6 @@ final class RunCommand extends ProjectCommand {
       throw wrongUsage(
           "the stage " + from.id() + " (--from) comes after the stage " + to.id() + " (--to)");
     }
-    return execute(Project.open(folder), from, to, again, llm, scenarios);
+    return execute(folder, from, to, again, llm, scenarios);
   }
 }

@@ -1,6 +1,5 @@
 package dev.eventchain.cli;
 
-import dev.eventchain.pipeline.Project;
 import dev.eventchain.pipeline.Stage;
 import java.nio.file.Path;
 import java.util.List;
@@ -30,7 +29,7 @@ final class StageCommands {
 
     @Override
     Outcome work() {
-      return execute(Project.open(folder), stage, stage, true, llm, List.of());
+      return execute(folder, stage, stage, true, llm, List.of());
     }
   }
 
@@ -95,8 +94,7 @@ final class StageCommands {
 
     @Override
     Outcome work() {
-      return execute(
-          Project.open(folder), Stage.SIMULATE, Stage.SIMULATE, true, new LlmOptions(), scenarios);
+      return execute(folder, Stage.SIMULATE, Stage.SIMULATE, true, new LlmOptions(), scenarios);
     }
   }
 }

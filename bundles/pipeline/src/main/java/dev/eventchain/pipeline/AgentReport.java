@@ -17,17 +17,17 @@ final class AgentReport {
 
   private AgentReport() {}
 
-  /** Adds what decides an answer besides the prompt: model, provider, repairs and recordings. */
+  /** Adds what decides an answer besides files: settings, and how answers are had. */
   static void fingerprint(RunContext run, Stage stage, Fingerprint fingerprint) {
     Configuration configuration = run.project().configuration();
     fingerprint
-        .add(configuration.name())
-        .add(configuration.title())
-        .add(configuration.frequency())
+        .addSetting("name", configuration.name())
+        .addSetting("title", configuration.title())
+        .addSetting("frequency", configuration.frequency())
         .add(configuration.model(stage))
         .add(configuration.repairs())
         .add(run.options().llm().orElse(configuration.llm()))
-        .addFiles(filesBelow(run.project().recordings().resolve(stage.id())));
+        .addMeans(filesBelow(run.project().recordings().resolve(stage.id())));
   }
 
   /** The model that answered and where its answers came from. */

@@ -10,6 +10,7 @@ import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.modeler.SoftwareBase;
 import dev.eventchain.ocl.OclResult;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
@@ -24,8 +25,14 @@ final class ChainChecks {
   private final Constraints constraints;
   private final ChainAnalysis analysis;
   private final SoftwareBase base;
+  private final List<Diagnostic> uncovered;
 
-  private ChainChecks(Constraints constraints, ChainAnalysis analysis, SoftwareBase base) {
+  private ChainChecks(
+      Constraints constraints,
+      ChainAnalysis analysis,
+      SoftwareBase base,
+      List<Diagnostic> uncovered) {
+    this.uncovered = uncovered;
     this.constraints = constraints;
     this.analysis = analysis;
     this.base = base;
@@ -37,15 +44,33 @@ final class ChainChecks {
    * @param constraints the standard constraints, the project's own and the generated ones
    * @param analysis the contracts
    * @param reuse how existing components are used otherwise than they are
+   * @param uncovered the design rules that no constraint stands for
    */
-  record Outcome(OclResult constraints, AnalysisResult analysis, List<Diagnostic> reuse) {
+  record Outcome(
+      OclResult constraints,
+      AnalysisResult analysis,
+      List<Diagnostic> reuse,
+      List<Diagnostic> uncovered) {
 
     /** All findings. */
     List<Diagnostic> diagnostics() {
       List<Diagnostic> all = new ArrayList<>(constraints.diagnostics());
       all.addAll(analysis.diagnostics());
       all.addAll(reuse);
+      all.addAll(uncovered);
       return all;
+    }
+
+    /**
+     * Goes on with a valid model only.
+     *
+     * @throws DiagnosticException FINDINGS if a finding is an error that is not suppressed
+     */
+    void refuseErrors(RunContext run) {
+      List<Diagnostic> found = run.options().suppressions().part(diagnostics()).remaining();
+      if (Diagnostic.anyError(found)) {
+        throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, found);
+      }
     }
 
     /** What was done, in words. */
@@ -69,38 +94,36 @@ final class ChainChecks {
 
   /** The checks of a project, whose software base knows the vehicle and its messages. */
   static ChainChecks of(RunContext run) {
-    return of(run, Constraints.of(run));
+    Constraints constraints = Constraints.of(run);
+    return of(run, constraints, constraints.uncovered(run));
   }
 
   /** The checks of a project before constraints are generated. */
   static ChainChecks withoutGenerated(RunContext run) {
-    return of(run, Constraints.withoutGenerated(run));
+    return of(run, Constraints.withoutGenerated(run), List.of());
   }
 
-  private static ChainChecks of(RunContext run, Constraints constraints) {
+  private static ChainChecks of(
+      RunContext run, Constraints constraints, List<Diagnostic> uncovered) {
     SoftwareBase base = run.softwareBase();
     MessageCatalog catalog = run.messages();
-    return new ChainChecks(constraints, ChainAnalysis.of(catalog, base.signals()), base);
+    return new ChainChecks(constraints, ChainAnalysis.of(catalog, base.signals()), base, uncovered);
+  }
+
+  /** The files that the checks of a project depend on, besides the chain's. */
+  static List<Path> files(RunContext run) {
+    List<Path> files = new ArrayList<>(Constraints.paths(run));
+    files.add(run.project().designRulesFile());
+    files.addAll(run.project().softwareBaseFiles());
+    files.addAll(run.project().messageFiles());
+    return files;
   }
 
   Outcome check(EventChain chain, Function<EObject, SourceLocation> locator) {
     return new Outcome(
         constraints.check(chain, locator),
         analysis.check(chain, locator),
-        base.check(chain, locator));
-  }
-
-  /**
-   * As {@link #check}, for a stage that must not go on with an invalid model.
-   *
-   * @throws DiagnosticException FINDINGS if a finding is an error that is not suppressed
-   */
-  Outcome require(RunContext run, EventChain chain, Function<EObject, SourceLocation> locator) {
-    Outcome outcome = check(chain, locator);
-    List<Diagnostic> found = run.options().suppressions().part(outcome.diagnostics()).remaining();
-    if (Diagnostic.anyError(found)) {
-      throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, found);
-    }
-    return outcome;
+        base.check(chain, locator),
+        uncovered);
   }
 }

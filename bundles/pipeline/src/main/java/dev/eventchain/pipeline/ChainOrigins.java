@@ -12,7 +12,9 @@ import dev.eventchain.modeler.Modeled;
 import dev.eventchain.modeler.Requirements;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import org.eclipse.emf.ecore.EObject;
@@ -65,8 +67,21 @@ final class ChainOrigins {
     }
   }
 
-  /** The model that a description gives without a language model. */
+  /** The files that decide where elements come from, besides the model. */
+  static List<Path> files(RunContext run) {
+    List<Path> files = new ArrayList<>(run.project().softwareBaseFiles());
+    files.add(run.project().requirements());
+    files.add(run.file(DesignStage.FILE));
+    return files;
+  }
+
+  /** The model that a description gives without a language model. Nobody changes it. */
   static Modeled<EventChain> direct(RunContext run, Path description) {
+    return run.snapshots().of("description", files(run), () -> read(run, description));
+  }
+
+  private static Modeled<EventChain> read(RunContext run, Path description) {
+    run.progress().read(description);
     Configuration configuration = run.project().configuration();
     Requirements requirements = run.requirements();
     Modeled<EventChain> direct =

@@ -21,6 +21,8 @@ import java.util.Optional;
 /** What a run comes to: the verdict, and the report about it. */
 final class Conclusion {
 
+  static final String REPORT = "report.html";
+
   private final RunContext run;
   private final Map<Stage, StageOutcome> outcomes;
   private final Optional<Reason> failure;
@@ -46,6 +48,7 @@ final class Conclusion {
       suppressed.addAll(outcome.found().suppressed());
       coverage = coverage.and(outcome.coverage());
     }
+    found.addAll(run.takeFindings());
     // Stages that need a valid model find what validation found.
     found = new ArrayList<>(new LinkedHashSet<>(found));
     suppressed = new ArrayList<>(new LinkedHashSet<>(suppressed));
@@ -159,9 +162,9 @@ final class Conclusion {
     try {
       ReportData collected = new ReportData(run, outcomes);
       ObjectNode data = collected.collect(verdict, summary, found);
-      run.writeResult("report.html", ReportPage.render(collected.chain(), data));
-      ended(Status.DONE, start, run.file("report.html").toString());
-      return Optional.of(run.file("report.html"));
+      run.writeResult(REPORT, ReportPage.render(collected.chain(), data));
+      ended(Status.DONE, start, run.file(REPORT).toString());
+      return Optional.of(run.file(REPORT));
     } catch (DiagnosticException e) {
       e.diagnostics().forEach(run::find);
       ended(Status.FAILED, start, e.diagnostics().get(0).message());

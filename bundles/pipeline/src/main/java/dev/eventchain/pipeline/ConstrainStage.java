@@ -14,7 +14,7 @@ final class ConstrainStage implements StageWork {
   @Override
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
     AgentReport.fingerprint(run, Stage.CONSTRAIN, fingerprint);
-    fingerprint.addFile(run.project().designRules()).addFile(run.model());
+    fingerprint.addFile(run.project().designRulesFile()).addFile(run.model());
   }
 
   @Override
@@ -31,7 +31,7 @@ final class ConstrainStage implements StageWork {
                 XmiStore.eventchainEcore(),
                 List.of(EventchainPackage.eINSTANCE),
                 rules.get(),
-                List.of(run.loadChain(run.model()).chain()));
+                List.of(run.chain().chain()));
     run.write(Constraints.GENERATED, constrained.text());
     return new StageResult(
         "OCL from "

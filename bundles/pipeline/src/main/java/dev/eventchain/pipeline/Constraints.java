@@ -9,10 +9,11 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
+import dev.eventchain.modeler.Requirements;
+import dev.eventchain.ocl.OclConstraint;
 import dev.eventchain.ocl.OclResult;
 import dev.eventchain.ocl.OclRules;
 import dev.eventchain.ocl.OclValidator;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -35,12 +36,25 @@ final class Constraints {
 
   /** All constraints that there are. */
   static Constraints of(RunContext run) {
+    return run.snapshots().of("constraints", paths(run), () -> new Constraints(parse(all(run))));
+  }
+
+  private static List<SourceText> all(RunContext run) {
     List<SourceText> documents = written(run);
-    Path generated = run.file(GENERATED);
-    if (Files.isRegularFile(generated)) {
-      documents.add(SourceText.read(generated));
-    }
-    return new Constraints(parse(documents));
+    generated(run).map(SourceText::read).ifPresent(documents::add);
+    return documents;
+  }
+
+  private static Optional<Path> generated(RunContext run) {
+    return Optional.of(run.file(GENERATED)).filter(file -> !Project.isAbsent(file));
+  }
+
+  /** The files that hold the constraints, but for the standard ones. */
+  static List<Path> paths(RunContext run) {
+    List<Path> files = new ArrayList<>();
+    run.project().ownConstraints().ifPresent(files::add);
+    generated(run).ifPresent(files::add);
+    return files;
   }
 
   /** The standard constraints and those that people wrote, before any are generated. */
@@ -63,12 +77,40 @@ final class Constraints {
     return OclValidator.validate(rules, List.of(root), locator);
   }
 
-  /** The files that hold the constraints, but for the standard ones. */
+  /** As {@link #paths}, for people. */
   static List<String> files(RunContext run) {
-    List<Path> files = new ArrayList<>();
-    run.project().ownConstraints().ifPresent(files::add);
-    Optional.of(run.file(GENERATED)).filter(Files::isRegularFile).ifPresent(files::add);
-    return files.stream().map(file -> SourceLocation.of(file).file()).toList();
+    return paths(run).stream().map(file -> SourceLocation.of(file).file()).toList();
+  }
+
+  /** The constraints that stand for a design rule, as their comments say. */
+  List<OclConstraint> standingFor(String rule) {
+    return rules.constraints().stream()
+        .filter(constraint -> !constraint.named(List.of(rule)).isEmpty())
+        .toList();
+  }
+
+  /**
+   * A finding for each design rule that no constraint stands for: a document that was emptied since
+   * it was generated must not pass for one that nothing violates.
+   */
+  List<Diagnostic> uncovered(RunContext run) {
+    List<Requirements.Item> items = run.designRules().map(Requirements::items).orElse(List.of());
+    return items.stream()
+        .filter(item -> standingFor(item.id()).isEmpty())
+        .map(
+            item ->
+                Diagnostic.error(
+                        "project.rule.uncovered",
+                        "No constraint stands for the design rule " + item.id() + ".",
+                        item.location())
+                    .withRule(item.id())
+                    .withHint(
+                        "Run '"
+                            + run.command("--from constrain --overwrite")
+                            + "', or write an invariant under '-- "
+                            + item.id()
+                            + ": ...' into constraints.ocl."))
+        .toList();
   }
 
   /** What a validation checked. */
@@ -116,6 +158,11 @@ final class Constraints {
     Set<String> names = new TreeSet<>();
     result.diagnostics().stream().map(Diagnostic::rule).forEach(names::add);
     names.forEach(violated::add);
+    ArrayNode evaluated = report.putArray("evaluated");
+    result.checks().stream()
+        .filter(check -> check.evaluations() > 0)
+        .map(check -> check.constraint().qualifiedName())
+        .forEach(evaluated::add);
     return report;
   }
 }

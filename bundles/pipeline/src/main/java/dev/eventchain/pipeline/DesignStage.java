@@ -3,7 +3,6 @@ package dev.eventchain.pipeline;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.agents.AgentResult;
 import dev.eventchain.agents.DesignAgent;
-import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.modeler.EventChainWriter;
 import java.util.List;
 
@@ -19,10 +18,7 @@ final class DesignStage implements StageWork {
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
     Project project = run.project();
     AgentReport.fingerprint(run, Stage.DESIGN, fingerprint);
-    fingerprint
-        .addFile(project.requirements())
-        .addFile(project.softwareBase().resolve("components.json"))
-        .addFile(project.softwareBase().resolve("signals.json"));
+    fingerprint.addFile(project.requirements()).addFiles(project.softwareBaseFiles());
     fingerprint.addFiles(project.messageFiles());
     project.editedModel().ifPresent(fingerprint::addFile);
     project.ownConstraints().ifPresent(fingerprint::addFile);
@@ -32,13 +28,12 @@ final class DesignStage implements StageWork {
   public StageResult execute(RunContext run) {
     if (run.project().editedModel().isPresent()) {
       RunContext.LoadedChain model = run.loadChain(run.project().editedModel().get());
-      List<Diagnostic> found =
-          ChainChecks.withoutGenerated(run)
-              .require(run, model.chain(), model.origins()::locate)
-              .diagnostics();
+      ChainChecks.Outcome checked =
+          ChainChecks.withoutGenerated(run).check(model.chain(), model.origins()::locate);
+      checked.refuseErrors(run);
       run.write(FILE, EventChainWriter.write(model.chain()));
       return StageResult.of(
-          "the chain of model/chain.xmi, which people edit", List.of(FILE), found);
+          "the chain of model/chain.xmi, which people edit", List.of(FILE), checked.diagnostics());
     }
     Configuration configuration = run.project().configuration();
     AgentResult designed =

@@ -30,37 +30,33 @@ import java.util.TreeMap;
  */
 final class GenerateStage implements StageWork {
 
-  private static final String COMPONENTS = "components/";
+  static final String COMPONENTS = "components/";
 
   @Override
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
     fingerprint
-        .add(run.project().configuration().template())
+        .addSetting("template", run.project().configuration().template())
         .addFile(run.model())
         .addFile(run.project().softwareBase().resolve("signals.json"))
         .addFiles(run.project().messageFiles())
         .addFile(run.file(Constraints.GENERATED));
-    run.project()
-        .configuration()
-        .packageFacts()
-        .forEach((name, value) -> fingerprint.add(name).add(value));
+    run.project().configuration().packageFacts().forEach(fingerprint::addSetting);
     run.project().ownConstraints().ifPresent(fingerprint::addFile);
     fingerprint.addFiles(
         run.softwareBase().components().stream().map(SoftwareBase.Component::file).toList());
-    RunContext.LoadedChain model = run.loadChain(run.model());
-    for (SoftwareNode node : model.chain().getSoftware()) {
+    for (SoftwareNode node : run.chain().chain().getSoftware()) {
       fingerprint.addFile(run.file(generatedName(node)));
     }
     Templates.own(run.project())
-        .ifPresent(main -> fingerprint.add(main).addFiles(run.project().filesBeside(main, ".mtl")));
+        .ifPresent(main -> fingerprint.addFiles(run.project().filesBeside(main, ".mtl")));
   }
 
   @Override
   public StageResult execute(RunContext run) {
-    RunContext.LoadedChain model = run.loadChain(run.model());
+    ChainSnapshot model = run.chain();
     // A generator must not turn an invalid model into software.
-    ChainChecks.Outcome checked =
-        ChainChecks.of(run).require(run, model.chain(), ChainOrigins.of(run, model)::locate);
+    ChainChecks.Outcome checked = model.checks();
+    checked.refuseErrors(run);
     String folder = Templates.folder(run.project());
     TemplateModule module =
         Templates.compile(
@@ -69,7 +65,7 @@ final class GenerateStage implements StageWork {
     GenerationResult generated =
         module.generate(
             List.of(model.chain(), MessageModel.of(model.chain(), messages)),
-            GenerationContext.of(ChainOrigins.of(run, model)::locate)
+            GenerationContext.of(model::locate)
                 .withEarlier(name -> run.output().read(folder + "/" + name))
                 .withProperties(properties(run))
                 .withTrace());

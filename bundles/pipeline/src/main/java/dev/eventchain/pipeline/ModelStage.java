@@ -21,7 +21,7 @@ import org.eclipse.emf.ecore.EObject;
  */
 final class ModelStage implements StageWork {
 
-  private static final String FILE = "chain.xmi";
+  static final String FILE = "chain.xmi";
   private static final String DIRECT = "direct";
 
   @Override

@@ -6,6 +6,8 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Suppressions.Parted;
 import dev.eventchain.m2t.OutputFolder;
 import dev.eventchain.pipeline.Progress.Status;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -13,6 +15,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.stream.Collectors;
 
 /** Runs the stages of a project in order, as far as they are asked for and can go. */
 public final class Pipeline {
@@ -31,6 +34,7 @@ public final class Pipeline {
   private final RunContext run;
   private final StageMemory memory;
   private final Progress progress;
+  private final StandingResults standing;
   private final Map<Stage, StageOutcome> outcomes = new EnumMap<>(Stage.class);
   private Optional<DiagnosticException.Reason> failure = Optional.empty();
 
@@ -38,6 +42,7 @@ public final class Pipeline {
     this.run = run;
     this.memory = memory;
     this.progress = progress;
+    this.standing = new StandingResults(run, memory);
   }
 
   /**
@@ -50,17 +55,41 @@ public final class Pipeline {
     try (OutputFolder output = outputFor(options)) {
       RunContext context = new RunContext(project, options, output, progress);
       StageMemory memory = new StageMemory(output, options.output());
-      output.damage().ifPresent(context::find);
-      // The generated package is for people to copy, not for a colcon build of the project.
-      context.write("COLCON_IGNORE", new byte[0]);
+      if (!readsOnly(options)) {
+        boolean restored = !output.hasRecords() && memory.restoreRecords();
+        context.findLostRecords(restored);
+      }
+      context.write(RunContext.IGNORE, new byte[0]);
       return new Pipeline(context, memory, progress).runStages();
+    }
+  }
+
+  /**
+   * Withdraws the verdict that an earlier run has left in an output folder, for a run that was to
+   * reach one and could not even be begun. Nothing happens where there is no verdict, or another
+   * run is at work.
+   */
+  public static void withdrawVerdict(Path output) {
+    if (!Files.isRegularFile(output.resolve(SimulateStage.VERDICT))) {
+      return;
+    }
+    try (OutputFolder folder = OutputFolder.open(output)) {
+      StandingResults.withdraw(folder);
+    } catch (DiagnosticException e) {
+      // What keeps the run from beginning is said by the one who asked for it.
+      return;
     }
   }
 
   /** Validation alone writes nothing, so that it works where nothing can be written. */
   private static OutputFolder outputFor(RunOptions options) {
-    boolean readsOnly = options.first() == Stage.VALIDATE && options.last() == Stage.VALIDATE;
-    return readsOnly ? OutputFolder.inMemory(new HashMap<>()) : OutputFolder.open(options.output());
+    return readsOnly(options)
+        ? OutputFolder.inMemory(new HashMap<>())
+        : OutputFolder.open(options.output());
+  }
+
+  private static boolean readsOnly(RunOptions options) {
+    return options.first() == Stage.VALIDATE && options.last() == Stage.VALIDATE;
   }
 
   private RunResult runStages() {
@@ -69,27 +98,25 @@ public final class Pipeline {
         break;
       }
       boolean wanted = run.options().runs(stage) && failure.isEmpty();
-      StageOutcome outcome = wanted ? runStage(stage) : notRun(stage);
+      StageOutcome outcome = wanted ? runGuarded(stage) : notRun(stage);
       outcomes.put(stage, outcome);
       progress.ended(stage, outcome.status(), outcome.duration(), outcome.details());
     }
-    if (failure.equals(Optional.of(DiagnosticException.Reason.FINDINGS))) {
-      withdrawVerdict();
+    boolean judged = outcomes.get(Stage.SIMULATE).report().isPresent();
+    if (failure.isPresent() && (!judged || run.options().isPartial())) {
+      standing.withdraw(stoppedIn());
     }
-    return new Conclusion(run, outcomes, failure, progress).conclude();
+    RunResult result = new Conclusion(run, outcomes, failure, progress).conclude();
+    if (result.report().isEmpty()) {
+      standing.putReportBack();
+    }
+    return result;
   }
 
-  /**
-   * A run that was found wanting before it simulated must not leave an earlier verdict standing.
-   */
-  private void withdrawVerdict() {
-    boolean simulated = outcomes.get(Stage.SIMULATE).report().isPresent();
-    if (!simulated && run.options().runs(Stage.SIMULATE) && !run.options().isPartial()) {
-      memory.forget(Stage.SIMULATE);
-      run.writeResult(
-          SimulateStage.VERDICT,
-          SimulationReport.noVerdict(run.project().configuration().name(), stoppedIn()));
-    }
+  private Map<String, String> written(List<String> outputs) {
+    return outputs.stream()
+        .distinct()
+        .collect(Collectors.toMap(name -> name, run.output()::written));
   }
 
   private Stage stoppedIn() {
@@ -100,21 +127,36 @@ public final class Pipeline {
         .orElseThrow();
   }
 
+  /** Whatever ends a stage, a verdict of before does not outlive it. */
+  private StageOutcome runGuarded(Stage stage) {
+    boolean ended = false;
+    try {
+      StageOutcome outcome = runStage(stage);
+      ended = true;
+      return outcome;
+    } finally {
+      if (!ended) {
+        standing.withdraw(stage);
+      }
+    }
+  }
+
   private StageOutcome runStage(Stage stage) {
     progress.started(stage);
     long start = System.nanoTime();
     StageWork work = WORK.get(stage);
     try {
-      Fingerprint fingerprint = new Fingerprint().add(stage.id());
+      if (stage == run.options().first()) {
+        new EarlierStages(run, memory, WORK).require().forEach(run::find);
+      }
+      Fingerprint fingerprint = new Fingerprint(run).add(stage.id());
       work.fingerprint(run, fingerprint);
       String key = fingerprint.value();
       Optional<StageRecord> remembered =
-          mayBeSkipped(work)
-              ? memory.recall(stage, key).filter(r -> isKept(stage, r))
-              : Optional.empty();
+          mayBeSkipped(stage) ? recall(stage, key) : Optional.empty();
       return remembered.isPresent()
           ? unchanged(stage, remembered.get(), start)
-          : executed(stage, work, key, start);
+          : executed(stage, key, fingerprint.sources(), start);
     } catch (DiagnosticException e) {
       failure = Optional.of(e.reason());
       List<Diagnostic> found = new ArrayList<>(run.takeFindings());
@@ -131,33 +173,56 @@ public final class Pipeline {
     }
   }
 
-  private boolean mayBeSkipped(StageWork work) {
-    return work.skippable() && !run.options().again();
+  private boolean mayBeSkipped(Stage stage) {
+    return WORK.get(stage).skippable() && !run.options().again() && !isPartial(stage);
+  }
+
+  /** Whether a stage simulates only some scenarios: then it writes no results. */
+  private boolean isPartial(Stage stage) {
+    return stage == Stage.SIMULATE && run.options().isPartial();
   }
 
   /** Files that a person edited are written again if they are results, or to be replaced. */
-  private boolean isKept(Stage stage, StageRecord record) {
-    boolean keepsEdits = stage != Stage.SIMULATE && !run.options().overwrite();
-    return keepsEdits || record.outputs().stream().noneMatch(run.output()::isEdited);
+  private Optional<StageRecord> recall(Stage stage, String key) {
+    if (stage == Stage.SIMULATE) {
+      return standing.recall(key);
+    }
+    return memory
+        .recall(stage, key)
+        .filter(
+            record ->
+                !run.options().overwrite()
+                    || record.outputs().keySet().stream().noneMatch(run.output()::isEdited));
   }
 
-  private StageOutcome executed(Stage stage, StageWork work, String key, long start) {
+  private StageOutcome executed(Stage stage, String key, Map<String, String> sources, long start) {
+    StageWork work = WORK.get(stage);
     if (work.skippable()) {
-      // Whatever happens from here on, the files are no longer those that are remembered.
-      memory.forget(stage);
+      announce(stage, key);
     }
+    // What was found before the stage's work is about this run, and not remembered.
+    List<Diagnostic> all = new ArrayList<>(run.takeFindings());
     StageResult result = work.execute(run);
     List<Diagnostic> found = new ArrayList<>(run.takeFindings());
     found.addAll(result.diagnostics());
-    Parted parted = run.options().suppressions().part(found);
+    all.addAll(found);
+    Parted parted = run.options().suppressions().part(all);
     boolean failed = Diagnostic.anyError(parted.remaining());
     if (failed) {
       failure = Optional.of(DiagnosticException.Reason.FINDINGS);
-    } else if (mayBeRemembered(stage, work, found)) {
+    } else if (work.skippable() && !isPartial(stage)) {
+      // An error that is suppressed today may count tomorrow: then the stage must run again.
+      String skippedBy = Diagnostic.anyError(found) ? StageRecord.NEVER : key;
       memory.remember(
           stage,
           new StageRecord(
-              key, result.outputs(), result.details(), found, result.coverage(), result.report()));
+              skippedBy,
+              sources,
+              written(result.outputs()),
+              result.details(),
+              found,
+              result.coverage(),
+              result.report()));
     }
     return new StageOutcome(
         stage,
@@ -169,16 +234,22 @@ public final class Pipeline {
         Optional.of(result.report()));
   }
 
-  /** An error that is suppressed today may count tomorrow: then the stage must run again. */
-  private boolean mayBeRemembered(Stage stage, StageWork work, List<Diagnostic> found) {
-    boolean partial = stage == Stage.SIMULATE && run.options().isPartial();
-    return work.skippable() && !partial && !Diagnostic.anyError(found);
+  /** Whatever happens from here on, the files are no longer those that are remembered. */
+  private void announce(Stage stage, String key) {
+    boolean resultsStay = isPartial(stage) && standing.recall(key).isPresent();
+    if (!resultsStay) {
+      standing.withdraw(stage);
+    }
+    if (!isPartial(stage)) {
+      memory.forget(stage);
+    }
   }
 
   /** A person may have edited what the stage wrote: then that is said again. */
   private StageOutcome unchanged(Stage stage, StageRecord record, long start) {
-    List<Diagnostic> found = new ArrayList<>(record.diagnostics());
-    for (String name : record.outputs()) {
+    List<Diagnostic> found = new ArrayList<>(run.takeFindings());
+    found.addAll(record.diagnostics());
+    for (String name : record.outputs().keySet()) {
       run.output().accept(name).filter(edit -> !found.contains(edit)).ifPresent(found::add);
     }
     return new StageOutcome(

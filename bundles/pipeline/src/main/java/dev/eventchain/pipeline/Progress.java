@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline;
 
+import java.nio.file.Path;
 import java.time.Duration;
 
 /** Is told how a run goes on, on the thread that runs it. */
@@ -37,4 +38,10 @@ public interface Progress {
    * @param details what it made, in a few words; may be empty
    */
   void ended(Stage stage, Status status, Duration duration, String details);
+
+  /**
+   * The model of a chain, or its description, is read and understood: once for each state of the
+   * files that this depends on.
+   */
+  default void read(Path file) {}
 }

@@ -5,7 +5,11 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.FileVisitOption;
 import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -13,6 +17,8 @@ import java.util.stream.Stream;
 
 /** A user's folder: where its files are, and what its configuration says. */
 public final class Project {
+
+  private static final String DESIGN_RULES = "design-rules.md";
 
   private final Path folder;
   private final Configuration configuration;
@@ -60,6 +66,11 @@ public final class Project {
 
   /** Where a run writes if it is not told otherwise. */
   public Path defaultOutput() {
+    return defaultOutput(folder);
+  }
+
+  /** As {@link #defaultOutput()}, also of a project that cannot be opened. */
+  public static Path defaultOutput(Path folder) {
     return folder.resolve("out");
   }
 
@@ -75,12 +86,23 @@ public final class Project {
     return folder.resolve("requirements.md");
   }
 
-  Path designRules() {
-    return folder.resolve("design-rules.md");
+  /** The design rules, when there are any. */
+  Optional<Path> designRules() {
+    return existing(DESIGN_RULES);
+  }
+
+  Path designRulesFile() {
+    return folder.resolve(DESIGN_RULES);
   }
 
   Path softwareBase() {
     return folder.resolve("software-base");
+  }
+
+  /** The files that describe the software base, whether they are there or not. */
+  List<Path> softwareBaseFiles() {
+    return List.of(
+        softwareBase().resolve("components.json"), softwareBase().resolve("signals.json"));
   }
 
   Path recordings() {
@@ -106,8 +128,7 @@ public final class Project {
    */
   public boolean isReadyToValidate(Path output) {
     boolean hasConstraints =
-        !Files.isRegularFile(designRules())
-            || Files.isRegularFile(output.resolve(Constraints.GENERATED));
+        designRules().isEmpty() || Files.isRegularFile(output.resolve(Constraints.GENERATED));
     return model(output).isPresent() && hasConstraints;
   }
 
@@ -118,7 +139,9 @@ public final class Project {
 
   /** Folders that hold {@code <package>/msg/*.msg}. */
   List<Path> messageFolders() {
-    return existing("software-base/msg").map(List::of).orElse(List.of());
+    Optional<Path> messages = existing("software-base/msg");
+    messages.filter(each -> !Files.isDirectory(each)).ifPresent(Project::refuseNoFolder);
+    return messages.map(List::of).orElse(List.of());
   }
 
   /** The files in the folders of messages. */
@@ -128,15 +151,21 @@ public final class Project {
 
   /** The files in a folder and in those below it, but for what Python has compiled. */
   static List<Path> below(Path folder) {
-    try (Stream<Path> files = Files.walk(folder)) {
+    try (Stream<Path> files = Files.walk(folder, FileVisitOption.FOLLOW_LINKS)) {
       return files
-          .filter(Files::isRegularFile)
+          .filter(file -> Files.isRegularFile(file) || isLinkToNothing(file))
           .filter(file -> !file.toString().contains("__pycache__"))
           .sorted()
           .toList();
     } catch (IOException e) {
       throw unreadable(folder, e);
+    } catch (UncheckedIOException e) {
+      throw unreadable(folder, e.getCause());
     }
+  }
+
+  private static boolean isLinkToNothing(Path file) {
+    return Files.isSymbolicLink(file) && !Files.exists(file);
   }
 
   /** The folder of the scenarios. */
@@ -145,7 +174,19 @@ public final class Project {
   }
 
   private Optional<Path> existing(String name) {
-    return Optional.of(folder.resolve(name)).filter(Files::exists);
+    return Optional.of(folder.resolve(name)).filter(file -> !isAbsent(file));
+  }
+
+  /**
+   * Whether there is certainly nothing of this name. A link to nothing, a folder, and what may not
+   * be looked at are there: reading them says what is wrong.
+   */
+  static boolean isAbsent(Path file) {
+    return Files.notExists(file, LinkOption.NOFOLLOW_LINKS);
+  }
+
+  private static void refuseNoFolder(Path path) {
+    throw unreadable(path, new NotDirectoryException(path.toString()));
   }
 
   /** The files of a file's folder that end like it, by name. */

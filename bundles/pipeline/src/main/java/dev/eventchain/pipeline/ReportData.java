@@ -9,7 +9,6 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainFactory;
 import dev.eventchain.pipeline.RunResult.Verdict;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -23,22 +22,23 @@ final class ReportData {
 
   private final RunContext run;
   private final Map<Stage, StageOutcome> outcomes;
-  private final Optional<RunContext.LoadedChain> model;
+  private final Optional<ChainSnapshot> model;
   private final ObjectNode data = JsonNodeFactory.instance.objectNode();
 
   ReportData(RunContext run, Map<Stage, StageOutcome> outcomes) {
     this.run = run;
     this.outcomes = outcomes;
-    this.model = load(run::model);
+    this.model = readable(run::chain);
   }
 
   /** The model as this run measured it; the model where nothing was measured; else an empty one. */
   EventChain chain() {
-    boolean measured = outcomes.get(Stage.SIMULATE).report().isPresent();
-    Optional<RunContext.LoadedChain> best =
-        measured ? load(() -> run.file(SimulateStage.MEASURED_MODEL)) : model;
-    return best.or(() -> model)
-        .map(RunContext.LoadedChain::chain)
+    Optional<EventChain> measured =
+        outcomes.get(Stage.SIMULATE).report().isPresent()
+            ? readable(() -> run.loadChain(run.file(SimulateStage.MEASURED_MODEL)).chain())
+            : Optional.empty();
+    return measured
+        .or(() -> model.map(ChainSnapshot::chain))
         .orElseGet(EventchainFactory.eINSTANCE::createEventChain);
   }
 
@@ -101,9 +101,9 @@ final class ReportData {
   }
 
   /** Nothing where there is no model, or none that can be read: then that has been found before. */
-  private Optional<RunContext.LoadedChain> load(Supplier<Path> file) {
+  private static <T> Optional<T> readable(Supplier<T> reader) {
     try {
-      return Optional.of(run.loadChain(file.get()));
+      return Optional.of(reader.get());
     } catch (DiagnosticException e) {
       return Optional.empty();
     }

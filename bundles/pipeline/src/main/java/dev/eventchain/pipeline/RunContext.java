@@ -3,6 +3,7 @@ package dev.eventchain.pipeline;
 import dev.eventchain.agents.AgentContext;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.llm.ChatModel;
@@ -26,15 +27,18 @@ import java.util.Optional;
 /** What the stages of a run share: the project, the output folder, and the Python environment. */
 final class RunContext {
 
+  /** The generated package is for people to copy, not for a colcon build of the project. */
+  static final String IGNORE = "COLCON_IGNORE";
+
   private final Project project;
   private final RunOptions options;
   private final OutputFolder output;
   private final Progress progress;
   private final List<Diagnostic> findings = new ArrayList<>();
   private PythonEnvironment python;
-  private Requirements requirements;
-  private SoftwareBase softwareBase;
-  private MessageCatalog messages;
+  private final Snapshots snapshots = new Snapshots(this);
+  private final List<String> strangers = new ArrayList<>();
+  private boolean recordsAreLost;
 
   /**
    * A chain and where its elements stand.
@@ -85,7 +89,7 @@ final class RunContext {
                   "project.stage.missing",
                   "The stage '" + maker.id() + "' has not written " + name + " yet.",
                   SourceLocation.of(file))
-              .withHint("Run 'eventchain run " + project.folder() + " --to " + maker.id() + "'."));
+              .withHint("Run '" + command("--to " + maker.id()) + "'."));
     }
     return file;
   }
@@ -95,12 +99,40 @@ final class RunContext {
     return project.editedModel().orElseGet(() -> required("chain.xmi", Stage.MODEL));
   }
 
+  /** The command that runs this project into this output folder. */
+  String command(String more) {
+    boolean usual = options.output().equals(project.defaultOutput());
+    return "eventchain run "
+        + project.folder()
+        + (usual ? "" : " -o " + options.output())
+        + (more.isEmpty() ? "" : " " + more);
+  }
+
+  /** What was read of files, once for each state of them. */
+  Snapshots snapshots() {
+    return snapshots;
+  }
+
   /**
-   * Reads a chain's model.
+   * The project's chain as its files say it now.
+   *
+   * @throws DiagnosticException INPUT if there is no model, it cannot be read, or is no event chain
+   */
+  ChainSnapshot chain() {
+    return ChainSnapshot.of(this);
+  }
+
+  /**
+   * A chain's model.
    *
    * @throws DiagnosticException INPUT if it cannot be read, or is no event chain
    */
   LoadedChain loadChain(Path model) {
+    return snapshots.of("model " + model, List.of(model), () -> readModel(model));
+  }
+
+  private LoadedChain readModel(Path model) {
+    progress.read(model);
     Path root = model.startsWith(options.output()) ? options.output() : project.folder();
     LoadedModel loaded = new XmiStore(root).load(model);
     if (loaded.resource().getContents().get(0) instanceof EventChain chain) {
@@ -119,17 +151,17 @@ final class RunContext {
 
   /** The functional requirements. */
   Requirements requirements() {
-    if (requirements == null) {
-      requirements = checked(Requirements.read(SourceText.read(project.requirements())));
-    }
-    return requirements;
+    return readRules(project.requirements());
   }
 
   /** The design rules; none where the project has no such file. */
   Optional<Requirements> designRules() {
-    return Files.exists(project.designRules())
-        ? Optional.of(checked(Requirements.read(SourceText.read(project.designRules()))))
-        : Optional.empty();
+    return project.designRules().map(this::readRules);
+  }
+
+  private Requirements readRules(Path file) {
+    return snapshots.of(
+        "rules " + file, List.of(file), () -> checked(Requirements.read(SourceText.read(file))));
   }
 
   private static Requirements checked(Requirements read) {
@@ -139,19 +171,23 @@ final class RunContext {
 
   /** What exists already. */
   SoftwareBase softwareBase() {
-    if (softwareBase == null) {
-      softwareBase = SoftwareBase.read(project.softwareBase());
-      refuseErrors(softwareBase.diagnostics());
-    }
-    return softwareBase;
+    return snapshots.of("software base", project.softwareBaseFiles(), this::readSoftwareBase);
+  }
+
+  private SoftwareBase readSoftwareBase() {
+    SoftwareBase base = SoftwareBase.read(project.softwareBase());
+    refuseErrors(base.diagnostics());
+    return base;
   }
 
   /** The message definitions, the standard ones and the project's own, all of them sound. */
   MessageCatalog messages() {
-    if (messages == null) {
-      messages = MessageCatalog.of(project.messageFolders());
-      refuseErrors(messages.diagnostics());
-    }
+    return snapshots.of("messages", project.messageFiles(), this::readMessages);
+  }
+
+  private MessageCatalog readMessages() {
+    MessageCatalog messages = MessageCatalog.of(project.messageFolders());
+    refuseErrors(messages.diagnostics());
     return messages;
   }
 
@@ -183,7 +219,12 @@ final class RunContext {
   void write(String name, byte[] content) {
     OutputFolder.OnEdit onEdit =
         options.overwrite() ? OutputFolder.OnEdit.OVERWRITE : OutputFolder.OnEdit.KEEP;
-    output.write(name, content, onEdit).finding().ifPresent(findings::add);
+    OutputFolder.Written written = output.write(name, content, onEdit);
+    if (recordsAreLost && written.outcome() == OutputFolder.Outcome.KEPT) {
+      strangers.add(name);
+    } else {
+      written.finding().ifPresent(findings::add);
+    }
   }
 
   /** As {@link #write(String, byte[])}, in UTF-8. */
@@ -196,7 +237,63 @@ final class RunContext {
    * replaced, and that is said.
    */
   void writeResult(String name, byte[] content) {
-    output.write(name, content, OutputFolder.OnEdit.OVERWRITE).finding().ifPresent(findings::add);
+    findAboutResult(output.write(name, content, OutputFolder.OnEdit.OVERWRITE).finding());
+  }
+
+  /** Removes a result of an earlier run. */
+  void remove(String name) {
+    findAboutResult(output.remove(name));
+  }
+
+  /** Where nobody knows whether a person edited a result, it is likely that nobody did. */
+  private void findAboutResult(Optional<Diagnostic> finding) {
+    finding
+        .filter(each -> output.hasRecords() || each.severity() == Severity.ERROR)
+        .ifPresent(findings::add);
+  }
+
+  /**
+   * Says once that the output folder has lost its records of what it wrote.
+   *
+   * @param restored whether what the stages remember stands in for them
+   */
+  void findLostRecords(boolean restored) {
+    boolean used = Files.exists(file(IGNORE));
+    recordsAreLost = used && !output.hasRecords() && !restored;
+    if (output.damage().isPresent()) {
+      find(output.damage().get());
+    } else if (restored || recordsAreLost) {
+      find(
+          Diagnostic.warning(
+                  "output.records.damaged",
+                  "The records of the files written earlier are gone.",
+                  SourceLocation.of(options.output()))
+              .withHint(
+                  restored
+                      ? "What the stages remember of their files stands in for them."
+                      : "Files that differ count as edited by a person; delete them to have them"
+                          + " written again."));
+    }
+  }
+
+  private Optional<Diagnostic> keptStrangers() {
+    if (strangers.isEmpty()) {
+      return Optional.empty();
+    }
+    String first = strangers.get(0);
+    String more = strangers.size() == 1 ? "" : ", and " + (strangers.size() - 1) + " more";
+    Diagnostic kept =
+        Diagnostic.warning(
+                "eventchain.file.edited",
+                "Kept, because nobody remembers whether a person edited it: '"
+                    + first
+                    + "'"
+                    + more
+                    + " that would be written otherwise.",
+                SourceLocation.of(file(first)))
+            .withHint("Run '" + command("--overwrite") + "' to have them written again.");
+    strangers.clear();
+    return Optional.of(kept);
   }
 
   /** Adds a finding to the stage that runs. */
@@ -206,6 +303,7 @@ final class RunContext {
 
   /** The findings since the last call. */
   List<Diagnostic> takeFindings() {
+    keptStrangers().ifPresent(findings::add);
     List<Diagnostic> taken = List.copyOf(findings);
     findings.clear();
     return taken;

@@ -4,11 +4,13 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.metamodel.Origins;
 import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import dev.eventchain.modeler.Requirements;
 import dev.eventchain.ocl.OclResult;
 import dev.eventchain.simulation.Scenario;
 import dev.eventchain.simulation.ScenarioVerdict;
@@ -33,6 +35,9 @@ final class SimulateStage implements StageWork {
   static final String VERDICT = "verdict.json";
   static final String MEASURED_MODEL = "chain.measured.xmi";
 
+  /** The results of all scenarios; those of some must not take their place. */
+  private static final List<String> RESULTS = List.of(MEASUREMENTS, VERDICT, MEASURED_MODEL);
+
   @Override
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
     Project project = run.project();
@@ -40,31 +45,37 @@ final class SimulateStage implements StageWork {
     for (Path file : Scenario.filesIn(project.scenarios())) {
       fingerprint.add(project.scenarios().relativize(file)).addFile(file);
     }
-    fingerprint.add(run.options().scenarios());
     project.ownConstraints().ifPresent(fingerprint::addFile);
     fingerprint.addFile(run.file(Constraints.GENERATED));
     fingerprint.addFiles(Project.below(run.file(GeneratedPackage.required(run).folder())));
     fingerprint.addFiles(project.messageFiles());
+    requirements(run).forEach(item -> fingerprint.add(item.id()));
   }
 
   @Override
   public StageResult execute(RunContext run) {
-    RunContext.LoadedChain model = run.loadChain(run.model());
+    EventChain chain = run.chain().chain();
     List<Scenario> scenarios = scenarios(run);
-    SimulationResult result = simulate(run, model.chain(), scenarios);
-    EventChain measured = result.measuredModel(model.chain());
+    SimulationResult result = simulate(run, chain, scenarios);
+    EventChain measured = result.measuredModel(chain);
     List<Diagnostic> found = new ArrayList<>(result.diagnostics());
     result.verdicts().forEach(verdict -> found.addAll(verdict.diagnostics()));
     Function<EObject, SourceLocation> locator = new Origins()::locate;
-    List<String> files = List.of();
     if (!run.options().isPartial()) {
-      files = write(run, model.chain(), measured, result);
+      run.writeResult(MEASUREMENTS, result.toJson());
+      run.writeResult(MEASURED_MODEL, XmiStore.toBytes(measured));
       RunContext.LoadedChain reread = run.loadChain(run.file(MEASURED_MODEL));
       measured = reread.chain();
       locator = reread.origins()::locate;
     }
     OclResult validation = Constraints.of(run).check(measured, locator);
     found.addAll(validation.diagnostics());
+    List<String> files = run.options().isPartial() ? List.of() : RESULTS;
+    if (!run.options().isPartial()) {
+      found.addAll(untested(run, scenarios));
+      // Last, so that it is never there without what it is about.
+      run.writeResult(VERDICT, SimulationReport.verdict(chain, result, errors(run, found)));
+    }
     ObjectNode report = SimulationReport.of(result);
     String measuredFile = SourceLocation.of(run.file(MEASURED_MODEL)).file();
     report.set("validation", Constraints.report(measuredFile, validation));
@@ -72,13 +83,37 @@ final class SimulateStage implements StageWork {
     return new StageResult(details(result), files, found, report, coverage);
   }
 
-  /** The results of all scenarios; those of some must not take their place. */
-  private static List<String> write(
-      RunContext run, EventChain chain, EventChain measured, SimulationResult result) {
-    run.writeResult(MEASUREMENTS, result.toJson());
-    run.writeResult(VERDICT, SimulationReport.verdict(chain, result));
-    run.writeResult(MEASURED_MODEL, XmiStore.toBytes(measured));
-    return List.of(MEASUREMENTS, VERDICT, MEASURED_MODEL);
+  /** The requirements, where the project has written any. */
+  private static List<Requirements.Item> requirements(RunContext run) {
+    return Project.isAbsent(run.project().requirements()) ? List.of() : run.requirements().items();
+  }
+
+  /** What no scenario tests is not proved by all scenarios passing. */
+  private static List<Diagnostic> untested(RunContext run, List<Scenario> scenarios) {
+    Set<String> tested =
+        scenarios.stream()
+            .flatMap(scenario -> scenario.requirements().stream())
+            .collect(Collectors.toSet());
+    return requirements(run).stream()
+        .filter(item -> !tested.contains(item.id()))
+        .map(
+            item ->
+                Diagnostic.error(
+                        "project.requirement.untested",
+                        "No scenario tests the requirement " + item.id() + ".",
+                        item.location())
+                    .withRule(item.id())
+                    .withHint(
+                        "Name it under 'requirements' of a scenario that does, or suppress this"
+                            + " finding with a reason and a last day."))
+        .toList();
+  }
+
+  /** The errors that count: a verdict must not be better than the run that reached it. */
+  private static List<Diagnostic> errors(RunContext run, List<Diagnostic> found) {
+    return run.options().suppressions().part(found).remaining().stream()
+        .filter(each -> each.severity() == Severity.ERROR)
+        .toList();
   }
 
   private static String details(SimulationResult result) {

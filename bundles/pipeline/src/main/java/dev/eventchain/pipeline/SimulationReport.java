@@ -7,12 +7,15 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.simulation.Measurements;
 import dev.eventchain.simulation.ScenarioVerdict;
 import dev.eventchain.simulation.ScenarioVerdict.Moment;
 import dev.eventchain.simulation.SimulationResult;
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
@@ -49,10 +52,23 @@ final class SimulationReport {
     return report;
   }
 
-  /** The content of {@code verdict.json}: the same bytes for the same nodes and scenarios. */
-  static byte[] verdict(EventChain chain, SimulationResult result) {
+  /**
+   * The content of {@code verdict.json}: the same bytes for the same nodes and scenarios.
+   *
+   * @param errors what was found wanting, of the scenarios and of what was measured
+   */
+  static byte[] verdict(EventChain chain, SimulationResult result, List<Diagnostic> errors) {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
-    json.put("chain", chain.getName()).put("passed", result.passed());
+    json.put("chain", chain.getName()).put("passed", result.passed() && errors.isEmpty());
+    ArrayNode violated = JsonNodeFactory.instance.arrayNode();
+    errors.stream()
+        .map(Diagnostic::rule)
+        .filter(rule -> !rule.isEmpty())
+        .distinct()
+        .forEach(violated::add);
+    if (!violated.isEmpty()) {
+      json.set("violated", violated);
+    }
     ArrayNode scenarios = json.putArray("scenarios");
     for (ScenarioVerdict verdict : result.verdicts()) {
       ObjectNode scenario = scenarios.addObject();
@@ -64,12 +80,26 @@ final class SimulationReport {
     return pretty(json);
   }
 
-  /** The content of {@code verdict.json} when a run was found wanting before it simulated. */
-  static byte[] noVerdict(String chain, Stage stoppedIn) {
+  /**
+   * The content of {@code verdict.json} where there is none: a run is at work, or was stopped.
+   *
+   * @param stage where it is or was stopped; none if it could not be begun
+   */
+  static byte[] noVerdict(String chain, Optional<Stage> stage) {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
-    json.put("chain", chain).put("passed", false).put("stoppedIn", stoppedIn.id());
+    json.put("chain", chain).put("passed", false);
+    stage.ifPresent(stoppedIn -> json.put("stoppedIn", stoppedIn.id()));
     json.putArray("scenarios");
     return pretty(json);
+  }
+
+  /** The name of the chain that a verdict is about; empty if it cannot be read. */
+  static String chainOf(byte[] verdict) {
+    try {
+      return new ObjectMapper().readTree(verdict).path("chain").asText();
+    } catch (IOException e) {
+      return "";
+    }
   }
 
   private static byte[] pretty(ObjectNode json) {

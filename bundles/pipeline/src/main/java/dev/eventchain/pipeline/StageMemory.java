@@ -16,27 +16,23 @@ final class StageMemory {
   private final OutputFolder output;
   private final Path base;
 
+  /**
+   * A memory.
+   *
+   * @param base where it is read; a run that only reads writes its output elsewhere
+   */
   StageMemory(OutputFolder output, Path base) {
     this.output = output;
     this.base = base;
   }
 
   /**
-   * What is remembered of a stage, if what it read is the same and what it wrote is still there.
-   * Whatever cannot be read is forgotten: it only costs running the stage again.
+   * What is remembered of a stage that has ended. What cannot be read is forgotten: it only costs
+   * running the stage again.
    */
-  Optional<StageRecord> recall(Stage stage, String key) {
-    return read(stage)
-        .filter(record -> record.key().equals(key))
-        .filter(
-            record ->
-                record.outputs().stream()
-                    .allMatch(name -> Files.isRegularFile(base.resolve(name))));
-  }
-
-  private Optional<StageRecord> read(Stage stage) {
+  Optional<StageRecord> recall(Stage stage) {
     try {
-      byte[] bytes = output.read(name(stage)).orElse(new byte[0]);
+      byte[] bytes = bytes(stage);
       return bytes.length == 0
           ? Optional.empty()
           : Optional.of(JSON.readValue(bytes, StageRecord.class));
@@ -45,11 +41,32 @@ final class StageMemory {
     }
   }
 
-  /** Forgets a stage, which then runs again. */
-  void forget(Stage stage) {
-    if (output.read(name(stage)).isPresent()) {
-      output.write(name(stage), new byte[0], OutputFolder.OnEdit.OVERWRITE);
+  /** As {@link #recall(Stage)}, if what it read is the same and what it wrote is still there. */
+  Optional<StageRecord> recall(Stage stage, String key) {
+    return recall(stage).filter(record -> record.key().equals(key)).filter(this::isThere);
+  }
+
+  private boolean isThere(StageRecord record) {
+    return record.outputs().keySet().stream()
+        .allMatch(name -> Files.isRegularFile(base.resolve(name)));
+  }
+
+  /** Whether a stage was begun and has not ended well: what it was to make is that of before. */
+  boolean isUnfinished(Stage stage) {
+    try {
+      return bytes(stage).length == 0;
+    } catch (IOException e) {
+      return false;
     }
+  }
+
+  private byte[] bytes(Stage stage) throws IOException {
+    return Files.readAllBytes(base.resolve(name(stage)));
+  }
+
+  /** Forgets a stage, which is about to run, and then is unfinished until it is remembered. */
+  void forget(Stage stage) {
+    output.write(name(stage), new byte[0], OutputFolder.OnEdit.OVERWRITE);
   }
 
   /** Remembers a stage that succeeded. */
@@ -59,6 +76,22 @@ final class StageMemory {
     } catch (JsonProcessingException e) {
       throw new IllegalStateException("a record of a stage is plain data", e);
     }
+  }
+
+  /**
+   * Takes what is remembered of the files of stages into an output folder that has lost its own
+   * records of them.
+   *
+   * @return whether anything is remembered
+   */
+  boolean restoreRecords() {
+    boolean any = false;
+    for (Stage stage : Stage.values()) {
+      Optional<StageRecord> record = recall(stage);
+      record.ifPresent(found -> found.outputs().forEach(output::recall));
+      any |= record.isPresent();
+    }
+    return any;
   }
 
   private static String name(Stage stage) {

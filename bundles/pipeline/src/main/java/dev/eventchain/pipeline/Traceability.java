@@ -7,14 +7,11 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import dev.eventchain.modeler.Requirements;
+import dev.eventchain.ocl.OclConstraint;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
-import java.util.TreeSet;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 
 /**
  * From each requirement and design rule to what implements it, with the lines that were generated
@@ -23,18 +20,12 @@ import java.util.regex.Pattern;
  */
 final class Traceability {
 
-  /** A comment that begins with the id of a design rule, above the invariant that formalizes it. */
-  private static final Pattern RULE_COMMENT = Pattern.compile("\\s*--\\s*([A-Za-z][\\w.-]*):.*");
-
-  private static final Pattern INVARIANT = Pattern.compile("\\s*inv\\s+(\\w+)\\s*:.*");
-
   private final RunContext run;
-  private final Optional<RunContext.LoadedChain> model;
+  private final Optional<ChainSnapshot> model;
   private final GeneratedLines generated;
   private final Map<Stage, StageOutcome> outcomes;
 
-  Traceability(
-      RunContext run, Optional<RunContext.LoadedChain> model, Map<Stage, StageOutcome> outcomes) {
+  Traceability(RunContext run, Optional<ChainSnapshot> model, Map<Stage, StageOutcome> outcomes) {
     this.run = run;
     this.model = model;
     this.generated = GeneratedLines.of(run);
@@ -63,12 +54,11 @@ final class Traceability {
     ArrayNode files = row.putArray("files");
     ArrayNode lines = row.putArray("generated");
     if (model.isPresent()) {
-      ChainOrigins origins = ChainOrigins.of(run, model.get());
       for (SoftwareNode node : model.get().chain().getSoftware()) {
         if (node.getSatisfies().stream().anyMatch(r -> item.id().equals(r.getId()))) {
           components.add(node.getName());
           files.add(file(node));
-          lines.addAll(generated.madeFor(node, origins::locate));
+          lines.addAll(generated.madeFor(node, model.get()::locate));
         }
       }
     }
@@ -91,11 +81,10 @@ final class Traceability {
     List<Proof> proofs = new ArrayList<>();
     JsonNode designed = report(Stage.VALIDATE).path("validation");
     JsonNode measured = report(Stage.SIMULATE).path("validation");
-    for (String constraint : constraintsOf(item.id())) {
-      boolean evaluated = designed.isObject();
-      boolean holds =
-          evaluated && !violated(designed, constraint) && !violated(measured, constraint);
-      proofs.add(new Proof("check", constraint, holds));
+    for (OclConstraint constraint : Constraints.of(run).standingFor(item.id())) {
+      String name = constraint.qualifiedName();
+      boolean holds = holds(designed, name) && holds(measured, name);
+      proofs.add(new Proof("check", constraint.name(), holds));
     }
     row.putArray("files");
     if (!proofs.isEmpty()) {
@@ -129,30 +118,15 @@ final class Traceability {
         .orElse("components/" + node.getName() + ".py");
   }
 
-  /** The names of the generated constraints under a comment with the rule's id. */
-  private Set<String> constraintsOf(String rule) {
-    Set<String> names = new TreeSet<>();
-    String text =
-        run.output()
-            .read(Constraints.GENERATED)
-            .map(bytes -> new String(bytes, java.nio.charset.StandardCharsets.UTF_8))
-            .orElse("");
-    String current = "";
-    for (String line : text.lines().toList()) {
-      Matcher comment = RULE_COMMENT.matcher(line);
-      Matcher invariant = INVARIANT.matcher(line);
-      if (comment.matches()) {
-        current = comment.group(1);
-      } else if (invariant.matches() && current.equals(rule)) {
-        names.add(invariant.group(1));
-      }
-    }
-    return names;
+  /** Whether a validation took place, evaluated the constraint at all, and found it to hold. */
+  private static boolean holds(JsonNode validation, String constraint) {
+    return has(validation.path("evaluated"), constraint)
+        && !has(validation.path("violated"), constraint);
   }
 
-  private static boolean violated(JsonNode validation, String constraint) {
-    for (JsonNode name : validation.path("violated")) {
-      if (name.asText().endsWith("::" + constraint)) {
+  private static boolean has(JsonNode names, String constraint) {
+    for (JsonNode name : names) {
+      if (name.asText().equals(constraint)) {
         return true;
       }
     }

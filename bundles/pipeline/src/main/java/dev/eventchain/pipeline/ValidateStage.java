@@ -21,9 +21,7 @@ final class ValidateStage implements StageWork {
 
   @Override
   public StageResult execute(RunContext run) {
-    RunContext.LoadedChain model = run.loadChain(run.model());
-    ChainOrigins origins = ChainOrigins.of(run, model);
-    ChainChecks.Outcome outcome = ChainChecks.of(run).check(model.chain(), origins::locate);
+    ChainChecks.Outcome outcome = run.chain().checks();
     ObjectNode report = JsonNodeFactory.instance.objectNode();
     report.set(
         "validation",

@@ -145,6 +145,9 @@ class RunTest {
         .expect(1)
         .says("ocl.violated EventChain::BrakeCommandWithin250Milliseconds")
         .says("chain.measured.xmi:");
+    String verdict = Files.readString(out.resolve("verdict.json"));
+    assertTrue(verdict.contains("\"passed\" : false,"), "not better than its run: " + verdict);
+    assertTrue(verdict.contains("EventChain::BrakeCommandWithin250Milliseconds"), verdict);
   }
 
   @Test

@@ -1,0 +1,201 @@
+package dev.eventchain.pipeline;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
+
+/**
+ * The stages that a run leaves out because it begins later. What they made is taken as it stands,
+ * so it has to be what they would make of today's sources: otherwise a verdict would be about
+ * something else than what the project's files say.
+ */
+final class EarlierStages {
+
+  private static final String OUTDATED = "project.stage.outdated";
+
+  /** Where each stage writes, apart from templates of projects. */
+  private static final Map<Stage, String> RESULTS =
+      Map.of(
+          Stage.DESIGN, DesignStage.FILE,
+          Stage.IMPLEMENT, GenerateStage.COMPONENTS,
+          Stage.MODEL, ModelStage.FILE,
+          Stage.CONSTRAIN, Constraints.GENERATED);
+
+  private final RunContext run;
+  private final StageMemory memory;
+  private final Map<Stage, StageWork> works;
+  private final List<Diagnostic> outdated = new ArrayList<>();
+  private final List<Diagnostic> edited = new ArrayList<>();
+  private final List<String> unknown = new ArrayList<>();
+
+  EarlierStages(RunContext run, StageMemory memory, Map<Stage, StageWork> works) {
+    this.run = run;
+    this.memory = memory;
+    this.works = works;
+  }
+
+  /**
+   * Looks at every stage before the first one of the run.
+   *
+   * @return what is suppressed of that, and warnings: what people edited, and what nobody remembers
+   *     the sources of
+   * @throws DiagnosticException INPUT with the first of what is out of date and not suppressed
+   */
+  List<Diagnostic> require() {
+    for (Stage stage : Stage.values()) {
+      if (stage.compareTo(run.options().first()) < 0 && stage.compareTo(Stage.SIMULATE) < 0) {
+        look(stage);
+      }
+    }
+    List<Diagnostic> counting = run.options().suppressions().part(outdated).remaining();
+    if (!counting.isEmpty()) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, counting.get(0));
+    }
+    List<Diagnostic> found = new ArrayList<>(outdated);
+    found.addAll(edited);
+    if (!unknown.isEmpty()) {
+      found.add(unknown());
+    }
+    return found;
+  }
+
+  private void look(Stage stage) {
+    StageWork work = works.get(stage);
+    Optional<StageRecord> record = memory.recall(stage);
+    if (memory.isUnfinished(stage)) {
+      outdated.add(unfinished(stage));
+    } else if (record.isPresent()) {
+      outdated(stage, work, record.get())
+          .or(() -> noLongerSuppressed(stage, record.get()))
+          .ifPresent(outdated::add);
+      for (String name : record.get().outputs().keySet()) {
+        run.output().accept(name).ifPresent(edited::add);
+      }
+    } else if (stage == Stage.GENERATE && run.options().runs(Stage.SIMULATE)) {
+      unknownPackage().ifPresent(outdated::add);
+    } else if (work.skippable() && Files.exists(results(stage))) {
+      unknown.add(results(stage).getFileName().toString());
+    }
+  }
+
+  private Optional<Diagnostic> outdated(Stage stage, StageWork work, StageRecord record) {
+    Fingerprint fingerprint = new Fingerprint(run);
+    work.fingerprint(run, fingerprint);
+    SortedMap<String, String> changed = changes(record.sources(), fingerprint.sources());
+    if (!changed.isEmpty()) {
+      return Optional.of(changed(stage, changed));
+    }
+    return record.outputs().keySet().stream()
+        .filter(name -> !Files.isRegularFile(run.file(name)))
+        .findFirst()
+        .map(
+            name ->
+                error(
+                    stage,
+                    name + ", which the stage '" + stage.id() + "' has written, is gone.",
+                    run.file(name)));
+  }
+
+  /** A stage may have gone on with an error because that was suppressed then. */
+  private Optional<Diagnostic> noLongerSuppressed(Stage stage, StageRecord record) {
+    List<Diagnostic> counting = run.options().suppressions().part(record.diagnostics()).remaining();
+    return Diagnostic.anyError(counting)
+        ? Optional.of(
+            error(
+                stage,
+                "The stage '" + stage.id() + "' found what was suppressed then and counts now.",
+                results(stage)))
+        : Optional.empty();
+  }
+
+  /** The sources that are not as they were, each with what became of it. */
+  private static SortedMap<String, String> changes(
+      Map<String, String> before, Map<String, String> now) {
+    SortedMap<String, String> changes = new TreeMap<>();
+    before.forEach(
+        (source, content) -> {
+          String current = now.getOrDefault(source, Fingerprint.ABSENT);
+          if (!current.equals(content)) {
+            changes.put(source, current.equals(Fingerprint.ABSENT) ? "is gone" : "has changed");
+          }
+        });
+    now.forEach(
+        (source, content) -> {
+          boolean absent =
+              before.getOrDefault(source, Fingerprint.ABSENT).equals(Fingerprint.ABSENT);
+          if (absent && !content.equals(Fingerprint.ABSENT)) {
+            changes.put(source, "is new");
+          }
+        });
+    return changes;
+  }
+
+  private Diagnostic changed(Stage stage, SortedMap<String, String> changes) {
+    String first = changes.firstKey();
+    String more =
+        changes.size() == 1
+            ? ""
+            : " (and "
+                + String.join(
+                    ", ",
+                    changes.keySet().stream().skip(1).limit(3).map(SourceName::words).toList())
+                + (changes.size() > 4 ? ", ..." : "")
+                + ")";
+    return error(
+        stage,
+        SourceName.words(first)
+            + more
+            + " "
+            + changes.get(first)
+            + " since the stage '"
+            + stage.id()
+            + "' ran, so what it made is out of date.",
+        SourceName.file(first, run));
+  }
+
+  private Diagnostic unfinished(Stage stage) {
+    return error(
+        stage,
+        "The stage '" + stage.id() + "' was begun and did not end well: its results are older.",
+        results(stage));
+  }
+
+  private Optional<Diagnostic> unknownPackage() {
+    return Files.exists(results(Stage.GENERATE))
+        ? Optional.of(
+            error(
+                Stage.GENERATE,
+                "Nothing is remembered of how the package was generated, so it may be out of date.",
+                results(Stage.GENERATE)))
+        : Optional.empty();
+  }
+
+  private Diagnostic unknown() {
+    return Diagnostic.warning(
+            OUTDATED,
+            "Nothing is remembered of what "
+                + String.join(", ", unknown)
+                + (unknown.size() == 1 ? " was" : " were")
+                + " made from, so nobody can tell whether it is out of date.",
+            SourceLocation.of(run.options().output()))
+        .withHint("Run '" + run.command("") + "' to have everything made of today's files.");
+  }
+
+  private Diagnostic error(Stage stage, String message, Path place) {
+    return Diagnostic.error(OUTDATED, message, SourceLocation.of(place))
+        .withHint("Run '" + run.command("--from " + stage.id()) + "'.");
+  }
+
+  private Path results(Stage stage) {
+    String folder = Templates.folder(run.project());
+    return run.file(RESULTS.getOrDefault(stage, folder));
+  }
+}

@@ -1,0 +1,342 @@
+package dev.eventchain.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * Nothing of an earlier run passes for a result about today's files: neither its verdict, nor what
+ * its stages made of files that have changed since.
+ */
+class StaleResultsTest {
+
+  private static final String OUTDATED = "project.stage.outdated";
+
+  @TempDir static Path once;
+  @TempDir Path folder;
+
+  private static Path finished;
+  private Path project;
+
+  @BeforeAll
+  static void runOnce() throws IOException {
+    finished = Program.exampleIn(once);
+    new Program().run("run", finished).expect(0);
+  }
+
+  /** Each test starts from a finished run that has passed. */
+  @BeforeEach
+  void copyFinishedRun() throws IOException {
+    project = folder.resolve("aeb");
+    try (Stream<Path> files = Files.walk(finished)) {
+      for (Path file : files.toList()) {
+        Path target = project.resolve(finished.relativize(file).toString());
+        if (Files.isDirectory(file)) {
+          Files.createDirectories(target);
+        } else {
+          Files.copy(file, target, StandardCopyOption.COPY_ATTRIBUTES);
+        }
+      }
+    }
+    assertTrue(verdict().contains("\"passed\" : true,"));
+  }
+
+  @ParameterizedTest(name = "{index}: {0} {1}")
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "eventchain.yaml|nam: x|run|2",
+        "eventchain-suppressions.yaml|nothing|run|2",
+        "eventchain-suppressions.yaml|nothing|simulate|2",
+        "requirements.md|- AEB-7: It shall stop.|run --llm handoff:HERE|4",
+        "requirements.md|- AEB-7: It shall stop.|simulate|2",
+        "scenarios/empty-road.yaml|name: [|run|2",
+        "scenarios/empty-road.yaml|# Changed.|simulate --scenario empty-road|0",
+        "constraints.ocl|context SoftwareNode inv Fast: frequency > 30|run|1",
+      })
+  void noVerdictOutlivesARunThatReachesNone(String file, String text, String command, int code)
+      throws IOException {
+    append(file, text);
+    run(command).expect(code);
+    assertNothingPasses();
+  }
+
+  @Test
+  void noVerdictOutlivesARunOnAMachineThatLacksSomething() throws IOException {
+    new Program()
+        .with("EVENTCHAIN_PYTHON", "/nowhere/python3")
+        .run("run", project, "--again")
+        .expect(3);
+    assertNothingPasses();
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"Design", "Generate"})
+  void noVerdictOutlivesARunThatIsKilled(String stage) throws Exception {
+    byte[] passed = Files.readAllBytes(out("verdict.json"));
+    Path err = folder.resolve("err");
+    Process run = new Program().start(folder.resolve("out.txt"), err, "run", project, "--again");
+    while (run.isAlive() && !Files.readString(err).contains(stage)) {
+      Thread.sleep(5);
+    }
+    assertTrue(run.isAlive(), Files.readString(err));
+    run.destroyForcibly().waitFor();
+    assertNothingPasses();
+    run("run").expect(0).says("PASSED");
+    assertArrayEquals(passed, Files.readAllBytes(out("verdict.json")));
+  }
+
+  @Test
+  void resultsThatStillHoldAreKept() throws IOException {
+    byte[] verdict = Files.readAllBytes(out("verdict.json"));
+    byte[] measurements = Files.readAllBytes(out("measurements.json"));
+    append("requirements.md", "A note for people.");
+    run("run --scenario empty-road").expect(0).says("✓ Design");
+    assertArrayEquals(verdict, Files.readAllBytes(out("verdict.json")));
+    assertTrue(Files.exists(out("report.html")));
+    append("requirements.md", "Another note for people.");
+    run("run").expect(0).says("✓ Design").says("= Simulate");
+    assertArrayEquals(verdict, Files.readAllBytes(out("verdict.json")));
+    assertArrayEquals(measurements, Files.readAllBytes(out("measurements.json")));
+    run("simulate --scenario empty-road").expect(0);
+    assertArrayEquals(verdict, Files.readAllBytes(out("verdict.json")));
+    byte[] report = Files.readAllBytes(out("report.html"));
+    run("simulate").expect(0);
+    assertArrayEquals(report, Files.readAllBytes(out("report.html")));
+  }
+
+  @ParameterizedTest(name = "{index}: {0} {2}")
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "software-base/components/ObjectDetection.py|# Changed.|simulate|generate",
+        "out/components/TTC_Calculation.py|# Changed.|simulate|generate",
+        "out/chain.xmi|<!-- Changed. -->|simulate|constrain",
+        "requirements.md|- AEB-7: It shall stop.|run --from validate|design",
+        "requirements.md|- AEB-7: It shall stop.|validate|design",
+        "software-base/signals.json|DELETE|run --from validate|design",
+        "constraints.ocl|context SoftwareNode inv Fast: frequency > 1|run --from generate|design",
+        "eventchain.yaml|package: {license: MIT}|simulate|generate",
+        "out/ros2/aeb/aeb/ttc_calculation_node.py|DELETE|simulate|generate",
+        "out/generated.ocl|DELETE|run --from validate|constrain",
+      })
+  void aLaterStageRefusesWhatWasMadeOfOtherFiles(
+      String file, String text, String command, String stage) throws IOException {
+    append(file, text);
+    boolean setting = file.equals("eventchain.yaml");
+    String name = setting ? "'package.license'" : file.replaceFirst("^out/", "");
+    Program.Ended ended = run(command).expect(2).says(OUTDATED).says(name);
+    ended.says("eventchain run " + project + " --from " + stage + "'");
+  }
+
+  @Test
+  void theCommandOfTheHintTestsTheEditedComponent() throws IOException {
+    String component = "software-base/components/ObjectDetection.py";
+    append(component, "# Changed.");
+    run("simulate").expect(2).says("ObjectDetection.py").says("--from generate'");
+    run("run --from generate").expect(0).says("PASSED");
+    assertArrayEquals(
+        Files.readAllBytes(project.resolve(component)),
+        Files.readAllBytes(out("ros2/aeb/aeb/components/ObjectDetection.py")));
+  }
+
+  @Test
+  void aStageThatFailedLeavesNothingToGoOnFrom() throws IOException {
+    Path components = project.resolve("software-base/components.json");
+    String written = Files.readString(components);
+    Files.writeString(components, "[{]");
+    run("generate").expect(2);
+    Files.writeString(components, written);
+    new Program().with("EVENTCHAIN_PYTHON", "/nowhere/python3").run("implement", project).expect(3);
+    run("simulate").expect(2).says(OUTDATED).says("'implement' was begun").says("--from implement");
+    run("run --from implement").expect(0).says("PASSED");
+  }
+
+  @Test
+  void whatIsKnownToBeOutOfDateCanBeAcceptedForAWhile() throws IOException {
+    append("requirements.md", "A note for people.");
+    append(
+        "eventchain-suppressions.yaml",
+        "[{id: project.stage.outdated, reason: No answers yet., expires: 2027-03-31}]");
+    run("run --from generate --date 2027-03-31")
+        .expect(0)
+        .says("PASSED")
+        .says("3 findings suppressed");
+    run("run --from generate --date 2027-04-01").expect(2).says(OUTDATED);
+  }
+
+  @Test
+  void anErrorThatIsNoLongerSuppressedCountsAlsoInALaterStage() throws IOException {
+    append("constraints.ocl", "context SoftwareNode inv Fast: frequency > 30");
+    append(
+        "eventchain-suppressions.yaml",
+        "[{id: ocl.violated, rule: 'SoftwareNode::Fast', reason: Slow., expires: 2027-03-31}]");
+    run("run --date 2027-03-31").expect(0).says("PASSED");
+    run("simulate --date 2027-03-31").expect(0).says("PASSED");
+    run("simulate --date 2027-04-01").expect(2).says(OUTDATED).says("counts now");
+    assertNothingPasses();
+  }
+
+  @Test
+  void aRequirementThatNoScenarioTestsIsNotProvedByAllThatPass() throws IOException {
+    try (Stream<Path> scenarios = Files.list(project.resolve("scenarios"))) {
+      for (Path scenario : scenarios.toList()) {
+        Files.writeString(scenario, Files.readString(scenario).replace(", AEB-5", ""));
+      }
+    }
+    run("run").expect(1).says("project.requirement.untested AEB-5").says("requirements.md:7:1");
+    assertTrue(verdict().contains("\"passed\" : false,"), verdict());
+    assertTrue(verdict().contains("\"AEB-5\""), verdict());
+    append(
+        "eventchain-suppressions.yaml",
+        "[{id: project.requirement.untested, rule: AEB-5, reason: Soon., expires: 2027-03-31}]");
+    run("run --date 2027-03-31").expect(0).says("PASSED");
+    run("run --date 2027-04-01").expect(1).says("project.requirement.untested");
+  }
+
+  @Test
+  void withoutMemoryNobodyTestsAPackageOfUnknownSources() throws IOException {
+    delete(out(".stages"));
+    run("simulate").expect(2).says(OUTDATED).says("--from generate'");
+    run("run --from generate")
+        .expect(0)
+        .says("PASSED")
+        .says("chain.json, components, chain.xmi, generated.ocl were made from");
+    run("run").expect(0).says("PASSED");
+    Program.Ended again = run("run --from generate").expect(0);
+    assertFalse(again.out().contains(OUTDATED), again.out());
+  }
+
+  @ParameterizedTest(name = "{index}: {0}")
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "design-rules.md",
+        "constraints.ocl",
+        "model/chain.xmi",
+        "eventchain-suppressions.yaml",
+        "software-base/signals.json",
+        "software-base/msg",
+      })
+  void absentIsOnlyWhatIsNotThere(String file) throws IOException {
+    Path path = project.resolve(file);
+    delete(path);
+    Files.createDirectories(path.getParent());
+    Files.createSymbolicLink(path, Path.of("nowhere"));
+    run("run").expect(2).says("file.").says(file);
+    assertNothingPasses();
+    Files.delete(path);
+    if (!file.endsWith("msg")) {
+      Files.createDirectory(path);
+      run("run").expect(2).says("file.unreadable").says(file);
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {0, 700})
+  void aRuleWithoutItsConstraintIsFound(int bytes) throws IOException {
+    byte[] generated = Files.readAllBytes(out("generated.ocl"));
+    Files.write(out("generated.ocl"), java.util.Arrays.copyOf(generated, bytes));
+    run("run").expect(1).says("project.rule.uncovered DR-3").says("design-rules.md:5:1");
+    String report = Files.readString(out("report.html"));
+    assertFalse(report.matches("(?s).*\"id\":\"DR-3\"[^{]*\"proofs\":\\[\\],\"proved\":true.*"));
+    assertTrue(report.matches("(?s).*\"id\":\"DR-3\".*\"proofs\":\\[\\],\"proved\":false.*"));
+    assertNothingPasses();
+    run("run --from constrain --overwrite").expect(0).says("PASSED");
+  }
+
+  @Test
+  void aProjectWithoutDesignRulesKeepsNoneOfTheirConstraints() throws IOException {
+    Files.delete(project.resolve("design-rules.md"));
+    run("run").expect(0).says("no design rules");
+    assertFalse(Files.exists(out("generated.ocl")));
+  }
+
+  @Test
+  void lostRecordsOfFilesAreSaidOnce() throws IOException {
+    delete(out(".eventchain"));
+    append("software-base/components/ObjectDetection.py", "# Changed.");
+    Program.Ended ended = run("run").expect(0).says("output.records.damaged");
+    assertFalse(ended.out().contains("eventchain.file.edited"), ended.out());
+    delete(out(".eventchain"));
+    delete(out(".stages"));
+    append("out/ros2/aeb/setup.py", "# Changed.");
+    append("out/ros2/aeb/aeb/__init__.py", "# Changed.");
+    ended = run("run").expect(0).says("output.records.damaged").says(", and 1 more");
+    assertEquals(2, ended.out().split("eventchain.file.edited", -1).length, ended.out());
+    assertTrue(Files.readString(out("ros2/aeb/setup.py")).endsWith("# Changed.\n"));
+  }
+
+  private void assertNothingPasses() throws IOException {
+    assertTrue(verdict().contains("\"passed\" : false,"), verdict());
+    assertFalse(verdict().contains("true"), verdict());
+    for (String name : List.of("measurements.json", "chain.measured.xmi")) {
+      assertFalse(Files.exists(out(name)), name);
+    }
+    if (Files.exists(out("report.html"))) {
+      assertFalse(Files.readString(out("report.html")).contains("\"verdict\":\"passed\""));
+    }
+  }
+
+  private Program.Ended run(String command) {
+    String[] words = command.replace("HERE", folder.resolve("handoff").toString()).split(" ", -1);
+    Object[] arguments = Stream.of(words).toArray();
+    Object[] all = new Object[arguments.length + 1];
+    all[0] = arguments[0];
+    all[1] = project;
+    System.arraycopy(arguments, 1, all, 2, arguments.length - 1);
+    return new Program().run(all);
+  }
+
+  private String verdict() throws IOException {
+    return Files.readString(out("verdict.json"));
+  }
+
+  private Path out(String name) {
+    return project.resolve("out").resolve(name);
+  }
+
+  private void append(String file, String text) throws IOException {
+    if (text.equals("DELETE")) {
+      Files.delete(project.resolve(file));
+      return;
+    }
+    Files.writeString(
+        project.resolve(file), text + "\n", StandardOpenOption.CREATE, StandardOpenOption.APPEND);
+  }
+
+  private static void delete(Path path) throws IOException {
+    if (!Files.exists(path)) {
+      return;
+    }
+    try (Stream<Path> all = Files.walk(path)) {
+      all.sorted(Comparator.reverseOrder())
+          .forEach(
+              each -> {
+                try {
+                  Files.delete(each);
+                } catch (IOException e) {
+                  throw new UncheckedIOException(e);
+                }
+              });
+    }
+  }
+}
