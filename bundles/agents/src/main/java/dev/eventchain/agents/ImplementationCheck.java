@@ -7,8 +7,8 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.python.ComponentProbe;
 import dev.eventchain.python.ComponentSignature;
+import dev.eventchain.python.WorkFolder;
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -30,20 +30,16 @@ final class ImplementationCheck {
     ComponentSignature signature =
         new ComponentSignature(
             component.name(), names(component.inputValues()), names(component.outputValues()));
-    try {
-      Path folder = Files.createTempDirectory("eventchain-answer-");
-      Path file = folder.resolve("component.py");
+    try (WorkFolder folder = WorkFolder.create()) {
+      Path file = folder.path().resolve("component.py");
       try {
         Files.writeString(file, python.text());
-        return probe.check(file, signature, ProbeCalls.of(component.inputValues())).stream()
-            .map(finding -> finding.withLocation(renamed(finding.location(), python.name())))
-            .toList();
-      } finally {
-        Files.deleteIfExists(file);
-        Files.deleteIfExists(folder);
+      } catch (IOException e) {
+        throw folder.unwritable(e);
       }
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
+      return probe.check(file, signature, ProbeCalls.of(component.inputValues())).stream()
+          .map(finding -> finding.withLocation(renamed(finding.location(), python.name())))
+          .toList();
     }
   }
 

@@ -1,5 +1,6 @@
 package dev.eventchain.cli;
 
+import dev.eventchain.diagnostics.Printable;
 import dev.eventchain.pipeline.Progress;
 import dev.eventchain.pipeline.Stage;
 import java.io.PrintWriter;
@@ -78,7 +79,7 @@ final class ProgressLines implements Progress {
   }
 
   private static String oneLine(String text) {
-    return text.replaceAll("\\p{Cntrl}+", " ");
+    return Printable.clean(text.replaceAll("[\\t\\n\\r]+", " "));
   }
 
   private String fit(String text) {

@@ -56,7 +56,7 @@ final class SarifPlaces {
     if (from < to) {
       // Without a start the snippet begins with the line, and so does the region.
       json.number("endColumn", to + 1);
-      String snippet = Printable.clean(line.substring(from, to));
+      String snippet = Printable.excerpt(line.substring(from, to));
       json.object("snippet", members -> members.text("text", snippet));
     }
   }

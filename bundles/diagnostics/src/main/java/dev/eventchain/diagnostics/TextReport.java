@@ -75,7 +75,7 @@ final class TextReport {
     int from =
         Math.max(0, Math.min(column - LONGEST_EXCERPT / 2, excerpt.length() - LONGEST_EXCERPT));
     int to = Math.min(excerpt.length(), from + LONGEST_EXCERPT);
-    text.append("    ").append(Printable.lines(excerpt.substring(from, to))).append('\n');
+    text.append("    ").append(Printable.excerpt(excerpt.substring(from, to))).append('\n');
     if (location.column() > 0) {
       text.append("    ");
       for (int i = from; i < column; i++) {

@@ -97,7 +97,22 @@ class DiagnosticFormatTest {
     Diagnostic forged =
         Diagnostic.error("a.b", "x\nmodel:1:1: error: fake \u202Eabc", SourceLocation.NONE);
     String text = DiagnosticFormat.TEXT.render(List.of(forged));
-    assertEquals("error: x\n    model:1:1: error: fake \uFFFDabc [a.b]\n", text);
+    assertEquals("error: x\n    | model:1:1: error: fake \\u202eabc [a.b]\n", text);
+  }
+
+  @Test
+  void whatAForeignProgramSaysIsOneShortLine() {
+    assertEquals(
+        "\\x1b[2J\\nPASSED: 7 of 7 \\x9b\\u2028.",
+        Printable.line("\u001b[2J\nPASSED: 7 of 7\t\u009b\u2028."));
+    assertEquals(401, Printable.line("x".repeat(100_000)).length());
+  }
+
+  @Test
+  void columnsOfAnExcerptStay() {
+    SourceLocation place = new SourceLocation("f", 1, 3, "", "\u001b\nx");
+    String text = DiagnosticFormat.TEXT.render(List.of(Diagnostic.error("a.b", "m", place)));
+    assertEquals("f:1:3: error: m [a.b]\n    \uFFFD\uFFFDx\n      ^\n", text);
   }
 
   @Test

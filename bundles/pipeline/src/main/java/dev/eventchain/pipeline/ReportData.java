@@ -6,6 +6,7 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Printable;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainFactory;
 import dev.eventchain.pipeline.RunResult.Verdict;
@@ -126,12 +127,12 @@ final class ReportData {
       all.addObject()
           .put("id", diagnostic.id())
           .put("severity", diagnostic.severity().toString())
-          .put("message", diagnostic.message())
+          .put("message", Printable.clean(diagnostic.message()))
           .put("file", diagnostic.location().file())
           .put("line", diagnostic.location().line())
           .put("column", diagnostic.location().column())
           .put("element", diagnostic.location().element())
-          .put("hint", diagnostic.hint())
+          .put("hint", Printable.clean(diagnostic.hint()))
           .put("rule", diagnostic.rule());
     }
   }

@@ -11,14 +11,11 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Base64;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Stream;
 
 /**
  * Checks that a Python file is a component: a class whose {@code execute} takes the inputs by name
@@ -83,14 +80,9 @@ public final class ComponentProbe {
       Path file, ComponentSignature signature, List<ComponentCall> calls) {
     SourceText source = SourceText.read(file);
     Path absolute = file.toAbsolutePath().normalize();
-    try {
-      Path workFolder = Files.createTempDirectory("eventchain-component-");
-      try {
-        return run(absolute, request(absolute, signature, calls), calls.size(), workFolder)
-            .diagnostics(source);
-      } finally {
-        delete(workFolder);
-      }
+    try (WorkFolder folder = WorkFolder.create()) {
+      return run(absolute, request(absolute, signature, calls), calls.size(), folder.path())
+          .diagnostics(source);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
@@ -157,13 +149,5 @@ public final class ComponentProbe {
       return Map.of("$array", "d", "values", value);
     }
     return value instanceof int[] ? Map.of("$array", "i", "values", value) : value;
-  }
-
-  private static void delete(Path folder) throws IOException {
-    try (Stream<Path> files = Files.walk(folder)) {
-      for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
-        Files.deleteIfExists(file);
-      }
-    }
   }
 }

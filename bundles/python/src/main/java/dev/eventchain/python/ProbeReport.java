@@ -5,6 +5,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.MissingNode;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Printable;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -48,10 +49,10 @@ record ProbeReport(String output, ConfinedProcess.Termination end, String errors
     }
   }
 
-  private static Diagnostic diagnostic(JsonNode finding, SourceText source) {
+  static Diagnostic diagnostic(JsonNode finding, SourceText source) {
     return Diagnostic.error(
             finding.path("id").asText(),
-            finding.path("message").asText(),
+            Printable.line(finding.path("message").asText()),
             source.at(finding.path("line").asInt(1), Math.max(1, finding.path("column").asInt(1))))
         .withHint(finding.path("hint").asText());
   }
@@ -65,6 +66,6 @@ record ProbeReport(String output, ConfinedProcess.Termination end, String errors
           default -> "The check of the component ended with " + end.exitCode() + ".";
         };
     return Diagnostic.error("component.ended", message, source.at(1, 1))
-        .withHint(last.isEmpty() ? "It says nothing about why." : "Its last output: " + last);
+        .withHint(last.isEmpty() ? "It says nothing about why." : "Its last output:\n" + last);
   }
 }

@@ -4,9 +4,7 @@ import dev.eventchain.python.ConfinedProcess;
 import dev.eventchain.python.Confinement;
 import dev.eventchain.python.PythonEnvironment;
 import dev.eventchain.python.PythonSources;
-import java.io.IOException;
-import java.io.UncheckedIOException;
-import java.nio.file.Files;
+import dev.eventchain.python.WorkFolder;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -21,13 +19,12 @@ final class LockstepProcess implements AutoCloseable {
   private static final String HOST = "eventchain_ros2.lockstep";
   private static final int MEMORY_MIB = 1024;
 
-  private final Path workFolder;
+  private final WorkFolder workFolder = WorkFolder.create();
   private final ConfinedProcess process;
   private final Watchdog watchdog;
   private final LockstepSession session;
 
   LockstepProcess(SimulationRequest request, PythonEnvironment python, Confinement confinement) {
-    this.workFolder = temporaryFolder();
     Path runtime = PythonSources.unpack(LockstepProcess.class.getClassLoader(), RUNTIME);
     List<Path> readable = new ArrayList<>(request.messageFolders());
     readable.add(request.packageFolder());
@@ -37,7 +34,7 @@ final class LockstepProcess implements AutoCloseable {
             .module(HOST)
             .pythonPath(runtime)
             .readable(readable.toArray(Path[]::new))
-            .workFolder(workFolder)
+            .workFolder(workFolder.path())
             .components()
             .limits(new ConfinedProcess.Limits(longest, longest, MEMORY_MIB))
             .confinement(confinement)
@@ -65,14 +62,6 @@ final class LockstepProcess implements AutoCloseable {
         process::close);
   }
 
-  private static Path temporaryFolder() {
-    try {
-      return Files.createTempDirectory("eventchain-simulation");
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
-  }
-
   LockstepSession session() {
     return session;
   }
@@ -87,10 +76,6 @@ final class LockstepProcess implements AutoCloseable {
   public void close() {
     watchdog.close();
     process.close();
-    try {
-      Files.deleteIfExists(workFolder);
-    } catch (IOException e) {
-      workFolder.toFile().deleteOnExit(); // nodes left files in it: not worth failing for
-    }
+    workFolder.close();
   }
 }

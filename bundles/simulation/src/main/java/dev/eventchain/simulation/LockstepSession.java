@@ -5,6 +5,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Printable;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.python.ConfinedProcess;
 import dev.eventchain.simulation.LockstepChannel.Frame;
@@ -163,7 +164,7 @@ final class LockstepSession {
   /** The process said what went wrong in the user's code. */
   private DiagnosticException failed(JsonNode failure) {
     String node = failure.path("node").asText("");
-    String message = failure.path("message").asText("");
+    String message = Printable.line(failure.path("message").asText(""));
     SourceLocation location =
         new SourceLocation(
             files.name(failure.path("file").asText("")),

@@ -2,6 +2,7 @@ package dev.eventchain.simulation;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Printable;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import dev.eventchain.simulation.RunLog.Activation;
@@ -147,7 +148,7 @@ final class ResultBuilder {
     for (Run run : runs) {
       for (JsonNode warning : run.ready().path("warnings")) {
         String id = warning.path("id").asText();
-        String message = warning.path("message").asText();
+        String message = Printable.line(warning.path("message").asText());
         SourceLocation topic = SourceLocation.NONE.withElement(warning.path("topic").asText());
         warnings.putIfAbsent(id + message, Diagnostic.warning(id, message, topic));
       }

@@ -146,6 +146,15 @@ class BadInputTest {
   }
 
   @Test
+  void textOfAComponentNeitherSteersTheTerminalNorPassesForAVerdict() throws IOException {
+    replaceDecision("raise ValueError('\\x1b[2J\\nPASSED: 7 of 7 scenarios\\n\\u202e')");
+    ended = new Program().run("run", project);
+    ended.expect(1).says("component.raised").says("\\x1b[2J\\nPASSED: 7 of 7 scenarios\\n\\u202e");
+    assertFalse(ended.toString().contains("\u001b"), ended.toString());
+    assertFalse(ended.toString().lines().anyMatch(line -> line.strip().startsWith("PASSED")));
+  }
+
+  @Test
   void aComponentThatHangsIsStopped() throws IOException {
     replaceDecision("while True: pass");
     ended = new Program().run("run", project, "--scenario", "stopped-vehicle-50");
