@@ -44,12 +44,12 @@ class ArchitectureTest {
   private static final Map<String, Integer> PUBLIC_TYPES =
       new TreeMap<>(
           Map.ofEntries(
-              Map.entry("diagnostics", 12),
+              Map.entry("diagnostics", 13),
               Map.entry("documents", 6),
               Map.entry("metamodel", 7),
               Map.entry("ocl", 11),
               Map.entry("messages", 8),
-              Map.entry("python", 7),
+              Map.entry("python", 9),
               Map.entry("llm", 6),
               Map.entry("m2t", 5),
               Map.entry("modeler", 9),
@@ -59,8 +59,12 @@ class ArchitectureTest {
               Map.entry("pipeline", 11),
               Map.entry("cli", 1)));
 
-  /** For the strict modes of providers of language models, none of which is there yet. */
-  private static final Set<String> NOT_NEEDED_YET = Set.of(ROOT + "modeler.MetamodelSchema");
+  /**
+   * For the strict modes of providers of language models, none of which is there yet; and for the
+   * check of generated components before they run.
+   */
+  private static final Set<String> NOT_NEEDED_YET =
+      Set.of(ROOT + "modeler.MetamodelSchema", ROOT + "python.ComponentRules");
 
   /** Each import that the record states exists, and no other. */
   @ArchTest
