@@ -43,6 +43,7 @@ class HostProcess:
             "kernel": True,
             "hooks": True,
             "components": True,
+            "turn": 0,
             "parent": os.getpid(),
         }
         environment = {"PATH": os.environ["PATH"], "PYTHONPATH": str(CONFINEMENT), "OPENBLAS_NUM_THREADS": "1"}

@@ -9,14 +9,13 @@ import sys
 from collections.abc import Callable
 from importlib.abc import Loader, MetaPathFinder
 from importlib.machinery import ModuleSpec
-from pathlib import Path
 from types import ModuleType
 from typing import Any, NamedTuple
 
 import component_results
 from component_client import ComponentError, ComponentProcess, ForkServer, Limits, Result
 from component_results import Output
-from component_rules import Component, Rules
+from component_rules import Component, check_file
 from component_values import Objects
 
 
@@ -169,8 +168,8 @@ def _call(
 
 def _check_rules(configuration: Configuration) -> None:
     """Hold a generated component to the rules of its kind, whoever has changed it since."""
-    source = Path(configuration.file).read_text(encoding="utf-8-sig")
     names = [output.name for output in configuration.outputs or ()]
-    for finding in Rules(source, Component(configuration.class_name, configuration.inputs or [], names)).check():
+    component = Component(configuration.class_name, configuration.inputs or [], names)
+    for finding in check_file(configuration.file, component):
         place = configuration.file, finding.line, finding.column
         raise ComponentError(finding.id, finding.message, *place, hint=finding.hint)

@@ -95,7 +95,7 @@ public final class ComponentProbe {
     try (ConfinedProcess process =
         ConfinedProcess.on(environment)
             .script(sources.resolve("component_probe.py"))
-            .components()
+            .components(0)
             .readable(file)
             .workFolder(workFolder)
             .limits(new ConfinedProcess.Limits(LONGEST, processorTime, MEMORY_MIB))

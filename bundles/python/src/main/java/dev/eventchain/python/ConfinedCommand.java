@@ -35,6 +35,7 @@ final class ConfinedCommand {
   private boolean kernel = true;
   private boolean hooks = true;
   private boolean components;
+  private int turn;
 
   ConfinedCommand(PythonEnvironment environment) {
     this.environment = environment;
@@ -69,8 +70,9 @@ final class ConfinedCommand {
     confinement = chosen;
   }
 
-  void components() {
+  void components(int newTurn) {
     components = true;
+    turn = newTurn;
     pythonPath.add(harness);
   }
 
@@ -130,6 +132,7 @@ final class ConfinedCommand {
     description.put("kernel", kernel);
     description.put("hooks", hooks);
     description.put("components", components);
+    description.put("turn", turn);
     description.put("parent", ProcessHandle.current().pid());
     return description.toString();
   }

@@ -18,7 +18,7 @@ from typing import Any
 import component_results
 from component_client import ComponentError, ComponentProcess, ForkServer, Limits
 from component_results import Output
-from component_rules import Component, Finding, Rules
+from component_rules import Component, Finding, check_file
 
 
 class Probe:
@@ -33,8 +33,7 @@ class Probe:
 
     def findings(self) -> list[Finding]:
         """Make all checks; those that run the component only when reading it found nothing wrong."""
-        with open(self._file, encoding="utf-8-sig", newline="") as file:  # noqa: PTH123
-            findings = Rules(file.read(), self._component).check()
+        findings = check_file(self._file, self._component)
         return findings or self._try_component()
 
     def _try_component(self) -> list[Finding]:

@@ -25,7 +25,7 @@ from types import ModuleType, TracebackType
 from typing import Any, NoReturn
 
 import component_values
-from component_rules import Component, Rules
+from component_rules import Component, Rules, read
 
 SHOW_STACK = SIGUSR1
 """The signal at which the process writes where it is."""
@@ -87,8 +87,7 @@ class ComponentProcess:
 
     def _load(self) -> None:
         """Import the file as the module it is, with its `return` statements marked."""
-        with open(self._file, encoding="utf-8-sig", newline="") as file:  # noqa: PTH123
-            source = file.read()
+        source = read(self._file)
         ast.parse(source, self._file)  # says what is wrong with a file that is no Python
         rules = Rules(source, Component(self._class_name, [], []))
         rules.check()

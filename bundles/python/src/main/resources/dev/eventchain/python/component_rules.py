@@ -1,15 +1,11 @@
 """The rules of a component file that reading it can check: nothing of the file is run.
 
-Each finding has the id of its rule page, the place in the file, what is wrong and what to do about it. As a program it
-checks the files that standard input lists, a JSON array of objects with ``file``, ``class``, ``inputs`` and
-``outputs``, and writes a JSON array with an array of findings for each.
+Each finding has the id of its rule page, the place in the file, what is wrong and what to do about it.
 """
 
 from __future__ import annotations
 
 import ast
-import json
-import sys
 from collections.abc import Callable, Iterable, Iterator
 from typing import NamedTuple
 
@@ -255,14 +251,3 @@ def _imported_names(tree: ast.Module) -> Iterator[str]:
         if isinstance(node, (ast.Import, ast.ImportFrom)):
             for name in node.names:
                 yield (name.asname or name.name).partition(".")[0]
-
-
-def main() -> None:
-    """Check the files that standard input lists."""
-    wanted = [(one["file"], Component(one["class"], one["inputs"], one["outputs"])) for one in json.load(sys.stdin)]
-    found = [[finding._asdict() for finding in check_file(file, component)] for file, component in wanted]
-    sys.stdout.write(json.dumps(found) + "\n")
-
-
-if __name__ == "__main__":
-    main()

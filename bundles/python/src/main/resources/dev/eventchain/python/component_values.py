@@ -84,7 +84,12 @@ def _plain(value: Any, parts: list[Any], objects: Objects) -> Any:
         parts.append(bytes(value))
         return {"bytes": len(parts[-1])}
     if isinstance(value, dict):
-        return {"dict": [[str(key), _plain(item, parts, objects)] for key, item in value.items()]}
+        return {
+            "dict": [
+                [str(key), item if type(item) in _SCALARS else _plain(item, parts, objects)]
+                for key, item in value.items()
+            ]
+        }
     return _uncommon(value, parts, objects)
 
 
@@ -152,7 +157,10 @@ class _Reader:
         if name == "numpy":
             return self._numpy(*content)
         if name == "dict":
-            return {_text(key): self.value(item) for key, item in content}
+            return {
+                key if type(key) is str else _text(key): item if type(item) in _SCALARS else self.value(item)
+                for key, item in content
+            }
         if name == "message":
             type_name, fields = content
             return self._objects.make(_text(type_name), {key: self.value(item) for key, item in fields.items()})

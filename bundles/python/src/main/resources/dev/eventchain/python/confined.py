@@ -2,8 +2,9 @@
 
 The only argument of :func:`main` is a JSON object: ``work`` (the folder that may be written, and the current one),
 ``readable`` (paths), ``path`` (for ``sys.path``), ``script`` or ``module``, ``arguments``, ``limits`` (address space,
-file size and processor time, open files), ``enclosed`` (whether bubblewrap holds this process already), and
-``components`` (whether the program calls components, which then live in processes of their own).
+file size and processor time, open files), ``enclosed`` (whether bubblewrap holds this process already),
+``components`` (whether the program calls components, which then live in processes of their own) and ``turn`` (which of
+several such programs this is, so that they do not meet on one processor).
 """
 
 from __future__ import annotations
@@ -62,6 +63,7 @@ def _serve(settings: dict[str, Any]) -> NewProcess | None:
     if settings["kernel"] and not settings["enclosed"]:
         _die_with_parent(settings["parent"])
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+    _take_turns(settings["parent"] + settings["turn"])
     gc.freeze()
     program = os.fork()
     if program == 0:
@@ -78,6 +80,12 @@ def _serve(settings: dict[str, Any]) -> NewProcess | None:
         os._exit(fork_server.ForkServer(ours, program, Path(settings["work"])).serve())
     except fork_server.NewProcess as new:
         return new.with_traceback(None)
+
+
+def _take_turns(number: int) -> None:
+    """Stay on one processor: program and components work in turn, and waking each other there is twice as fast."""
+    processors = sorted(os.sched_getaffinity(0))
+    os.sched_setaffinity(0, {processors[number % len(processors)]})
 
 
 def _give_up_rights(settings: dict[str, Any], work: str, parent: int | None) -> None:

@@ -24,7 +24,13 @@ final class LockstepProcess implements AutoCloseable {
   private final Watchdog watchdog;
   private final LockstepSession session;
 
-  LockstepProcess(SimulationRequest request, PythonEnvironment python, Confinement confinement) {
+  /**
+   * Starts the process.
+   *
+   * @param turn which of the processes that simulate at the same time it is
+   */
+  LockstepProcess(
+      SimulationRequest request, PythonEnvironment python, Confinement confinement, int turn) {
     Path runtime = PythonSources.unpack(LockstepProcess.class.getClassLoader(), RUNTIME);
     List<Path> readable = new ArrayList<>(request.messageFolders());
     readable.add(request.packageFolder());
@@ -35,7 +41,7 @@ final class LockstepProcess implements AutoCloseable {
             .pythonPath(runtime)
             .readable(readable.toArray(Path[]::new))
             .workFolder(workFolder.path())
-            .components()
+            .components(turn)
             .limits(new ConfinedProcess.Limits(longest, longest, MEMORY_MIB))
             .confinement(confinement)
             .start();

@@ -65,7 +65,8 @@ public final class Simulation {
     int processes = Math.min(request.processes(), request.scenarios().size());
     List<Thread> workers = new ArrayList<>();
     for (int i = 0; i < processes; i++) {
-      Thread worker = new Thread(this::work, "simulation " + (i + 1));
+      int turn = i;
+      Thread worker = new Thread(() -> work(turn), "simulation " + (i + 1));
       workers.add(worker);
       worker.start();
     }
@@ -107,9 +108,9 @@ public final class Simulation {
   }
 
   /** Takes scenario after scenario until none is left. */
-  private void work() {
+  private void work(int turn) {
     int scenario = -1;
-    try (LockstepProcess process = new LockstepProcess(request, python, confinement)) {
+    try (LockstepProcess process = new LockstepProcess(request, python, confinement, turn)) {
       synchronized (open) {
         open.add(process);
       }
