@@ -2,6 +2,8 @@ package dev.eventchain.agents;
 
 import dev.eventchain.ocl.OclConstraint;
 import dev.eventchain.ocl.OclConstraint.Verdict;
+import dev.eventchain.ocl.TimeBudget;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import org.eclipse.emf.ecore.EObject;
@@ -18,26 +20,41 @@ final class ConstraintProof {
    */
   private static final int MOST_MODELS = 4000;
 
+  /** The processor time of a proof. Some constraints take long on each of the models. */
+  private static final Duration TIME_LIMIT = Duration.ofSeconds(30);
+
   private final OclConstraint constraint;
+  private final TimeBudget budget;
   private boolean holds;
   private boolean fails;
   private int models;
 
-  private ConstraintProof(OclConstraint constraint) {
+  private ConstraintProof(OclConstraint constraint, TimeBudget budget) {
     this.constraint = constraint;
+    this.budget = budget;
   }
 
   /** What is wrong with the constraint: nothing if both models were found. */
   static Optional<String> objection(OclConstraint constraint, List<EObject> roots) {
-    ConstraintProof proof = new ConstraintProof(constraint);
+    return objection(constraint, roots, TimeBudget.of(TIME_LIMIT));
+  }
+
+  /**
+   * As {@link #objection(OclConstraint, List)}.
+   *
+   * @param budget the time that the search may take
+   */
+  static Optional<String> objection(
+      OclConstraint constraint, List<EObject> roots, TimeBudget budget) {
+    ConstraintProof proof = new ConstraintProof(constraint, budget);
     proof.search(ModelCopy.of(roots));
     if (proof.holds && proof.fails) {
       return Optional.empty();
     }
-    if (proof.holds) {
-      return Optional.of("No model was found for which '%s' fails".formatted(constraint.name()));
-    }
-    return Optional.of("No model was found for which '%s' holds".formatted(constraint.name()));
+    String within = proof.budget.isSpent() ? " in the time there is" : "";
+    String missing = proof.holds ? "fails" : "holds";
+    return Optional.of(
+        "No model was found%s for which '%s' %s".formatted(within, constraint.name(), missing));
   }
 
   private void search(ModelCopy model) {
@@ -63,7 +80,7 @@ final class ConstraintProof {
   }
 
   private boolean isDecided() {
-    return (holds && fails) || models >= MOST_MODELS;
+    return (holds && fails) || models >= MOST_MODELS || budget.isSpent();
   }
 
   private void judge(ModelCopy model) {
@@ -71,7 +88,7 @@ final class ConstraintProof {
     boolean all = true;
     boolean any = false;
     for (EObject element : model.instancesOf(constraint.context())) {
-      Verdict verdict = constraint.evaluate(element);
+      Verdict verdict = constraint.evaluate(element, budget);
       fails |= verdict == Verdict.FALSE;
       all &= verdict == Verdict.TRUE;
       any = true;

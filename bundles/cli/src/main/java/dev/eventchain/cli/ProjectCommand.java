@@ -12,6 +12,7 @@ import dev.eventchain.pipeline.RunOptions;
 import dev.eventchain.pipeline.RunResult;
 import dev.eventchain.pipeline.Stage;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -43,6 +44,15 @@ abstract class ProjectCommand implements Callable<Integer> {
       description = "Replace files in the output folder that a person has edited.")
   private boolean overwrite;
 
+  @Option(
+      names = "--time-limit",
+      paramLabel = "SECONDS",
+      defaultValue = "30",
+      description =
+          "The processor time that a constraint may take on the whole model (default: "
+              + "${DEFAULT-VALUE}); all of them may take four times as much.")
+  private int timeLimit;
+
   @Spec private CommandSpec spec;
 
   ProjectCommand(Console console) {
@@ -63,8 +73,17 @@ abstract class ProjectCommand implements Callable<Integer> {
     if (output != null && output.toString().isEmpty()) {
       throw wrongUsage("the output folder has no name: -o FOLDER");
     }
+    if (timeLimit < 1) {
+      throw wrongUsage("the time limit is a number of seconds: --time-limit 60");
+    }
     Outcome outcome = outcome();
-    return report(outcome, (System.nanoTime() - start) / 1e9);
+    double seconds = (System.nanoTime() - start) / 1e9;
+    try {
+      return report(outcome, seconds);
+    } catch (OutOfMemoryError e) {
+      // Reports that say that all is well must not stand beside those that could not be made.
+      return report(Outcome.of(e), seconds);
+    }
   }
 
   /** Reports must hold every failure, so none gets past this. */
@@ -80,6 +99,11 @@ abstract class ProjectCommand implements Callable<Integer> {
 
   final Path output() {
     return output;
+  }
+
+  /** The processor time that a constraint may take on the whole model. */
+  final Duration timeLimit() {
+    return Duration.ofSeconds(timeLimit);
   }
 
   final boolean overwrite() {
@@ -130,7 +154,8 @@ abstract class ProjectCommand implements Callable<Integer> {
             llm.record,
             overwrite,
             scenarios,
-            reporting.suppressions(project.suppressions(), console.today()));
+            reporting.suppressions(project.suppressions(), console.today()),
+            timeLimit());
     return Outcome.of(
         Pipeline.run(project, options, new ProgressLines(console.err(), console.terminal())));
   }

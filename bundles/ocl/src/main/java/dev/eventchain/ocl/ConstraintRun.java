@@ -1,11 +1,9 @@
 package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.Diagnostic;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.concurrent.atomic.AtomicLong;
 import org.eclipse.emf.ecore.EObject;
 
 /**
@@ -15,24 +13,22 @@ import org.eclipse.emf.ecore.EObject;
  */
 final class ConstraintRun {
 
-  private static final long NOT_STARTED = 0;
-
   /** A finding and the index of its element. */
   private record Found(int index, Diagnostic diagnostic) {}
 
   private final OclConstraint constraint;
   private final List<EObject> elements;
-  private final Duration timeLimit;
+  private final TimeBudget budget;
   private final Findings findings;
-  private final AtomicLong deadline = new AtomicLong(NOT_STARTED);
   private final AtomicInteger givenUpAt = new AtomicInteger(Integer.MAX_VALUE);
   private final List<Found> found = new ArrayList<>();
+  private long evaluations = Long.MAX_VALUE;
 
   ConstraintRun(
-      OclConstraint constraint, List<EObject> elements, Duration timeLimit, Findings findings) {
+      OclConstraint constraint, List<EObject> elements, TimeBudget budget, Findings findings) {
     this.constraint = constraint;
     this.elements = elements;
-    this.timeLimit = timeLimit;
+    this.budget = budget;
     this.findings = findings;
   }
 
@@ -42,7 +38,7 @@ final class ConstraintRun {
 
   /** How many elements were evaluated, and what that came to. */
   OclResult.Check check() {
-    return new OclResult.Check(constraint, Math.min(elements.size(), givenUpAt.get() + 1L));
+    return new OclResult.Check(constraint, Math.min(elements.size(), evaluations));
   }
 
   /** The findings, once all parts have been evaluated. */
@@ -55,7 +51,13 @@ final class ConstraintRun {
 
   /** Evaluates the invariant on some of its elements; the interruption of the thread ends it. */
   void evaluate(int from, int to, Evaluation evaluation) {
-    evaluation.setDeadline(startedUntil());
+    evaluation.withBudget(budget);
+    if (evaluation.isOutOfTime() && !Thread.currentThread().isInterrupted()) {
+      // What was to be evaluated before this part, or beside it, took all the time there is.
+      String reason = budget.shortage();
+      give(from, from, findings.limit(constraint, elements, from, reason));
+      return;
+    }
     for (int i = from; i < to && i < givenUpAt.get(); i++) {
       Object value = valueFor(elements.get(i), evaluation);
       if (!Boolean.TRUE.equals(value)) {
@@ -76,14 +78,6 @@ final class ConstraintRun {
     }
   }
 
-  /** The time limit counts from the first part that is begun. */
-  private long startedUntil() {
-    long now = System.nanoTime();
-    long end = now + timeLimit.toNanos();
-    deadline.compareAndSet(NOT_STARTED, end == NOT_STARTED ? end + 1 : end);
-    return deadline.get();
-  }
-
   private void add(int index, Object value, Evaluation evaluation) {
     EObject element = elements.get(index);
     Object known = value;
@@ -94,9 +88,7 @@ final class ConstraintRun {
     if (Boolean.TRUE.equals(known)) {
       return;
     } else if (known instanceof Invalid invalid && invalid.limit()) {
-      String reason =
-          evaluation.ranOutOfTime() ? "it takes longer than " + text(timeLimit) : invalid.reason();
-      give(index, findings.limit(constraint, element, reason));
+      give(index, index + 1L, findings.limit(constraint, elements, index, invalid.reason()));
     } else if (known instanceof Boolean) {
       note(index, findings.violated(constraint, element, evaluation));
     } else {
@@ -112,17 +104,12 @@ final class ConstraintRun {
     found.add(new Found(index, diagnostic));
   }
 
-  private synchronized void give(int index, Diagnostic diagnostic) {
+  private synchronized void give(int index, long evaluated, Diagnostic diagnostic) {
     if (index < givenUpAt.get()) {
+      evaluations = evaluated;
       givenUpAt.set(index);
       found.removeIf(each -> each.index() >= index);
       found.add(new Found(index, diagnostic));
     }
-  }
-
-  private static String text(Duration duration) {
-    return duration.toMillis() % 1000 == 0
-        ? duration.toSeconds() + " s"
-        : duration.toMillis() + " ms";
   }
 }

@@ -18,7 +18,7 @@ public final class DeepStack {
   /** Enough for all but long recursions, so that many threads reserve little. */
   private static final long ORDINARY = 64L << 20;
 
-  private static final long LONGEST_WAIT_MILLIS = 10_000;
+  private static final long LONGEST_WAIT_MILLIS = 60_000;
 
   private DeepStack() {}
 

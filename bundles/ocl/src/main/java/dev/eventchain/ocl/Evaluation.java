@@ -1,6 +1,5 @@
 package dev.eventchain.ocl;
 
-import java.time.Duration;
 import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -26,10 +25,7 @@ public final class Evaluation {
   private final ValueStack values = new ValueStack();
   private final Map<String, Matcher> matchers = new MatcherCache();
   private Object attachment;
-  private Duration timeLimit = Duration.ofDays(1);
-  private boolean started;
-  private long deadline;
-  private boolean deadlineIsFixed;
+  private TimeBudget budget;
   private int steps;
   private int running;
   private int depth;
@@ -54,35 +50,18 @@ public final class Evaluation {
   /** A new evaluation on the same model, with no variables, for another thread. */
   public Evaluation fork() {
     Evaluation fork = new Evaluation(extents);
-    fork.timeLimit = timeLimit;
     fork.attachment = attachment;
+    fork.budget = budget;
     return fork;
   }
 
   /**
-   * Sets how long one {@link Expression#evaluate} may take before it becomes {@link Invalid}; until
-   * this is called there is no limit to speak of. Evaluations that a library starts inside another
-   * one count as part of that.
+   * Sets whose time evaluations take from now on; until this is called there is no limit. One that
+   * takes more than there is becomes {@link Invalid}.
    */
-  public Evaluation withTimeLimit(Duration limit) {
-    timeLimit = limit;
-    deadlineIsFixed = false;
+  public Evaluation withBudget(TimeBudget newBudget) {
+    budget = newBudget;
     return this;
-  }
-
-  /**
-   * Sets when all evaluations from now on must have ended, instead of how long each may take.
-   *
-   * @param nanoTime in the time of {@link System#nanoTime}
-   */
-  void setDeadline(long nanoTime) {
-    deadline = nanoTime;
-    deadlineIsFixed = true;
-  }
-
-  /** What {@link #setDeadline} was given. */
-  long deadline() {
-    return deadline;
   }
 
   /** Gives a variable a value until {@link #unbind}; hides any earlier value. */
@@ -151,7 +130,6 @@ public final class Evaluation {
   boolean begin() {
     boolean outermost = running++ == 0;
     if (outermost) {
-      started = deadlineIsFixed;
       depth = 0;
       outOfTime = false;
     }
@@ -167,17 +145,24 @@ public final class Evaluation {
   void step() {
     if (++steps >= STEPS_BETWEEN_LOOKS_AT_THE_CLOCK) {
       steps = 0;
-      long now = System.nanoTime();
-      if (!started) {
-        // Most evaluations are over before their first look at the clock.
-        started = true;
-        deadline = now + timeLimit.toNanos();
-      }
-      if (now - deadline >= 0 || Thread.currentThread().isInterrupted()) {
+      String shortage = shortage();
+      if (!shortage.isEmpty()) {
         outOfTime = true;
-        throw new EvaluationHaltedException("it takes longer than " + text(timeLimit));
+        throw new EvaluationHaltedException(shortage);
       }
     }
+  }
+
+  private String shortage() {
+    if (Thread.currentThread().isInterrupted()) {
+      return "it was interrupted";
+    }
+    return budget == null ? "" : budget.shortage();
+  }
+
+  /** Whether it is time to end. */
+  boolean isOutOfTime() {
+    return !shortage().isEmpty();
   }
 
   /** Whether the latest evaluation was stopped because it took too long. */
@@ -214,12 +199,6 @@ public final class Evaluation {
     String taken = note;
     note = "";
     return taken;
-  }
-
-  private static String text(Duration duration) {
-    return duration.toMillis() % 1000 == 0
-        ? duration.toSeconds() + " s"
-        : duration.toMillis() + " ms";
   }
 
   private static final class MatcherCache extends LinkedHashMap<String, Matcher> {

@@ -75,7 +75,7 @@ final class Evaluator extends EvaluationVisitorImpl {
 
   static String messageOf(RuntimeException e) {
     return e.getMessage() == null
-        ? e.getClass().getSimpleName()
+        ? "it cannot be evaluated"
         : e.getMessage().lines().findFirst().orElse("");
   }
 

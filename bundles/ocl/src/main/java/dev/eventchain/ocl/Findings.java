@@ -72,16 +72,28 @@ final class Findings {
         : "Say what holds then: if ... then ... else ... endif.";
   }
 
-  /** An invariant that was given up at an element. */
-  Diagnostic limit(OclConstraint constraint, EObject element, String reason) {
+  /**
+   * An invariant that was given up at an element.
+   *
+   * @param index of the element: those before it were checked
+   */
+  Diagnostic limit(OclConstraint constraint, List<EObject> elements, int index, String reason) {
     return new Diagnostic(
         "ocl.limit",
         Severity.ERROR,
-        "'" + constraint.name() + "' was given up at " + Names.label(element) + ": " + reason + ".",
+        "'%s' was given up at %s: %s. It left %d of %s unchecked."
+            .formatted(
+                constraint.name(),
+                Names.label(elements.get(index)),
+                reason,
+                elements.size() - index,
+                Coverage.counted(elements.size(), "element")),
         constraint.location(),
-        "Later elements were not checked. Mend the recursion or make the rule cheaper.",
+        reason.contains("recurses")
+            ? "Mend the recursion: closure() follows references and ends by itself."
+            : "Make it cheaper, or allow more: --time-limit SECONDS, EVENTCHAIN_MEMORY=4g.",
         constraint.qualifiedName(),
-        List.of(locate(element)));
+        List.of(locate(elements.get(index))));
   }
 
   /** What is said if no invariant was evaluated on any element. */

@@ -2,7 +2,6 @@ package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
-import java.time.Duration;
 import java.util.Collection;
 import java.util.List;
 import java.util.Set;
@@ -28,8 +27,6 @@ public final class OclConstraint {
    * @param type the class it is read of
    */
   public record Navigation(EClass type, EStructuralFeature feature) {}
-
-  private static final Duration TIME_LIMIT = Duration.ofSeconds(10);
 
   private final String name;
   private final EClass context;
@@ -110,12 +107,13 @@ public final class OclConstraint {
   }
 
   /**
-   * Evaluates it on one element; undefined also if that takes more than ten seconds.
+   * Evaluates it on one element; undefined also if there is not the time for that.
    *
    * @param element an instance of {@link #context}; extents cover its whole resource set
+   * @param budget what the time is taken from
    */
-  public Verdict evaluate(EObject element) {
-    Object value = evaluate(element, Evaluation.over(List.of(element)).withTimeLimit(TIME_LIMIT));
+  public Verdict evaluate(EObject element, TimeBudget budget) {
+    Object value = evaluate(element, Evaluation.over(List.of(element)).withBudget(budget));
     if (value instanceof Boolean holds) {
       return holds ? Verdict.TRUE : Verdict.FALSE;
     }

@@ -44,7 +44,7 @@ final class Probe {
   }
 
   boolean outOfTime() {
-    return System.nanoTime() - run.deadline() >= 0;
+    return run.isOutOfTime();
   }
 
   /** Does something while a variable has a value. */

@@ -11,7 +11,6 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Collectors;
@@ -96,7 +95,7 @@ class ThreadsTest {
     assertEquals(1, result.diagnostics().size());
     Diagnostic slow = result.diagnostics().get(0);
     assertEquals("ocl.limit State::Slow", slow.id() + " " + slow.rule());
-    assertTrue(slow.message().endsWith("it takes longer than 300 ms."), slow.message());
+    assertTrue(slow.message().contains("it takes more than 300 ms of processor time. It left "));
     assertEquals(STATES, result.checks().get(1).evaluations());
   }
 
@@ -142,7 +141,7 @@ class ThreadsTest {
                       () -> validator.validate(List.of(machine), ThreadsTest::locate)));
             });
     validation.start();
-    assertTrue(begun.await(10, TimeUnit.SECONDS));
+    begun.await();
     while (workers().isEmpty()) {
       Thread.onSpinWait();
     }

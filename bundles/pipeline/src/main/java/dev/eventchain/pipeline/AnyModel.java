@@ -22,6 +22,7 @@ import dev.eventchain.ocl.OclResult;
 import dev.eventchain.ocl.OclRules;
 import dev.eventchain.ocl.OclValidator;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -66,10 +67,15 @@ public final class AnyModel {
    *     constraints are evaluated and the contracts inside of each chain checked, too
    * @param messages folders of {@code PACKAGE/msg/NAME.msg} that event chains use, beside the
    *     standard types of ROS 2
+   * @param timeLimit the processor time that a constraint may take on all of the models
    * @throws DiagnosticException INPUT if a file cannot be read
    */
   public static Validation validate(
-      List<Path> metamodels, List<Path> constraints, List<Path> models, List<Path> messages) {
+      List<Path> metamodels,
+      List<Path> constraints,
+      List<Path> models,
+      List<Path> messages,
+      Duration timeLimit) {
     AnyModel any = new AnyModel(metamodels, models);
     List<SourceText> documents = new ArrayList<>();
     if (metamodels.isEmpty()) {
@@ -77,7 +83,8 @@ public final class AnyModel {
     }
     constraints.forEach(file -> documents.add(SourceText.read(file)));
     OclRules rules = OclRules.parse(documents, any.packages);
-    OclResult result = OclValidator.validate(rules, any.roots, any.origins::locate);
+    OclResult result =
+        OclValidator.of(rules).withTimeLimit(timeLimit).validate(any.roots, any.origins::locate);
     List<String> files =
         Stream.of(models, metamodels, constraints)
             .flatMap(List::stream)

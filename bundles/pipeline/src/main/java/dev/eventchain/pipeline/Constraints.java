@@ -15,6 +15,7 @@ import dev.eventchain.ocl.OclResult;
 import dev.eventchain.ocl.OclRules;
 import dev.eventchain.ocl.OclValidator;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -29,14 +30,20 @@ final class Constraints {
   static final String GENERATED = "generated.ocl";
 
   private final OclRules rules;
+  private final Duration timeLimit;
 
-  private Constraints(OclRules rules) {
+  private Constraints(OclRules rules, Duration timeLimit) {
     this.rules = rules;
+    this.timeLimit = timeLimit;
   }
 
   /** All constraints that there are. */
   static Constraints of(RunContext run) {
-    return run.snapshots().of("constraints", paths(run), () -> new Constraints(parse(all(run))));
+    return run.snapshots()
+        .of(
+            "constraints",
+            paths(run),
+            () -> new Constraints(parse(all(run)), run.options().timeLimit()));
   }
 
   private static List<SourceText> all(RunContext run) {
@@ -59,7 +66,7 @@ final class Constraints {
 
   /** The standard constraints and those that people wrote, before any are generated. */
   static Constraints withoutGenerated(RunContext run) {
-    return new Constraints(parse(written(run)));
+    return new Constraints(parse(written(run)), run.options().timeLimit());
   }
 
   private static List<SourceText> written(RunContext run) {
@@ -74,7 +81,7 @@ final class Constraints {
   }
 
   OclResult check(EObject root, Function<EObject, SourceLocation> locator) {
-    return OclValidator.validate(rules, List.of(root), locator);
+    return OclValidator.of(rules).withTimeLimit(timeLimit).validate(List.of(root), locator);
   }
 
   /** As {@link #paths}, for people. */

@@ -35,7 +35,7 @@ public final class Diagrams {
   /** How many boxes and arrows a diagram may have: nobody can read a larger one. */
   private static final int MOST = 1000;
 
-  /** How long a layout may take. Arrows between far boxes make it take minutes. */
+  /** The processor time of a layout. Arrows between far boxes make it take minutes. */
   private static final Duration LONGEST = Duration.ofSeconds(60);
 
   /** A line of PlantUML text that is a box or an arrow. */
@@ -168,7 +168,7 @@ public final class Diagrams {
     String problem =
         size > MOST
             ? "at most " + MOST + " are drawn"
-            : "their layout takes more than " + LONGEST.toSeconds() + " s";
+            : "their layout takes more than " + LONGEST.toSeconds() + " s of processor time";
     return Diagnostic.error(
             "diagram.too-large",
             "The %s diagram has %d boxes and arrows; %s.".formatted(kind, size, problem),

@@ -2,6 +2,7 @@ package dev.eventchain.pipeline;
 
 import dev.eventchain.diagnostics.Suppressions;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 
@@ -18,6 +19,7 @@ import java.util.Optional;
  * @param overwrite whether files that a person has edited in the output folder are replaced
  * @param scenarios the names of the scenarios to simulate; empty: all
  * @param suppressions the findings that do not count
+ * @param timeLimit the processor time that a constraint may take on the whole model
  */
 public record RunOptions(
     Path output,
@@ -28,7 +30,8 @@ public record RunOptions(
     boolean record,
     boolean overwrite,
     List<String> scenarios,
-    Suppressions suppressions) {
+    Suppressions suppressions,
+    Duration timeLimit) {
 
   /** Checks the order of the stages. */
   public RunOptions {

@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.time.Duration;
 import java.time.LocalDate;
 import java.util.ArrayList;
 import java.util.List;
@@ -91,7 +92,8 @@ class ReadOnceTest {
             false,
             false,
             List.of(),
-            new Suppressions(List.of(), LocalDate.of(2027, 1, 1)));
+            new Suppressions(List.of(), LocalDate.of(2027, 1, 1)),
+            Duration.ofMinutes(1));
     return Pipeline.run(
         opened,
         options,

@@ -47,7 +47,7 @@ class ArchitectureTest {
               Map.entry("diagnostics", 13),
               Map.entry("documents", 6),
               Map.entry("metamodel", 7),
-              Map.entry("ocl", 11),
+              Map.entry("ocl", 12),
               Map.entry("messages", 8),
               Map.entry("python", 8),
               Map.entry("llm", 6),

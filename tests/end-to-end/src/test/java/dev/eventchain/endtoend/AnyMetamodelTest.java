@@ -93,6 +93,29 @@ class AnyMetamodelTest {
   }
 
   @Test
+  void aConstraintThatTakesTooLongIsNoPass() throws IOException {
+    Path ocl =
+        ocl(
+            """
+            context Book
+              inv Slow: Sequence{1..5000}->forAll(a, b |
+                Sequence{1..5000}->forAll(c, d | a + b + c + d > 0))
+              inv Fast: self.title <> ''
+            """);
+    Object[] command = {"validate", "--metamodel", ecore, "--ocl", ocl, model, "--time-limit", 1};
+    new Program()
+        .run(command)
+        .expect(1)
+        .says("rules.ocl:2:3: error: 'Slow' was given up")
+        .says("it takes more than 1 s of processor time. It left 2 of 2 elements unchecked.")
+        .says("[ocl.limit Book::Slow]")
+        .says("1 error, 0 warnings")
+        .says("2 constraints evaluated 3 times");
+    command[command.length - 1] = 0;
+    new Program().run(command).expect(2).says("--time-limit");
+  }
+
+  @Test
   void jsonIsForPrograms() throws IOException {
     Path ocl = ocl("context Book inv HasPages: self.pages > 0\n");
     Program.Ended ended =

@@ -1,0 +1,108 @@
+package dev.eventchain.ocl;
+
+import java.time.Duration;
+import java.util.concurrent.atomic.AtomicLong;
+
+/**
+ * How much processor time evaluations may take, those of several threads together. A machine that
+ * is busy with other things makes nothing take more of it. A minute of wall time for each second
+ * ends what waits without end. Safe for threads.
+ */
+public final class TimeBudget {
+
+  private static final int WALL_FACTOR = 60;
+  private static final long NOT_STARTED = Long.MIN_VALUE;
+
+  private final String purpose;
+  private final long nanos;
+  private final TimeBudget whole;
+  private final ThreadClock clock;
+  private final AtomicLong used = new AtomicLong();
+  private final AtomicLong started = new AtomicLong(NOT_STARTED);
+
+  /** Of a budget and all its parts, so that a thread's time is taken once. */
+  private final ThreadLocal<Stopwatch> stopwatch;
+
+  private TimeBudget(String purpose, Duration limit, ThreadClock clock) {
+    this.purpose = purpose;
+    this.nanos = limit.toNanos();
+    this.whole = null;
+    this.clock = clock;
+    this.stopwatch = ThreadLocal.withInitial(() -> new Stopwatch(clock));
+  }
+
+  private TimeBudget(Duration limit, TimeBudget whole) {
+    this.purpose = "it takes";
+    this.nanos = limit.toNanos();
+    this.whole = whole;
+    this.clock = whole.clock;
+    this.stopwatch = whole.stopwatch;
+  }
+
+  /** A budget for everything that is evaluated with it. */
+  public static TimeBudget of(Duration processorTime) {
+    return of("it takes", processorTime, ThreadClock.SYSTEM);
+  }
+
+  /**
+   * As {@link #of(Duration)}.
+   *
+   * @param purpose who takes the time, in words: {@code it takes}
+   */
+  static TimeBudget of(String purpose, Duration processorTime, ThreadClock clock) {
+    return new TimeBudget(purpose, processorTime, clock);
+  }
+
+  /** A budget for a part: what is taken of it is taken of this one, too. */
+  TimeBudget part(Duration processorTime) {
+    return new TimeBudget(processorTime, this);
+  }
+
+  /**
+   * Whether all of it has been used; what a thread uses is known some milliseconds later. Takes the
+   * time of the calling thread from now on, until that asks another budget.
+   */
+  public boolean isSpent() {
+    return !shortage().isEmpty();
+  }
+
+  /**
+   * As {@link #isSpent}: what there is too little of, in words; empty while there is some of all.
+   */
+  String shortage() {
+    start();
+    stopwatch.get().charge(this);
+    String lack = lack();
+    return whole == null || !lack.isEmpty() ? lack : whole.lack();
+  }
+
+  private void start() {
+    if (started.get() == NOT_STARTED) {
+      started.compareAndSet(NOT_STARTED, clock.wall());
+      if (whole != null) {
+        whole.start();
+      }
+    }
+  }
+
+  private String lack() {
+    if (used.get() >= nanos) {
+      return purpose + " more than " + text(nanos) + " of processor time";
+    }
+    boolean late = (clock.wall() - started.get()) / WALL_FACTOR >= nanos;
+    return late ? purpose + " more than " + text(nanos * WALL_FACTOR) : "";
+  }
+
+  /** Takes processor time. */
+  void take(long processorNanos) {
+    used.addAndGet(processorNanos);
+    if (whole != null) {
+      whole.take(processorNanos);
+    }
+  }
+
+  private static String text(long nanos) {
+    long millis = nanos / 1_000_000;
+    return millis % 1000 == 0 ? millis / 1000 + " s" : millis + " ms";
+  }
+}
