@@ -17,7 +17,7 @@ final class ChainModels {
 
   private ChainModels() {}
 
-  /** A chain in which everything holds. */
+  /** A chain in which everything holds; its first node hears itself, which is a warning. */
   static EventChain sound(int nodes) {
     EventChain chain = FACTORY.createEventChain();
     chain.setName("chain");
@@ -48,8 +48,8 @@ final class ChainModels {
     node.setBestCaseExecutionTime(1.0);
     node.setWorstCaseExecutionTime(2.0);
     for (int port = 0; port < 2; port++) {
-      Data input = data("in" + port, "/topic" + (i - 1) + "/" + port);
-      Data output = data("out" + port, "/topic" + i + "/" + port);
+      Data input = data("in" + port, topic(Math.max(0, i - 1), port));
+      Data output = data("out" + port, topic(i, port));
       chain.getData().add(input);
       chain.getData().add(output);
       node.getInput().add(input);
@@ -58,10 +58,14 @@ final class ChainModels {
     return node;
   }
 
+  private static String topic(int node, int port) {
+    return "/topic" + node + "/port" + port;
+  }
+
   private static Data data(String name, String topic) {
     Data data = FACTORY.createData();
     data.setName(name);
-    data.setTopicName(topic.replace("-1", "0"));
+    data.setTopicName(topic);
     data.setMessageType("std_msgs/msg/Float32");
     data.setFieldName("data");
     return data;

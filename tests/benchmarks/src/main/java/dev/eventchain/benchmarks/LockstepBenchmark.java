@@ -16,6 +16,7 @@ import dev.eventchain.simulation.SimulationResult;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -34,22 +35,31 @@ public final class LockstepBenchmark {
   /**
    * Prints a line for each round; the first rounds of a number of processes warm up.
    *
-   * @param arguments the folder of the repository
+   * @param arguments the folder of the repository; then perhaps the number of rounds
    * @throws IOException if a file cannot be read or written
    * @throws InterruptedException if it is interrupted
    */
   public static void main(String[] arguments) throws IOException, InterruptedException {
     Path repository = Path.of(arguments[0]).normalize();
     Path folder = Files.createTempDirectory("eventchain-benchmark");
+    try {
+      run(repository, folder, arguments.length > 1 ? Integer.parseInt(arguments[1]) : ROUNDS);
+    } finally {
+      delete(folder);
+    }
+  }
+
+  private static void run(Path repository, Path folder, int rounds)
+      throws IOException, InterruptedException {
     SimulationRequest request = request(repository, folder);
     PythonEnvironment python = PythonEnvironment.ensure(System.out::println);
     System.out.println("processes  simulated s  wall s  x real time  x real time, one process");
     for (int processes : new int[] {1, 2}) {
-      for (int round = 0; round < ROUNDS; round++) {
+      for (int round = 0; round < rounds; round++) {
         SimulationResult result =
             Simulation.run(request.withProcesses(processes), python, verdict -> {});
         print(result.host());
-        if (round == ROUNDS - 1) {
+        if (round == rounds - 1) {
           result.measurements().nodes().forEach(LockstepBenchmark::print);
         }
       }
@@ -106,6 +116,14 @@ public final class LockstepBenchmark {
         NodeManifest.read(SourceText.read(folder.resolve("aeb").resolve(NodeManifest.FILE))),
         List.of(example.resolve("software-base/msg")),
         Scenario.readFolder(example.resolve("scenarios"), warning -> {}));
+  }
+
+  private static void delete(Path folder) throws IOException {
+    try (Stream<Path> files = Files.walk(folder)) {
+      for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+        Files.delete(file);
+      }
+    }
   }
 
   private static void copy(Path from, Path to) throws IOException {
