@@ -74,7 +74,7 @@ class LoweringTest {
         .withSizeDistribution(RandomDistribution.uniform());
   }
 
-  @Property(tries = 10_000, seed = "20240611", shrinking = ShrinkingMode.FULL)
+  @Property(seed = "20240611", shrinking = ShrinkingMode.FULL)
   void loweredExpressionsHaveTheValuesOfEclipseOcl(
       @ForAll("choices") List<Integer> choices, @ForAll Random random) {
     OclGenerator generator = new OclGenerator(choices);
