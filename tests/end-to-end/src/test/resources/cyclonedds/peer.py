@@ -33,7 +33,7 @@ def main():
     scan = messages.sensor_msgs__LaserScan(range_min=0.0, range_max=100.0, ranges=[float("inf"), 6.0, 9.0])
     status = status_type(velocity=8.0)
     seen = {}
-    end = time.monotonic() + 40
+    end = time.monotonic() + 600
     while len(seen) < 2 and time.monotonic() < end:
         scans.write(scan)
         speeds.write(status)

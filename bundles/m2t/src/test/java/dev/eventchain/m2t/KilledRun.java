@@ -30,10 +30,11 @@ final class KilledRun {
   }
 
   @SuppressWarnings("resource") // the point is that nobody closes it
-  public static void main(String[] arguments) throws InterruptedException {
+  public static void main(String[] arguments) throws IOException {
     OutputFolder folder = OutputFolder.open(Path.of(arguments[0]));
     folder.write("whole", "killed".getBytes(StandardCharsets.UTF_8));
     System.out.println("ready");
-    Thread.sleep(60_000);
+    // Until it is killed, or whoever was to do so is gone.
+    while (System.in.read() >= 0) {}
   }
 }

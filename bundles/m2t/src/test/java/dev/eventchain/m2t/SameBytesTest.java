@@ -83,7 +83,7 @@ class SameBytesTest {
         found.add(threads.submit(() -> several(prepared, changed, ready)));
       }
       threads.shutdown();
-      assertTrue(threads.awaitTermination(2, TimeUnit.MINUTES));
+      assertTrue(threads.awaitTermination(1, TimeUnit.HOURS));
       return found;
     } finally {
       threads.shutdownNow();

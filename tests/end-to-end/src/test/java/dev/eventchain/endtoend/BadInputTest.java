@@ -287,31 +287,28 @@ class BadInputTest {
   void twoRunsDoNotMix() throws Exception {
     Path out = folder.resolve("first.out");
     Path err = folder.resolve("first.err");
-    Process first = new Program().start(out, err, "run", project, "--again");
+    Process first = new Program().haltedAt("Design", out, err, "run", project, "--again");
     try {
-      while (first.isAlive() && !Files.readString(err).contains("Design")) {
-        Thread.sleep(5);
-      }
       ended = new Program().run("run", project, "--again");
       ended.expect(2).says("output.locked");
     } finally {
-      first.waitFor();
+      Program.signal(first, "CONT");
     }
-    assertEquals(0, first.exitValue(), Files.readString(err));
+    assertEquals(0, first.waitFor(), Files.readString(err));
   }
 
-  @Test
-  void anInterruptedRunLeavesWholeFilesAndNoVerdict() throws Exception {
+  @ParameterizedTest
+  @CsvSource({"INT, 130", "TERM, 143", "HUP, 129"})
+  void anInterruptedRunLeavesWholeFilesAndNoVerdict(String signal, int code) throws Exception {
     byte[] verdict = Files.readAllBytes(project.resolve("out/verdict.json"));
     Path err = folder.resolve("err");
     // A shell that starts tests in the background makes its children ignore interrupts.
-    Program program = new Program().by("env", "--default-signal=INT");
-    Process run = program.start(folder.resolve("out.txt"), err, "run", project, "--again");
-    while (run.isAlive() && !Files.readString(err).contains("Generate")) {
-      Thread.sleep(5);
-    }
-    new ProcessBuilder("kill", "-INT", Long.toString(run.pid())).start().waitFor();
-    assertEquals(130, run.waitFor(), Files.readString(err));
+    Program program = new Program().by("env", "--default-signal=" + signal);
+    Path out = folder.resolve("out.txt");
+    Process run = program.haltedAt("Generate", out, err, "run", project, "--again");
+    Program.signal(run, signal);
+    Program.signal(run, "CONT");
+    assertEquals(code, run.waitFor(), Files.readString(err));
     assertTrue(Files.readString(err).contains("interrupted"), Files.readString(err));
     String interrupted = Files.readString(project.resolve("out/verdict.json"));
     assertTrue(interrupted.contains("\"passed\" : false"), interrupted);

@@ -152,7 +152,7 @@ class CycloneDdsTest {
       for (Process node : nodes) {
         assertTrue(node.isAlive(), logs::toString);
         node.destroy();
-        assertTrue(node.waitFor(20, TimeUnit.SECONDS), "the node ends when it is told to");
+        assertTrue(node.waitFor(10, TimeUnit.MINUTES), "the node ends when it is told to");
         assertEquals(0, node.exitValue(), Files.readString(logs.get(nodes.indexOf(node))));
       }
     } finally {
@@ -198,7 +198,7 @@ class CycloneDdsTest {
     Path err = Files.createTempFile(folder, "python", ".err");
     Process process = builder.redirectOutput(out.toFile()).redirectError(err.toFile()).start();
     try {
-      if (!process.waitFor(120, TimeUnit.SECONDS)) {
+      if (!process.waitFor(30, TimeUnit.MINUTES)) {
         throw new AssertionError("still running: " + Files.readString(err, UTF_8));
       }
     } catch (InterruptedException e) {

@@ -19,7 +19,10 @@ final class Program {
   /** The project's root folder. */
   static final Path ROOT = Path.of("").toAbsolutePath().getParent().getParent();
 
-  private static final long LONGEST_SECONDS = 120;
+  /** For the slowest of machines; none should wait for ever. */
+  private static final long LONGEST_SECONDS = 1800;
+
+  private static final int TRIES = 20;
 
   private final Map<String, String> environment = new TreeMap<>();
   private final List<String> prefix = new ArrayList<>();
@@ -88,6 +91,39 @@ final class Program {
       Thread.currentThread().interrupt();
       throw new IllegalStateException(e);
     }
+  }
+
+  /**
+   * Starts the program, and halts it as Ctrl-Z does once it has printed a text to standard error.
+   * Whatever is done next is done in the middle of its work, however fast or busy the machine is.
+   */
+  Process haltedAt(String text, Path out, Path err, Object... arguments)
+      throws IOException, InterruptedException {
+    for (int i = 0; i < TRIES; i++) {
+      Process process = start(out, err, arguments);
+      while (process.isAlive() && !Files.readString(err).contains(text)) {
+        Thread.sleep(1);
+      }
+      signal(process, "STOP");
+      while (process.isAlive() && !isHalted(process)) {
+        Thread.sleep(1);
+      }
+      if (process.isAlive()) {
+        return process;
+      }
+      // It ended before it was halted, which only happens if this test waited for long.
+    }
+    throw new AssertionError("it always ends before it can be halted: " + Files.readString(err));
+  }
+
+  private static boolean isHalted(Process process) throws IOException {
+    Path status = Path.of("/proc", Long.toString(process.pid()), "status");
+    return !Files.exists(status) || Files.readString(status).contains("State:\tT");
+  }
+
+  /** Sends a signal to a process. */
+  static void signal(Process process, String name) throws IOException, InterruptedException {
+    new ProcessBuilder("kill", "-" + name, Long.toString(process.pid())).start().waitFor();
   }
 
   /** Starts the program, writing to files. */

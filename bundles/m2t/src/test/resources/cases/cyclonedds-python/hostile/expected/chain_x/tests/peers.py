@@ -37,17 +37,17 @@ def reader_for(writer):
 
 def wait_for_values(reader, values, expected):
     """Wait until a message has the values; others may be on its topic, too."""
-    end = time.monotonic() + 5
+    end = time.monotonic() + 60
     found = []
     while expected not in found:
-        assert time.monotonic() < end, f"{found}, but not {expected} arrived within five seconds"
+        assert time.monotonic() < end, f"{found}, but not {expected} arrived within a minute"
         time.sleep(0.01)
         found += [values(message) for message in reader.take(N=100)]
 
 
 def wait_until(condition):
-    """Wait until something holds, at most five seconds."""
-    end = time.monotonic() + 5
+    """Wait until something holds, at most a minute."""
+    end = time.monotonic() + 60
     while not condition():
-        assert time.monotonic() < end, "nothing arrived within five seconds"
+        assert time.monotonic() < end, "nothing arrived within a minute"
         time.sleep(0.01)
