@@ -2,7 +2,10 @@ package dev.eventchain.cli;
 
 import dev.eventchain.diagnostics.DiagnosticException;
 
-/** What the process's exit code says. Scripts rely on the numbers. */
+/**
+ * What the process's exit code says. Scripts rely on the numbers. A signal ends it with 128 and the
+ * signal's number, as Java does by itself: 129 for SIGHUP, 130 for SIGINT, 143 for SIGTERM.
+ */
 final class ExitCode {
 
   /** Everything was done, and nothing is wrong. */

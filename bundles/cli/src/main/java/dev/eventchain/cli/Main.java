@@ -32,7 +32,8 @@ import picocli.CommandLine.ParameterException;
       "",
       "Exit codes: 0 fine; 1 findings of severity error, or a failed verdict; 2 wrong usage or",
       "unreadable input; 3 something this machine lacks, or a defect of eventchain, which says so;",
-      "4 waiting for an answer; 130 interrupted."
+      "4 waiting for an answer; 128 and the number of the signal that ended it: 129 for SIGHUP, 130",
+      "for Ctrl-C, 143 for SIGTERM; every file is then as it was or complete."
     })
 public final class Main {
 
@@ -59,6 +60,7 @@ public final class Main {
     // The end below is a halt, so only a signal gets here.
     Thread farewell = new Thread(() -> interrupted(err), "interrupted");
     Runtime.getRuntime().addShutdownHook(farewell);
+    Thread.setDefaultUncaughtExceptionHandler((thread, problem) -> giveUp(problem, err));
     int code = run(arguments, out, err, Terminal.of(System.getenv()));
     if (out.checkError() && code == ExitCode.FINE) {
       err.println("eventchain: standard output cannot be written");
@@ -66,6 +68,19 @@ public final class Main {
     }
     err.flush();
     Runtime.getRuntime().halt(code);
+  }
+
+  /**
+   * Ends the process if a thread dies that nobody looks after, so that its part of the work is not
+   * missing without a word. What was not printed yet is left out: it may be a verdict.
+   */
+  private static void giveUp(Throwable problem, PrintWriter err) {
+    try {
+      failure(problem, err);
+      err.flush();
+    } finally {
+      Runtime.getRuntime().halt(ExitCode.UNAVAILABLE);
+    }
   }
 
   private static void interrupted(PrintWriter err) {

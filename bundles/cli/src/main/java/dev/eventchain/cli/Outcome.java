@@ -49,8 +49,11 @@ record Outcome(
     if (failure instanceof DiagnosticException known) {
       return failed(ExitCode.of(known.reason()), known.diagnostics());
     }
-    return failed(
-        ExitCode.UNAVAILABLE, List.of(MemoryFinding.in(failure).orElseGet(() -> defect(failure))));
+    Diagnostic finding =
+        MemoryFinding.in(failure)
+            .or(() -> FilesFinding.in(failure))
+            .orElseGet(() -> defect(failure));
+    return failed(ExitCode.UNAVAILABLE, List.of(finding));
   }
 
   /** Says that this program itself is wrong, with the place in its code. */

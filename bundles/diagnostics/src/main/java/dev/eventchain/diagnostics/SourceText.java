@@ -1,10 +1,12 @@
 package dev.eventchain.diagnostics;
 
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
+import java.nio.file.DirectoryNotEmptyException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystemException;
 import java.nio.file.FileSystemLoopException;
@@ -13,6 +15,7 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Map;
 
 /** A text and its name, which turns offsets into places. Immutable. */
 public final class SourceText {
@@ -100,6 +103,19 @@ public final class SourceText {
     }
   }
 
+  private static final Map<String, String> SAID_BY_THE_SYSTEM =
+      Map.of(
+          "No space left on device", "the disk is full",
+          "Disk quota exceeded", "the disk space that is granted is used up",
+          "Read-only file system", "the disk can only be read",
+          "Permission denied", "permission is denied",
+          "Operation not permitted", "permission is denied",
+          "No such file or directory", "there is no such file or folder",
+          "Is a directory", "this is a folder",
+          "Not a directory", "a part of the path is no folder",
+          "File name too long", "the name is too long",
+          "Too many open files", "this process has too many files open");
+
   /** Why a file could not be read or written, in words for people, without a full stop. */
   public static String reason(IOException e) {
     if (e instanceof AccessDeniedException) {
@@ -112,10 +128,29 @@ public final class SourceText {
       return "a part of the path is no folder";
     } else if (e instanceof FileSystemLoopException) {
       return "links go in a circle";
+    } else if (e instanceof DirectoryNotEmptyException) {
+      return "the folder is not empty";
+    } else if (e instanceof CharacterCodingException) {
+      return "it is not UTF-8 text";
     }
-    boolean told = e instanceof FileSystemException file && file.getReason() != null;
-    String reason = told ? ((FileSystemException) e).getReason() : e.getMessage();
-    return reason == null || reason.isBlank() ? "the system does not say why" : reason;
+    // Java gives the file's name as the message where the system gives no reason.
+    String reason = e instanceof FileSystemException file ? file.getReason() : e.getMessage();
+    return reason == null || reason.isBlank() ? "the system does not say why" : plain(reason);
+  }
+
+  /** As {@link #reason(IOException)}. */
+  public static String reason(UncheckedIOException e) {
+    return reason(e.getCause());
+  }
+
+  /** What Linux says, as far as it is known, begins such a text or stands in brackets. */
+  private static String plain(String reason) {
+    for (Map.Entry<String, String> known : SAID_BY_THE_SYSTEM.entrySet()) {
+      if (reason.contains(known.getKey())) {
+        return known.getValue();
+      }
+    }
+    return reason;
   }
 
   private static DiagnosticException unreadable(String id, String message, Path file) {

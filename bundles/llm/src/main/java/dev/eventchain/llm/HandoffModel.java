@@ -95,7 +95,7 @@ final class HandoffModel implements ChatModel {
         List.of(
             Diagnostic.error(
                     "llm.handoff.unwritable",
-                    "The prompt cannot be written: " + cause,
+                    "The prompt cannot be written: " + SourceText.reason(cause) + ".",
                     SourceLocation.of(prompt))
                 .withHint("Choose another folder with --llm handoff:FOLDER.")));
   }

@@ -68,14 +68,20 @@ public final class MessageCatalog {
           files.put(name, file);
         }
       }
-    } catch (IOException | UncheckedIOException e) {
-      throw new DiagnosticException(
-          DiagnosticException.Reason.INPUT,
-          Diagnostic.error(
-              "file.unreadable",
-              "The folder of message definitions cannot be read: " + e.getMessage(),
-              SourceLocation.of(folder)));
+    } catch (IOException e) {
+      throw unreadable(folder, SourceText.reason(e));
+    } catch (UncheckedIOException e) {
+      throw unreadable(folder, SourceText.reason(e));
     }
+  }
+
+  private static DiagnosticException unreadable(Path folder, String reason) {
+    return new DiagnosticException(
+        DiagnosticException.Reason.INPUT,
+        Diagnostic.error(
+            "file.unreadable",
+            "The folder of message definitions cannot be read: " + reason + ".",
+            SourceLocation.of(folder)));
   }
 
   /** The folders of the user, as they were named. */

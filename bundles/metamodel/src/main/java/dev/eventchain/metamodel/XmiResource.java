@@ -124,6 +124,14 @@ final class XmiResource extends XMIResourceImpl {
     return proxies.getOrDefault(proxy, 0);
   }
 
+  /** Java names its classes where it has nothing to say. */
+  private static String reason(RuntimeException e) {
+    String message = e.getMessage();
+    return message == null || message.contains("java.")
+        ? "the reader trips over its structure."
+        : message;
+  }
+
   /** Reads the file. What is wrong with it stands in {@link #problems()}; nothing is thrown. */
   @Override
   public void load(Map<?, ?> options) {
@@ -145,7 +153,7 @@ final class XmiResource extends XMIResourceImpl {
       problems.add(e);
     } catch (RuntimeException e) {
       // EMF's reader trusts its input; what it trips over is a fault of the file.
-      problems.add("xmi.syntax", "The file is no sound XMI: " + e, 0, "");
+      problems.add("xmi.syntax", "The file is no sound XMI: " + reason(e), 0, "");
     }
   }
 

@@ -8,9 +8,12 @@ import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.messages.MessageType;
 import dev.eventchain.messages.MessageValue;
 import java.nio.ByteBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.Optional;
 import java.util.stream.Stream;
 
 /**
@@ -73,7 +76,8 @@ final class CarlaBridge {
             () ->
                 refused(
                     "message.unknown",
-                    "The vehicle's topic " + topic.name() + " needs " + topic.type() + "."));
+                    "The vehicle's topic " + topic.name() + " needs " + topic.type() + ".",
+                    topic));
   }
 
   private MessageValue message(Topic topic) {
@@ -172,7 +176,7 @@ final class CarlaBridge {
     return message.number("brake");
   }
 
-  private static void checked(Topic topic, Runnable access) {
+  private void checked(Topic topic, Runnable access) {
     try {
       access.run();
     } catch (IllegalArgumentException e) {
@@ -183,14 +187,23 @@ final class CarlaBridge {
               + " needs "
               + topic.type()
               + " as CARLA defines it: "
-              + e.getMessage());
+              + e.getMessage(),
+          topic);
     }
   }
 
-  private static DiagnosticException refused(String id, String message) {
+  /** The place is the file that defines the type, or should. */
+  private DiagnosticException refused(String id, String message, Topic topic) {
+    List<Path> files =
+        catalog.folders().stream().map(folder -> folder.resolve(topic.type() + ".msg")).toList();
+    Optional<Path> file =
+        files.stream()
+            .filter(Files::isRegularFile)
+            .findFirst()
+            .or(() -> files.stream().findFirst());
     return new DiagnosticException(
         DiagnosticException.Reason.INPUT,
-        Diagnostic.error(id, message, SourceLocation.NONE)
+        Diagnostic.error(id, message, file.map(SourceLocation::of).orElse(SourceLocation.NONE))
             .withHint("Put the definition into software-base/msg/PACKAGE/msg/NAME.msg."));
   }
 }

@@ -196,6 +196,13 @@ class SimulationTest {
         assertThrows(DiagnosticException.class, () -> AebProject.simulate(changed));
     assertEquals(DiagnosticException.Reason.INPUT, failure.reason());
     assertEquals(id, failure.diagnostics().get(0).id());
+    assertTrue(
+        failure
+            .diagnostics()
+            .get(0)
+            .location()
+            .file()
+            .endsWith("carla_msgs/msg/CarlaEgoVehicleControl.msg"));
   }
 
   @Test

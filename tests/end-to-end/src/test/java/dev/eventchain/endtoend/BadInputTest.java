@@ -284,6 +284,17 @@ class BadInputTest {
   }
 
   @Test
+  void aMissingTemporaryFolderIsNoDefect() throws IOException {
+    Path missing = folder.resolve("missing");
+    ended =
+        new Program()
+            .with("JAVA_TOOL_OPTIONS", "-Djava.io.tmpdir=" + missing)
+            .run("run", project, "--again");
+    ended.expect(3).says("[eventchain.files]").says("there is no such file or folder");
+    assertFalse(ended.err().contains("Exception"), ended.err());
+  }
+
+  @Test
   void twoRunsDoNotMix() throws Exception {
     Path out = folder.resolve("first.out");
     Path err = folder.resolve("first.err");

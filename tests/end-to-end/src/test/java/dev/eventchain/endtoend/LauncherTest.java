@@ -16,6 +16,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The launcher with a copy of what was built, as on the machine of a user. */
 class LauncherTest {
@@ -132,6 +134,20 @@ class LauncherTest {
     assertEquals(List.of(), leftOvers());
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"1k", "7m", "1000000", "900t", "4x", "-1g", "1.5g", "0"})
+  void memoryThatJavaCannotHaveIsWrongUsage(String memory) throws IOException {
+    Program.Ended ended = ended("launched", start(fakeJava("one", FORGER), "launched", memory));
+    ended.expect(2).says("eventchain: EVENTCHAIN_MEMORY is '" + memory + "'; ");
+    assertEquals("", ended.out());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"65536k", "64m", "1g", "67108864"})
+  void memoryHasAnyUnit(String memory) throws IOException {
+    assertVersionAlone(ended("launched", start(fakeJava("one", FORGER), "launched", memory)));
+  }
+
   private long rehearsals() throws IOException {
     return Files.readAllLines(folder.resolve("calls")).size();
   }
@@ -209,10 +225,15 @@ class LauncherTest {
   }
 
   private Process start(String javaHome, String name) throws IOException {
+    return start(javaHome, name, "");
+  }
+
+  private Process start(String javaHome, String name, String memory) throws IOException {
     ProcessBuilder builder =
         new ProcessBuilder(home.resolve("eventchain").toString(), "--version")
             .directory(folder.toFile());
     builder.environment().put("JAVA_HOME", javaHome);
+    builder.environment().put("EVENTCHAIN_MEMORY", memory);
     return builder
         .redirectOutput(folder.resolve(name + ".out").toFile())
         .redirectError(folder.resolve(name + ".err").toFile())

@@ -1,0 +1,35 @@
+package dev.eventchain.cli;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import java.io.IOException;
+import java.nio.file.FileSystemException;
+import java.util.Optional;
+
+/** The system refuses a file where the program relies on it, which is no defect. */
+final class FilesFinding {
+
+  private FilesFinding() {}
+
+  /** The finding, if it is this that went wrong. */
+  static Optional<Diagnostic> in(Throwable problem) {
+    for (Throwable cause = problem; cause != null; cause = cause.getCause()) {
+      if (cause instanceof IOException refused) {
+        return Optional.of(finding(refused));
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static Diagnostic finding(IOException refused) {
+    boolean named = refused instanceof FileSystemException file && file.getFile() != null;
+    return Diagnostic.error(
+            "eventchain.files",
+            "This machine refuses a file: " + SourceText.reason(refused) + ".",
+            named
+                ? SourceLocation.of(((FileSystemException) refused).getFile())
+                : SourceLocation.NONE)
+        .withHint("Check free space and permissions, also of the temporary folder.");
+  }
+}

@@ -1,0 +1,40 @@
+package dev.eventchain.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * With too little memory a command says so and passes nothing; where it is enough, all is there.
+ */
+class SmallMemoryTest {
+
+  @TempDir Path folder;
+
+  @ParameterizedTest
+  @ValueSource(ints = {8, 9, 10, 11, 12, 14, 16, 20})
+  void allOfItOrAFinding(int megabytes) throws IOException {
+    Path example = Program.exampleIn(folder);
+    Path report = folder.resolve("findings.json");
+    Program.Ended ended =
+        new Program()
+            .with("JAVA_TOOL_OPTIONS", "-Xmx" + megabytes + "m")
+            .run("validate", example, "--report", "json=" + report);
+    if (ended.code() == 0) {
+      ended.says("0 errors").says("constraints evaluated");
+      assertTrue(Files.readString(report).contains("\"exitCode\" : 0"), Files.readString(report));
+      return;
+    }
+    ended.expect(3).says("[eventchain.memory]").says("EVENTCHAIN_MEMORY");
+    assertEquals("", ended.out());
+    if (Files.exists(report)) {
+      assertTrue(Files.readString(report).contains("\"exitCode\" : 3"), Files.readString(report));
+    }
+  }
+}
