@@ -6,11 +6,11 @@ The folder of the host's protocol (bundles/ros2-runtime/tests) is on PYTHONPATH.
 import json
 import struct
 import sys
+from pathlib import Path
 
 from protocol import MILLISECOND, HostProcess
 
-PACKAGE = "lane_fusion"
-NODES = ["Steering", "Vehicle_Detection", "Lane_Detection", "Camera"]
+ORDER = ["Steering", "Vehicle_Detection", "Lane_Detection", "Camera"]
 
 
 def distance(value):
@@ -19,12 +19,13 @@ def distance(value):
 
 
 def configuration(folder):
-    """All nodes of the chain, its input and its output."""
+    """All nodes of the chain as the manifest has them, its input and its output."""
+    nodes = json.loads(Path(folder, "eventchain-manifest.json").read_text())["nodes"]
+    for node in nodes:
+        node["component"]["file"] = str(Path(folder, node["component"]["file"]))
     return {
         "path": [folder],
-        "nodes": [
-            {"module": f"{PACKAGE}.{name.lower()}_node", "class": f"{name}_node", "name": name} for name in NODES
-        ],
+        "nodes": sorted(nodes, key=lambda node: ORDER.index(node["name"])),
         "world_publishes": [{"topic": "/road", "type": "sensor_msgs/msg/Range"}],
         "world_subscribes": [{"topic": "/steering/angle", "type": "std_msgs/msg/Float32"}],
     }

@@ -67,16 +67,7 @@ final class RuleParser {
             resolved.scope(),
             resolved.contextPackage(),
             problems);
-    Optional<Expression> condition =
-        language
-            .parse(
-                source,
-                clause.start(),
-                clause.end(),
-                resolved.scope(),
-                resolved.contextPackage(),
-                problems)
-            .filter(expression -> isBoolean(expression, name, source, clause));
+    Optional<Expression> condition = condition(resolved, name);
     if (condition.isPresent()
         && definitions.isUsable(condition.get().ast())
         && message.stream()
@@ -93,6 +84,19 @@ final class RuleParser {
               resolved.location(),
               () -> Navigations.of(condition.get().ast(), language.environment())));
     }
+  }
+
+  private Optional<Expression> condition(ResolvedClause resolved, String name) {
+    RuleDocument.Clause clause = resolved.clause();
+    return language
+        .parse(
+            resolved.source(),
+            clause.start(),
+            clause.end(),
+            resolved.scope(),
+            resolved.contextPackage(),
+            problems)
+        .filter(expression -> isBoolean(expression, name, resolved.source(), clause));
   }
 
   private String nameOf(ResolvedClause resolved) {

@@ -159,18 +159,22 @@ public final class Pipeline {
           : executed(stage, key, fingerprint.sources(), start);
     } catch (DiagnosticException e) {
       failure = Optional.of(e.reason());
-      List<Diagnostic> found = new ArrayList<>(run.takeFindings());
-      found.addAll(e.diagnostics());
-      // What keeps a stage from its result cannot be suppressed.
-      return new StageOutcome(
-          stage,
-          Status.FAILED,
-          since(start),
-          reason(e),
-          new Parted(found, List.of()),
-          Coverage.NONE,
-          Optional.empty());
+      return stopped(stage, e, start);
     }
+  }
+
+  /** What keeps a stage from its result cannot be suppressed. */
+  private StageOutcome stopped(Stage stage, DiagnosticException problem, long start) {
+    List<Diagnostic> found = new ArrayList<>(run.takeFindings());
+    found.addAll(problem.diagnostics());
+    return new StageOutcome(
+        stage,
+        Status.FAILED,
+        since(start),
+        reason(problem),
+        new Parted(found, List.of()),
+        Coverage.NONE,
+        Optional.empty());
   }
 
   private boolean mayBeSkipped(Stage stage) {
@@ -213,16 +217,7 @@ public final class Pipeline {
     } else if (work.skippable() && !isPartial(stage)) {
       // An error that is suppressed today may count tomorrow: then the stage must run again.
       String skippedBy = Diagnostic.anyError(found) ? StageRecord.NEVER : key;
-      memory.remember(
-          stage,
-          new StageRecord(
-              skippedBy,
-              sources,
-              written(result.outputs()),
-              result.details(),
-              found,
-              result.coverage(),
-              result.report()));
+      memory.remember(stage, record(skippedBy, sources, result, found));
     }
     return new StageOutcome(
         stage,
@@ -232,6 +227,18 @@ public final class Pipeline {
         parted,
         result.coverage(),
         Optional.of(result.report()));
+  }
+
+  private StageRecord record(
+      String key, Map<String, String> sources, StageResult result, List<Diagnostic> found) {
+    return new StageRecord(
+        key,
+        sources,
+        written(result.outputs()),
+        result.details(),
+        found,
+        result.coverage(),
+        result.report());
   }
 
   /** Whatever happens from here on, the files are no longer those that are remembered. */
