@@ -41,7 +41,6 @@ class LengthTest {
           Map.entry("CdrReader.numbers", 32L),
           Map.entry("CollectionOperations.addOrder", 47L),
           Map.entry("DeepStack.all", 32L),
-          Map.entry("DesignStage.execute", 31L),
           Map.entry("Expression.evaluate", 32L),
           Map.entry("FileCharsets.bytes", 31L),
           Map.entry("GenerateStage.execute", 36L),
