@@ -290,7 +290,7 @@ class BadInputTest {
         new Program()
             .with("JAVA_TOOL_OPTIONS", "-Djava.io.tmpdir=" + missing)
             .run("run", project, "--again");
-    ended.expect(3).says("[eventchain.files]").says("there is no such file or folder");
+    ended.expect(3).says("[temporary.unwritable]").says("it does not exist");
     assertFalse(ended.err().contains("Exception"), ended.err());
   }
 

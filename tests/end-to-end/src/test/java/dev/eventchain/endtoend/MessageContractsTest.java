@@ -80,6 +80,7 @@ class MessageContractsTest {
   private Path project(String name) throws IOException {
     Path project = folder.resolve("limiter");
     copy(CASES.resolve(name).resolve("signals.json"), project.resolve("software-base"));
+    Files.writeString(project.resolve("software-base/components.json"), "[]\n");
     copy(CASES.resolve(name).resolve("chain.xmi"), project.resolve("model"));
     Path messages = CASES.resolve(name).resolve("msg/limiter_msgs/msg");
     try (Stream<Path> files = Files.list(messages)) {
