@@ -1,12 +1,9 @@
 package dev.eventchain.llm;
 
-import com.fasterxml.jackson.core.util.DefaultIndenter;
-import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
-import com.fasterxml.jackson.core.util.Separators;
-import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.documents.JsonLayout;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;
@@ -17,7 +14,6 @@ import java.util.Locale;
  */
 final class RecordingWriter {
   static final String FORMAT = "llm-recording/1";
-  private static final JsonMapper MAPPER = new JsonMapper();
 
   private RecordingWriter() {}
 
@@ -25,21 +21,14 @@ final class RecordingWriter {
     AtomicFile.write(file, toJson(recording));
   }
 
-  private static String toJson(Recording recording) throws IOException {
+  private static String toJson(Recording recording) {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     json.put("format", FORMAT);
     json.put("key", recording.key().value());
     json.set("request", RequestJson.withLines(recording.request()));
     ArrayNode samples = json.putArray("samples");
     recording.samples().forEach(sample -> append(samples.addObject(), sample));
-    DefaultIndenter indenter = new DefaultIndenter("  ", "\n");
-    DefaultPrettyPrinter printer =
-        new DefaultPrettyPrinter(
-                Separators.createDefaultInstance()
-                    .withObjectFieldValueSpacing(Separators.Spacing.AFTER))
-            .withObjectIndenter(indenter)
-            .withArrayIndenter(indenter);
-    return MAPPER.writer(printer).writeValueAsString(json) + "\n";
+    return JsonLayout.of(json) + "\n";
   }
 
   private static void append(ObjectNode json, Recording.Sample sample) {

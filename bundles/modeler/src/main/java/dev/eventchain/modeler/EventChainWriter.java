@@ -1,14 +1,10 @@
 package dev.eventchain.modeler;
 
-import com.fasterxml.jackson.core.JsonProcessingException;
-import com.fasterxml.jackson.core.util.DefaultIndenter;
-import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
-import com.fasterxml.jackson.core.util.Separators;
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.documents.JsonLayout;
 import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
@@ -30,18 +26,7 @@ public final class EventChainWriter {
   public static String write(EventChain chain) {
     ArrayNode components = JsonNodeFactory.instance.arrayNode();
     chain.getSoftware().forEach(node -> components.add(component(node)));
-    DefaultIndenter indenter = new DefaultIndenter("  ", "\n");
-    DefaultPrettyPrinter printer =
-        new DefaultPrettyPrinter(
-                Separators.createDefaultInstance()
-                    .withObjectFieldValueSpacing(Separators.Spacing.AFTER))
-            .withObjectIndenter(indenter)
-            .withArrayIndenter(indenter);
-    try {
-      return new ObjectMapper().writer(printer).writeValueAsString(components) + "\n";
-    } catch (JsonProcessingException e) {
-      throw new IllegalStateException("a description is plain data", e);
-    }
+    return JsonLayout.of(components) + "\n";
   }
 
   private static ObjectNode component(SoftwareNode node) {
