@@ -183,6 +183,22 @@ public final class SourceText {
     return text;
   }
 
+  /** All of the text. */
+  public SourceRange whole() {
+    return range(0, text.length());
+  }
+
+  /**
+   * A part of the text.
+   *
+   * @param start the offset of the first character
+   * @param end the offset after the last character
+   * @throws IndexOutOfBoundsException if that is not inside the text
+   */
+  public SourceRange range(int start, int end) {
+    return new SourceRange(this, start, end);
+  }
+
   /**
    * The place of an offset.
    *

@@ -1,5 +1,6 @@
 package dev.eventchain.m2t;
 
+import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.m2t.Syntax.Binding;
 import dev.eventchain.m2t.Syntax.Branch;
 import dev.eventchain.m2t.Syntax.Decoration;
@@ -130,9 +131,9 @@ final class BlockParser {
     if (reader.acceptWord("super") && reader.atEnd()) {
       return Optional.of(new Syntax.Super(token.start()));
     }
-    Span whole = new Span(token.contentStart(), token.contentEnd());
+    SourceRange whole = token.content(problems.source());
     int decorated = decorationStart(whole);
-    Span value = new Span(whole.start(), decorated).strip(problems.source().text());
+    SourceRange value = problems.source().range(whole.start(), decorated).strip();
     if (value.isEmpty()) {
       problems.syntax(token.start(), "This expression is empty.", "");
       return Optional.empty();
@@ -140,7 +141,8 @@ final class BlockParser {
     Decoration decoration =
         decorated == whole.end()
             ? NONE
-            : new HeaderReader(problems, decorated, whole.end()).decoration();
+            : new HeaderReader(problems, problems.source().range(decorated, whole.end()))
+                .decoration();
     return Optional.of(new Syntax.Output(token.start(), value, decoration));
   }
 
@@ -148,10 +150,10 @@ final class BlockParser {
    * Where {@code before(...)}, {@code separator(...)}, {@code after(...)} or {@code {...}} start
    * behind a call: after a closing parenthesis and white space.
    */
-  private int decorationStart(Span span) {
+  private int decorationStart(SourceRange span) {
     // What is wrong with the expression itself is for the expression's parser to say.
     Problems unheard = new Problems(problems.source(), new ArrayList<>());
-    HeaderReader reader = new HeaderReader(unheard, span.start(), span.end());
+    HeaderReader reader = new HeaderReader(unheard, span);
     while (!reader.atEnd()) {
       reader.until("(");
       if (reader.atEnd() || reader.parentheses("arguments").isEmpty()) {
@@ -166,19 +168,19 @@ final class BlockParser {
 
   private Optional<Node> forBlock(Token token) {
     HeaderReader reader = reader(token);
-    Optional<Span> inside = reader.parentheses("what to go through");
+    Optional<SourceRange> inside = reader.parentheses("what to go through");
     Decoration decoration = inside.isEmpty() ? NONE : reader.decoration();
     List<Node> body = body();
     if (inside.isEmpty()) {
       return Optional.empty();
     }
-    HeaderReader items = new HeaderReader(problems, inside.get().start(), inside.get().end());
+    HeaderReader items = new HeaderReader(problems, inside.get());
     Optional<Variable> variable = Optional.empty();
     if (declaresVariable(inside.get())) {
       variable = items.variable("|");
       items.accept('|');
     }
-    Span collection = items.rest();
+    SourceRange collection = items.rest();
     if (collection.isEmpty()) {
       items.unexpected("a collection");
       return Optional.empty();
@@ -186,8 +188,8 @@ final class BlockParser {
     return Optional.of(new Syntax.For(token.start(), variable, collection, decoration, body));
   }
 
-  private boolean declaresVariable(Span span) {
-    HeaderReader reader = new HeaderReader(problems, span.start(), span.end());
+  private boolean declaresVariable(SourceRange span) {
+    HeaderReader reader = new HeaderReader(problems, span);
     if (reader.name().isEmpty()) {
       return false;
     }
@@ -221,7 +223,7 @@ final class BlockParser {
 
   private Optional<Branch> branch(Token token) {
     HeaderReader reader = reader(token);
-    Optional<Span> condition = reader.parentheses("a condition");
+    Optional<SourceRange> condition = reader.parentheses("a condition");
     List<Variable> variables = reader.variablesInBraces();
     if (condition.isPresent() && !reader.atEnd()) {
       problems.syntax(
@@ -264,17 +266,19 @@ final class BlockParser {
 
   private Optional<Node> fileBlock(Token token) {
     HeaderReader reader = reader(token);
-    Optional<Span> inside = reader.parentheses("the name of the file");
+    Optional<SourceRange> inside = reader.parentheses("the name of the file");
     reader.variablesInBraces();
     reader.expectEnd("the end of the tag");
     List<Node> body = body(false);
     if (inside.isEmpty()) {
       return Optional.empty();
     }
-    HeaderReader arguments = new HeaderReader(problems, inside.get().start(), inside.get().end());
-    Span name = arguments.until(",");
-    Optional<Span> mode = arguments.accept(',') ? some(arguments.until(",")) : Optional.empty();
-    Optional<Span> charset = arguments.accept(',') ? some(arguments.until(",")) : Optional.empty();
+    HeaderReader arguments = new HeaderReader(problems, inside.get());
+    SourceRange name = arguments.until(",");
+    Optional<SourceRange> mode =
+        arguments.accept(',') ? some(arguments.until(",")) : Optional.empty();
+    Optional<SourceRange> charset =
+        arguments.accept(',') ? some(arguments.until(",")) : Optional.empty();
     arguments.expectEnd("no more than a name, a mode and a charset");
     if (name.isEmpty()) {
       problems.syntax(token.start(), "The file has no name.", "");
@@ -285,9 +289,9 @@ final class BlockParser {
 
   private Optional<Node> protectedBlock(Token token) {
     HeaderReader reader = reader(token);
-    Optional<Span> id = reader.parentheses("the id of the area");
-    Optional<Span> startPrefix = Optional.empty();
-    Optional<Span> endPrefix = Optional.empty();
+    Optional<SourceRange> id = reader.parentheses("the id of the area");
+    Optional<SourceRange> startPrefix = Optional.empty();
+    Optional<SourceRange> endPrefix = Optional.empty();
     if (reader.acceptWord("startTagPrefix")) {
       startPrefix = reader.parentheses("a text");
     }
@@ -309,11 +313,11 @@ final class BlockParser {
     return Optional.of(new Syntax.Protected(token.start(), id.get(), startPrefix, endPrefix, body));
   }
 
-  private static Optional<Span> some(Span span) {
+  private static Optional<SourceRange> some(SourceRange span) {
     return span.isEmpty() ? Optional.empty() : Optional.of(span);
   }
 
   private HeaderReader reader(Token token) {
-    return new HeaderReader(problems, token.contentStart(), token.contentEnd());
+    return new HeaderReader(problems, token.content(problems.source()));
   }
 }

@@ -1,5 +1,6 @@
 package dev.eventchain.m2t;
 
+import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.m2t.Syntax.Node;
 import dev.eventchain.ocl.Expression;
 import dev.eventchain.ocl.ExpressionLanguage;
@@ -128,7 +129,7 @@ final class BodyCompiler {
             .map(Expression::type)
             .map(t -> language.elementType(t).orElse(t))
             .orElse(language.any());
-    Optional<Span> declared = loop.variable().flatMap(Syntax.Variable::type);
+    Optional<SourceRange> declared = loop.variable().flatMap(Syntax.Variable::type);
     EClassifier type = declared.flatMap(expressions::type).orElse(elements);
     Optional<String> variable = loop.variable().map(v -> v.name().text());
     Scope inside = scope.with("i", language.type("Integer")).with("self", type);
@@ -191,7 +192,7 @@ final class BodyCompiler {
 
   private Step fileStep(Syntax.File file, Scope scope) {
     Optional<Expression> name = expressions.parse(file.name(), scope);
-    String mode = file.mode().map(span -> span.in(expressions.text())).orElse("false");
+    String mode = file.mode().map(SourceRange::text).orElse("false");
     Optional<Steps.FileMode> constant = fileMode(mode);
     Optional<Expression> computed =
         constant.isPresent() ? Optional.empty() : condition(file.mode(), scope);
@@ -238,7 +239,7 @@ final class BodyCompiler {
   }
 
   /** Parses an expression that must be Boolean. */
-  Optional<Expression> condition(Optional<Span> span, Scope scope) {
+  Optional<Expression> condition(Optional<SourceRange> span, Scope scope) {
     return span.flatMap(s -> expressions.condition(s, scope));
   }
 
@@ -260,7 +261,7 @@ final class BodyCompiler {
       this.scope = scope;
     }
 
-    private Optional<Expression> parse(Optional<Span> span) {
+    private Optional<Expression> parse(Optional<SourceRange> span) {
       Optional<Expression> parsed = span.flatMap(s -> expressions.parse(s, scope));
       complete &= span.isPresent() == parsed.isPresent();
       return parsed;

@@ -1,5 +1,6 @@
 package dev.eventchain.m2t;
 
+import dev.eventchain.diagnostics.SourceRange;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -41,7 +42,7 @@ final class Brackets {
       if (node instanceof Syntax.Text text) {
         whole.append(text.text().strip());
       } else if (node instanceof Syntax.Output output) {
-        whole.append(output.value().in(source).replace("'", ""));
+        whole.append(output.value().text().replace("'", ""));
       } else {
         return false;
       }
@@ -136,11 +137,11 @@ final class Brackets {
     decoration(output.decoration().after());
   }
 
-  private void decoration(Optional<Span> text) {
-    text.ifPresent(span -> expression(span.strip(source)));
+  private void decoration(Optional<SourceRange> text) {
+    text.ifPresent(span -> expression(span.strip()));
   }
 
-  private void expression(Span span) {
+  private void expression(SourceRange span) {
     int quote = span.start();
     Brackets inside = new Brackets(source);
     boolean literal = false;

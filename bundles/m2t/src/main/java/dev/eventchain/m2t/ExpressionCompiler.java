@@ -1,5 +1,6 @@
 package dev.eventchain.m2t;
 
+import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.ocl.Expression;
 import dev.eventchain.ocl.ExpressionLanguage;
 import dev.eventchain.ocl.Scope;
@@ -52,20 +53,15 @@ record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage 
     }
   }
 
-  String text() {
-    return problems.source().text();
-  }
-
   /** An expression; empty if it is wrong, which has been reported. */
-  Optional<Expression> parse(Span span, Scope scope) {
-    Span inside = span.strip(text());
+  Optional<Expression> parse(SourceRange span, Scope scope) {
+    SourceRange inside = span.strip();
     if (inside.isEmpty()) {
       problems.syntax(span.start(), "An expression is missing here.", "");
       return Optional.empty();
     }
     try {
-      Optional<Expression> parsed =
-          language.parse(problems.source(), inside.start(), inside.end(), scope, problems.found());
+      Optional<Expression> parsed = language.parse(inside, scope, problems.found());
       parsed.ifPresent(expression -> note(expression, inside.start()));
       return parsed;
     } catch (StackOverflowError e) {
@@ -94,14 +90,14 @@ record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage 
   }
 
   /** An expression that can be true or false. */
-  Optional<Expression> condition(Span span, Scope scope) {
+  Optional<Expression> condition(SourceRange span, Scope scope) {
     Optional<Expression> parsed = parse(span, scope);
     if (parsed.isPresent()
         && !language.conforms(parsed.get().type(), language.type("Boolean"))
         && !(parsed.get().type() instanceof AnyType)) {
       problems.error(
           "m2t.condition",
-          span.strip(text()).start(),
+          span.strip().start(),
           "The condition is of type '" + parsed.get().type().getName() + "', not 'Boolean'.",
           "Compare it with something, or ask ->notEmpty().");
       return Optional.empty();
@@ -110,8 +106,8 @@ record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage 
   }
 
   /** A type; empty if there is none of this name, which has been reported. */
-  Optional<EClassifier> type(Span span) {
-    return language.type(problems.source(), span.start(), span.end(), problems.found());
+  Optional<EClassifier> type(SourceRange span) {
+    return language.type(span, problems.found());
   }
 
   /** The test of whether a value is an instance of a type. */

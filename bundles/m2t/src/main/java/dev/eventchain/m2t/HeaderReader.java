@@ -1,5 +1,6 @@
 package dev.eventchain.m2t;
 
+import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.m2t.Syntax.Decoration;
 import dev.eventchain.m2t.Syntax.Name;
 import dev.eventchain.m2t.Syntax.Variable;
@@ -18,11 +19,11 @@ final class HeaderReader {
   private final int limit;
   private int position;
 
-  HeaderReader(Problems problems, int start, int limit) {
+  HeaderReader(Problems problems, SourceRange inside) {
     this.text = problems.source().text();
     this.problems = problems;
-    this.position = start;
-    this.limit = limit;
+    this.position = inside.start();
+    this.limit = inside.end();
   }
 
   int position() {
@@ -91,7 +92,7 @@ final class HeaderReader {
   }
 
   /** {@code (...)}: what stands between the parentheses; reports if there are none. */
-  Optional<Span> parentheses(String what) {
+  Optional<SourceRange> parentheses(String what) {
     if (!at('(')) {
       problems.syntax(position, "Here should be " + what + " in parentheses.", "");
       return Optional.empty();
@@ -102,13 +103,13 @@ final class HeaderReader {
       position = limit;
       return Optional.empty();
     }
-    Span inside = new Span(position + 1, close);
+    SourceRange inside = problems.source().range(position + 1, close);
     position = close + 1;
     return Optional.of(inside);
   }
 
   /** The rest up to one of some characters outside of parentheses and quotes, or to the end. */
-  Span until(String stops) {
+  SourceRange until(String stops) {
     skipSpace();
     int start = position;
     while (position < limit) {
@@ -123,7 +124,7 @@ final class HeaderReader {
       position = close < 0 ? position + 1 : close + 1;
     }
     position = Math.min(position, limit);
-    return new Span(start, position).strip(text);
+    return problems.source().range(start, position).strip();
   }
 
   /** Whether the brace at the position belongs to a literal such as {@code Sequence{1}}. */
@@ -139,16 +140,16 @@ final class HeaderReader {
     return LITERALS.contains(text.substring(word, end));
   }
 
-  Span rest() {
+  SourceRange rest() {
     return until("");
   }
 
   /** {@code separator(...) before(...) after(...) ? (...) {...}} in any order. */
   Decoration decoration() {
-    Optional<Span> before = Optional.empty();
-    Optional<Span> separator = Optional.empty();
-    Optional<Span> after = Optional.empty();
-    Optional<Span> guard = Optional.empty();
+    Optional<SourceRange> before = Optional.empty();
+    Optional<SourceRange> separator = Optional.empty();
+    Optional<SourceRange> after = Optional.empty();
+    Optional<SourceRange> guard = Optional.empty();
     List<Variable> variables = List.of();
     while (!atEnd()) {
       if (acceptWord("before")) {
@@ -181,7 +182,7 @@ final class HeaderReader {
       position = limit;
       return variables;
     }
-    HeaderReader inside = new HeaderReader(problems, position + 1, close);
+    HeaderReader inside = new HeaderReader(problems, problems.source().range(position + 1, close));
     while (!inside.atEnd()) {
       inside.variableWithValue().ifPresent(variables::add);
       if (!inside.accept(';')) {
@@ -203,7 +204,7 @@ final class HeaderReader {
       position = limit;
       return Optional.empty();
     }
-    Span value = until(";{");
+    SourceRange value = until(";{");
     return Optional.of(
         new Variable(declared.get().name(), declared.get().type(), Optional.of(value)));
   }
@@ -216,7 +217,7 @@ final class HeaderReader {
       position = limit;
       return Optional.empty();
     }
-    Optional<Span> type = Optional.empty();
+    Optional<SourceRange> type = Optional.empty();
     if (accept(':')) {
       type = Optional.of(until(stops));
       if (type.get().isEmpty()) {
@@ -230,12 +231,12 @@ final class HeaderReader {
 
   /** {@code (name : type, ...)}. */
   List<Variable> parameters() {
-    Optional<Span> inside = parentheses("the parameters");
+    Optional<SourceRange> inside = parentheses("the parameters");
     List<Variable> parameters = new ArrayList<>();
     if (inside.isEmpty()) {
       return parameters;
     }
-    HeaderReader reader = new HeaderReader(problems, inside.get().start(), inside.get().end());
+    HeaderReader reader = new HeaderReader(problems, inside.get());
     while (!reader.atEnd()) {
       Optional<Variable> parameter = reader.variable(",");
       if (parameter.isPresent() && parameter.get().type().isEmpty()) {

@@ -2,6 +2,7 @@ package dev.eventchain.m2t;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.m2t.Callable.Parameter;
 import dev.eventchain.m2t.Syntax.Visibility;
 import dev.eventchain.ocl.Expression;
@@ -75,8 +76,8 @@ final class Linker {
 
   private List<EPackage> metamodels(ModuleLoader.Loaded loaded) {
     List<EPackage> found = new ArrayList<>();
-    for (Span span : loaded.syntax().metamodels()) {
-      String uri = span.in(loaded.problems().source().text());
+    for (SourceRange span : loaded.syntax().metamodels()) {
+      String uri = span.text();
       String bare = uri.replaceAll("^'|'$", "");
       Optional<EPackage> metamodel =
           Stream.concat(packages.stream(), Stream.of(EcorePackage.eINSTANCE))

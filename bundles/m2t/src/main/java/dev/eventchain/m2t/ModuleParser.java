@@ -1,6 +1,7 @@
 package dev.eventchain.m2t;
 
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.m2t.Syntax.Name;
 import dev.eventchain.m2t.Syntax.Query;
 import dev.eventchain.m2t.Syntax.Template;
@@ -22,7 +23,7 @@ final class ModuleParser {
   private final Problems problems;
   private final List<Token> tokens;
   private final BlockParser blocks;
-  private final List<Span> metamodels = new ArrayList<>();
+  private final List<SourceRange> metamodels = new ArrayList<>();
   private final List<Name> extended = new ArrayList<>();
   private final List<Name> imports = new ArrayList<>();
   private final List<Template> templates = new ArrayList<>();
@@ -125,7 +126,7 @@ final class ModuleParser {
       module = Optional.of(new Name("", token.start()));
       return;
     }
-    Optional<Span> inside = reader.parentheses("the namespaces of the metamodels");
+    Optional<SourceRange> inside = reader.parentheses("the namespaces of the metamodels");
     inside.ifPresent(span -> list(span).forEach(metamodels::add));
     if (reader.acceptWord("extends")) {
       do {
@@ -136,11 +137,11 @@ final class ModuleParser {
     reader.expectEnd("'extends' or the end of the tag");
   }
 
-  private List<Span> list(Span span) {
-    HeaderReader reader = new HeaderReader(problems, span.start(), span.end());
-    List<Span> items = new ArrayList<>();
+  private List<SourceRange> list(SourceRange span) {
+    HeaderReader reader = new HeaderReader(problems, span);
+    List<SourceRange> items = new ArrayList<>();
     do {
-      Span item = reader.until(",");
+      SourceRange item = reader.until(",");
       if (!item.isEmpty()) {
         items.add(item);
       }
@@ -160,7 +161,7 @@ final class ModuleParser {
       reader.unexpected("':' and the type of the result");
       return;
     }
-    Span type = reader.until("=");
+    SourceRange type = reader.until("=");
     if (!reader.accept('=')) {
       reader.unexpected("'=' and the result");
       return;
@@ -206,9 +207,9 @@ final class ModuleParser {
             .ifPresentOrElse(overrides::add, () -> reader.unexpected("the name of a template"));
       } while (reader.accept(','));
     }
-    Optional<Span> guard =
+    Optional<SourceRange> guard =
         reader.accept('?') ? reader.parentheses("a condition") : Optional.empty();
-    Optional<Span> post =
+    Optional<SourceRange> post =
         reader.acceptWord("post") ? reader.parentheses("an operation") : Optional.empty();
     List<Variable> variables = reader.variablesInBraces();
     reader.expectEnd("'overrides', '?', 'post', '{' or the end of the tag");
@@ -227,8 +228,7 @@ final class ModuleParser {
   }
 
   private boolean isMain(Token comment) {
-    String content =
-        problems.source().text().substring(comment.contentStart(), comment.contentEnd());
+    String content = comment.content(problems.source()).text();
     int at = content.indexOf("@main");
     int end = at + "@main".length();
     return at >= 0
@@ -236,6 +236,6 @@ final class ModuleParser {
   }
 
   private HeaderReader reader(Token token) {
-    return new HeaderReader(problems, token.contentStart(), token.contentEnd());
+    return new HeaderReader(problems, token.content(problems.source()));
   }
 }

@@ -1,5 +1,6 @@
 package dev.eventchain.m2t;
 
+import dev.eventchain.diagnostics.SourceRange;
 import java.util.List;
 import java.util.Optional;
 
@@ -14,7 +15,7 @@ final class Syntax {
   record Module(
       String name,
       int start,
-      List<Span> metamodels,
+      List<SourceRange> metamodels,
       List<Name> extended,
       List<Name> imports,
       List<Template> templates,
@@ -31,7 +32,7 @@ final class Syntax {
   }
 
   /** {@code name : type}, or {@code name : type = value}; the type may be left to the value. */
-  record Variable(Name name, Optional<Span> type, Optional<Span> value) {}
+  record Variable(Name name, Optional<SourceRange> type, Optional<SourceRange> value) {}
 
   /** {@code [template ...]...[/template]}. */
   record Template(
@@ -39,15 +40,19 @@ final class Syntax {
       Visibility visibility,
       List<Variable> parameters,
       List<Name> overrides,
-      Optional<Span> guard,
-      Optional<Span> post,
+      Optional<SourceRange> guard,
+      Optional<SourceRange> post,
       List<Variable> variables,
       boolean main,
       List<Node> body) {}
 
   /** {@code [query ... : type = value /]}. */
   record Query(
-      Name name, Visibility visibility, List<Variable> parameters, Span type, Span value) {}
+      Name name,
+      Visibility visibility,
+      List<Variable> parameters,
+      SourceRange type,
+      SourceRange value) {}
 
   /** What a template's body is made of. */
   sealed interface Node {
@@ -59,29 +64,33 @@ final class Syntax {
   record Text(int start, String text) implements Node {}
 
   /** {@code [value/]}. */
-  record Output(int start, Span value, Decoration decoration) implements Node {}
+  record Output(int start, SourceRange value, Decoration decoration) implements Node {}
 
   /** {@code [super/]}. */
   record Super(int start) implements Node {}
 
   /** What goes around and between the parts of a repeated output. */
   record Decoration(
-      Optional<Span> before,
-      Optional<Span> separator,
-      Optional<Span> after,
-      Optional<Span> guard,
+      Optional<SourceRange> before,
+      Optional<SourceRange> separator,
+      Optional<SourceRange> after,
+      Optional<SourceRange> guard,
       List<Variable> variables) {}
 
   /** {@code [for (variable | items) ...]}; without a variable, self and i are all there is. */
   record For(
-      int start, Optional<Variable> variable, Span items, Decoration decoration, List<Node> body)
+      int start,
+      Optional<Variable> variable,
+      SourceRange items,
+      Decoration decoration,
+      List<Node> body)
       implements Node {}
 
   /** {@code [if] [elseif] [else]}. */
   record If(int start, List<Branch> branches, List<Node> otherwise) implements Node {}
 
   /** A condition, what it guards, and where its tag starts. */
-  record Branch(int start, Span condition, List<Variable> variables, List<Node> body) {}
+  record Branch(int start, SourceRange condition, List<Variable> variables, List<Node> body) {}
 
   /** {@code [let] [elselet] [else]}. */
   record Let(int start, List<Binding> bindings, List<Node> otherwise) implements Node {}
@@ -90,11 +99,20 @@ final class Syntax {
   record Binding(int start, Variable variable, List<Variable> variables, List<Node> body) {}
 
   /** {@code [file (name, mode, charset)]}. */
-  record File(int start, Span name, Optional<Span> mode, Optional<Span> charset, List<Node> body)
+  record File(
+      int start,
+      SourceRange name,
+      Optional<SourceRange> mode,
+      Optional<SourceRange> charset,
+      List<Node> body)
       implements Node {}
 
   /** {@code [protected (id) startTagPrefix(...) endTagPrefix(...)]}. */
   record Protected(
-      int start, Span id, Optional<Span> startPrefix, Optional<Span> endPrefix, List<Node> body)
+      int start,
+      SourceRange id,
+      Optional<SourceRange> startPrefix,
+      Optional<SourceRange> endPrefix,
+      List<Node> body)
       implements Node {}
 }

@@ -1,5 +1,8 @@
 package dev.eventchain.m2t;
 
+import dev.eventchain.diagnostics.SourceRange;
+import dev.eventchain.diagnostics.SourceText;
+
 /**
  * A piece of a template file: text between tags, or a tag.
  *
@@ -29,6 +32,11 @@ record Token(Kind kind, String keyword, int start, int end, int contentStart, in
 
   static Token text(int start, int end) {
     return new Token(Kind.TEXT, "", start, end, start, end);
+  }
+
+  /** What stands in a tag after its keyword. */
+  SourceRange content(SourceText source) {
+    return source.range(contentStart, contentEnd);
   }
 
   boolean isBlockTag() {

@@ -2,8 +2,6 @@ package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
-import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -27,7 +25,7 @@ final class Contexts {
   }
 
   /** Checks that an import names a loaded metamodel: its URI, its file or its package. */
-  void check(RuleDocument.Import wanted, SourceText source) {
+  void check(RuleDocument.Import wanted) {
     String target = wanted.target().replaceFirst("#.*", "");
     boolean known = !packages.packages(List.of(target.split("::", -1))).isEmpty();
     for (EPackage each : packages.all()) {
@@ -40,7 +38,7 @@ final class Contexts {
           Diagnostic.error(
                   "ocl.import.unknown",
                   "The import names no loaded metamodel: '" + wanted.target() + "'.",
-                  source.at(wanted.offset()))
+                  wanted.location())
               .withHint("Loaded: " + String.join(", ", packageNames()) + "."));
     }
   }
@@ -59,39 +57,35 @@ final class Contexts {
   }
 
   /** The class that a clause is about; a problem if there is not exactly one of its name. */
-  Optional<ResolvedClause> resolve(SourceText source, RuleDocument.Clause clause) {
+  Optional<ResolvedClause> resolve(RuleDocument.Clause clause) {
     EPackage given = null;
     if (clause.packagePath() != null) {
       List<EPackage> found = packages.packages(clause.packagePath().names());
       if (found.size() != 1) {
-        problems.add(packageProblem(clause.packagePath(), found, source));
+        problems.add(packageProblem(clause.packagePath(), found));
         return Optional.empty();
       }
       given = found.get(0);
     }
     EPackage first = given;
-    return contextClass(clause.context(), first, source)
+    return contextClass(clause.context(), first)
         .map(
             context ->
-                new ResolvedClause(
-                    source, clause, context, first == null ? context.getEPackage() : first));
+                new ResolvedClause(clause, context, first == null ? context.getEPackage() : first));
   }
 
-  private Diagnostic packageProblem(
-      RuleDocument.Path path, List<EPackage> found, SourceText source) {
+  private Diagnostic packageProblem(RuleDocument.Path path, List<EPackage> found) {
     String last = path.names().get(path.names().size() - 1);
     String candidates = String.join(", ", found.stream().map(PackageIndex::qualifiedName).toList());
     return found.isEmpty()
-        ? Diagnostic.error(
-                "ocl.type", "There is no package '" + path + "'.", source.at(path.offset()))
+        ? Diagnostic.error("ocl.type", "There is no package '" + path + "'.", path.location())
             .withHint(NearestName.question(last, packageNames()))
         : Diagnostic.error(
-                "ocl.type", "Several packages are called '" + path + "'.", source.at(path.offset()))
+                "ocl.type", "Several packages are called '" + path + "'.", path.location())
             .withHint("Write one of " + candidates + ".");
   }
 
-  private Optional<EClass> contextClass(
-      RuleDocument.Path path, EPackage contextPackage, SourceText source) {
+  private Optional<EClass> contextClass(RuleDocument.Path path, EPackage contextPackage) {
     List<EClassifier> found = new ArrayList<>();
     for (EPackage each = contextPackage; each != null; each = each.getESuperPackage()) {
       EClassifier local = each.getEClassifier(path.toString());
@@ -105,25 +99,25 @@ final class Contexts {
     if (found.size() == 1 && found.get(0) instanceof EClass context) {
       return Optional.of(context);
     }
-    problems.add(contextProblem(path, found, source.at(path.offset())));
+    problems.add(contextProblem(path, found));
     return Optional.empty();
   }
 
-  private Diagnostic contextProblem(
-      RuleDocument.Path path, List<EClassifier> found, SourceLocation location) {
+  private Diagnostic contextProblem(RuleDocument.Path path, List<EClassifier> found) {
     if (found.isEmpty()) {
       Set<String> classes = new LinkedHashSet<>();
       for (EPackage each : packages.all()) {
         each.getEClassifiers().forEach(classifier -> classes.add(classifier.getName()));
       }
       String last = path.names().get(path.names().size() - 1);
-      return Diagnostic.error("ocl.type", "There is no class '" + path + "'.", location)
+      return Diagnostic.error("ocl.type", "There is no class '" + path + "'.", path.location())
           .withHint(NearestName.question(last, classes));
     } else if (found.size() == 1) {
-      return Diagnostic.error("ocl.type", "'" + path + "' is not a class.", location);
+      return Diagnostic.error("ocl.type", "'" + path + "' is not a class.", path.location());
     }
     List<String> candidates = found.stream().map(Names::qualified).toList();
-    return Diagnostic.error("ocl.type", "Several classes are called '" + path + "'.", location)
+    return Diagnostic.error(
+            "ocl.type", "Several classes are called '" + path + "'.", path.location())
         .withHint("Write one of " + String.join(", ", candidates) + ".");
   }
 }

@@ -1,7 +1,7 @@
 package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.diagnostics.SourceRange;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -20,7 +20,7 @@ import org.eclipse.ocl.expressions.OCLExpression;
 final class Definitions {
 
   /** A definition whose signature is known. */
-  private record Declared(ResolvedClause clause, int bodyStart, Object feature) {}
+  private record Declared(ResolvedClause clause, SourceRange body, Object feature) {}
 
   private final ExpressionLanguage language;
   private final List<Diagnostic> problems;
@@ -63,8 +63,8 @@ final class Definitions {
   }
 
   /** Notes a definition for a class that there is not. */
-  void addHomeless(SourceText source, RuleDocument.Clause clause) {
-    Tokens tokens = new Tokens(source.text().substring(clause.start(), clause.end()));
+  void addHomeless(RuleDocument.Clause clause) {
+    Tokens tokens = new Tokens(clause.text().text());
     language.environment().addFailedName(nameOf(tokens));
   }
 
@@ -96,12 +96,14 @@ final class Definitions {
       problems.add(problem.get());
       language.environment().addFailedName(nameOf(tokens));
     } else if (!isRepeated(clause, tokens, equals)) {
-      int start = clause.clause().start();
-      int end = start + tokens.end(equals);
+      SourceRange text = clause.clause().text();
+      int end = text.start() + tokens.end(equals);
+      SourceRange signature = text.source().range(text.start(), end);
+      SourceRange body = text.source().range(end, text.end());
       language
-          .declare(clause.source(), start, end, clause.scope(), clause.contextPackage(), problems)
+          .declare(signature, clause.scope(), clause.contextPackage(), problems)
           .ifPresentOrElse(
-              feature -> declared.add(new Declared(clause, end, feature)),
+              feature -> declared.add(new Declared(clause, body, feature)),
               () -> language.environment().addFailedName(nameOf(tokens)));
     }
   }
@@ -119,10 +121,10 @@ final class Definitions {
           Diagnostic.error(
                   "ocl.syntax",
                   "A definition needs '=' and an expression.",
-                  clause.source().at(clause.clause().end()))
+                  clause.source().at(clause.clause().text().end()))
               .withHint("Write def: name : Type = ..."));
     } else if (typeColon(tokens, equals) < 0) {
-      int at = clause.clause().start() + tokens.start(equals);
+      int at = clause.clause().text().start() + tokens.start(equals);
       return Optional.of(
           Diagnostic.error(
                   "ocl.syntax", "A definition needs a type before '='.", clause.source().at(at))
@@ -193,13 +195,6 @@ final class Definitions {
   }
 
   private void complete(Declared each) {
-    ResolvedClause clause = each.clause();
-    language.complete(
-        each.feature(),
-        clause.source(),
-        each.bodyStart(),
-        clause.clause().end(),
-        clause.contextPackage(),
-        problems);
+    language.complete(each.feature(), each.body(), each.clause().contextPackage(), problems);
   }
 }

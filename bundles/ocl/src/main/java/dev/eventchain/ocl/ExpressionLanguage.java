@@ -1,6 +1,7 @@
 package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -70,66 +71,51 @@ public final class ExpressionLanguage {
   /**
    * Parses and checks an expression.
    *
-   * @param text the text that holds the expression
-   * @param start the offset of its first character
-   * @param end the offset after its last character
+   * @param range where it stands
    * @param problems takes all errors and warnings, at their places in the text
    * @return empty if there is an error
    */
-  public Optional<Expression> parse(
-      SourceText text, int start, int end, Scope scope, List<Diagnostic> problems) {
-    return parse(text, start, end, scope, null, problems);
+  public Optional<Expression> parse(SourceRange range, Scope scope, List<Diagnostic> problems) {
+    return parse(range, scope, null, problems);
   }
 
   /** As the public one, with a package whose types come first. */
   synchronized Optional<Expression> parse(
-      SourceText text,
-      int start,
-      int end,
-      Scope scope,
-      EPackage contextPackage,
-      List<Diagnostic> problems) {
-    return parse(text, start, end, environment(scope, contextPackage), problems)
+      SourceRange range, Scope scope, EPackage contextPackage, List<Diagnostic> problems) {
+    return parse(range, environment(scope, contextPackage), problems)
         .map(ast -> new Expression(this, ast));
   }
 
   private Optional<OCLExpression<EClassifier>> parse(
-      SourceText text, int start, int end, OclEnvironment environment, List<Diagnostic> problems) {
-    if (text.text().substring(start, end).isBlank()) {
+      SourceRange range, OclEnvironment environment, List<Diagnostic> problems) {
+    if (range.text().isBlank()) {
       problems.add(
-          Diagnostic.error("ocl.syntax", "An expression is missing here.", text.at(start)));
+          Diagnostic.error("ocl.syntax", "An expression is missing here.", range.location()));
       return Optional.empty();
     }
-    StringLiterals.check(text, start, end, problems);
-    List<Diagnostic> mistakes = FrequentMistakes.in(text, start, end);
+    StringLiterals.check(range, problems);
+    List<Diagnostic> mistakes = FrequentMistakes.in(range);
     problems.addAll(mistakes);
     if (!mistakes.isEmpty()) {
       return Optional.empty();
     }
-    return parseConstraint(text, start, end, EXPRESSION_PREFIX, "", environment, problems);
+    return parseConstraint(range, EXPRESSION_PREFIX, "", environment, problems);
   }
 
   /**
    * Adds an operation or a property to a class, for all expressions parsed from now on. It must be
    * given its body with {@link #complete} before any of them is evaluated.
    *
-   * @param start the offset of {@code def}, or of {@code static} before it
-   * @param end the offset after the equals sign
+   * @param signature from {@code def} to the equals sign
    * @param scope has {@code self}, whose type is the class
    * @return the operation or property; empty if the signature has an error
    */
   synchronized Optional<Object> declare(
-      SourceText text,
-      int start,
-      int end,
-      Scope scope,
-      EPackage contextPackage,
-      List<Diagnostic> problems) {
+      SourceRange signature, Scope scope, EPackage contextPackage, List<Diagnostic> problems) {
     EClassifier owner = scope.typeOf(Environment.SELF_VARIABLE_NAME);
     List<Object> before = root.definitionsOf(owner);
     boolean declared =
-        parseConstraint(
-                text, start, end, "", ANY_BODY, environment(scope, contextPackage), problems)
+        parseConstraint(signature, "", ANY_BODY, environment(scope, contextPackage), problems)
             .isPresent();
     List<Object> added = root.definitionsOf(owner);
     added.removeAll(before);
@@ -144,15 +130,10 @@ public final class ExpressionLanguage {
   /**
    * Gives a declared operation or property its body; none if that has an error.
    *
-   * @param start the offset after the equals sign
+   * @param text what follows the equals sign
    */
   synchronized void complete(
-      Object feature,
-      SourceText text,
-      int start,
-      int end,
-      EPackage contextPackage,
-      List<Diagnostic> problems) {
+      Object feature, SourceRange text, EPackage contextPackage, List<Diagnostic> problems) {
     ExpressionInOCL<EClassifier, EParameter> definition =
         root.getDefinition(feature).getSpecification();
     Variable<EClassifier, EParameter> self = definition.getContextVariable();
@@ -167,8 +148,8 @@ public final class ExpressionLanguage {
     parameters.forEach(environment::addVariable);
     EClassifier declared = root.getUMLReflection().getOCLType(feature);
     Optional<OCLExpression<EClassifier>> body =
-        parse(text, start, end, environment, problems)
-            .filter(found -> hasType(found, feature, declared, text, start, end, problems));
+        parse(text, environment, problems)
+            .filter(found -> hasType(found, feature, declared, text, problems));
     definition.setContextVariable(self);
     definition.getParameterVariable().addAll(parameters);
     definition.setBodyExpression(body.orElse(null));
@@ -178,16 +159,15 @@ public final class ExpressionLanguage {
       OCLExpression<EClassifier> body,
       Object feature,
       EClassifier declared,
-      SourceText text,
-      int start,
-      int end,
+      SourceRange range,
       List<Diagnostic> problems) {
     if (TypeUtil.compatibleTypeMatch(root, body.getType(), declared)) {
       return true;
     }
-    int first = start;
-    while (first < end && Lexer.isBlank(text.text(), first)) {
-      first = Lexer.end(text.text(), first, end);
+    String text = range.source().text();
+    int first = range.start();
+    while (first < range.end() && Lexer.isBlank(text, first)) {
+      first = Lexer.end(text, first, range.end());
     }
     problems.add(
         Diagnostic.error(
@@ -199,35 +179,32 @@ public final class ExpressionLanguage {
                 + ", but its value is of type "
                 + Names.of(body.getType())
                 + ".",
-            text.at(first)));
+            range.source().at(first)));
     return false;
   }
 
   private Optional<OCLExpression<EClassifier>> parseConstraint(
-      SourceText text,
-      int start,
-      int end,
+      SourceRange range,
       String prefix,
       String suffix,
       OclEnvironment environment,
       List<Diagnostic> problems) {
-    ProblemCollector collector = new ProblemCollector(text, start, end, prefix.length(), problems);
+    ProblemCollector collector = new ProblemCollector(range, prefix.length(), problems);
     environment.setProblemHandler(collector);
     try {
-      OclAnalyzer analyzer =
-          new OclAnalyzer(environment, prefix + text.text().substring(start, end) + suffix);
-      analyzer.setCharacterOffset(start - prefix.length());
+      OclAnalyzer analyzer = new OclAnalyzer(environment, prefix + range.text() + suffix);
+      analyzer.setCharacterOffset(range.start() - prefix.length());
       Constraint constraint = analyzer.parseInvOrDefCS();
       if (collector.failed() || constraint == null) {
         return Optional.empty();
       }
       OCLExpression<EClassifier> body = constraint.getSpecification().getBodyExpression();
       body.accept(ValidationVisitor.getInstance(environment));
-      body.eAdapters().add(new InvalidOrigin.Source(text));
+      body.eAdapters().add(new InvalidOrigin.Source(range.source()));
       return collector.failed() ? Optional.empty() : Optional.of(body);
     } catch (NumberFormatException e) {
       String number = String.valueOf(e.getMessage()).replaceAll("\\D", "");
-      int offset = Math.max(0, text.text().indexOf(number, start) - start + prefix.length());
+      int offset = prefix.length() + Math.max(0, range.text().indexOf(number));
       collector.add("ocl.syntax", true, "The number " + number + " is too large.", "", offset);
       return Optional.empty();
     } catch (RuntimeException e) {
@@ -264,23 +241,15 @@ public final class ExpressionLanguage {
    *
    * @return empty if there is an error
    */
-  public synchronized Optional<EClassifier> type(
-      SourceText text, int start, int end, List<Diagnostic> problems) {
-    String name = text.text().substring(start, end).strip();
+  public synchronized Optional<EClassifier> type(SourceRange range, List<Diagnostic> problems) {
+    String name = range.text().strip();
     EClassifier known = types.get(name);
     if (known != null) {
       return Optional.of(known);
     }
     int before = problems.size();
     Optional<EClassifier> type =
-        parseConstraint(
-                text,
-                start,
-                end,
-                TYPE_PREFIX,
-                TYPE_SUFFIX,
-                environment(Scope.EMPTY, null),
-                problems)
+        parseConstraint(range, TYPE_PREFIX, TYPE_SUFFIX, environment(Scope.EMPTY, null), problems)
             .map(let -> ((LetExp<?, ?>) let).getVariable().getType())
             .map(EClassifier.class::cast);
     if (type.isPresent() && problems.size() == before) {
@@ -296,7 +265,7 @@ public final class ExpressionLanguage {
    */
   public EClassifier type(String name) {
     List<Diagnostic> problems = new ArrayList<>();
-    return type(SourceText.of("", name), 0, name.length(), problems)
+    return type(SourceText.of("", name).whole(), problems)
         .orElseThrow(() -> new IllegalArgumentException(name + ": " + problems));
   }
 

@@ -2,7 +2,8 @@ package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
-import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceRange;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -60,21 +61,19 @@ final class FrequentMistakes {
           "closure",
           "iterate");
 
-  private final SourceText source;
-  private final int start;
+  private final SourceRange range;
   private final Tokens tokens;
   private final List<Diagnostic> found = new ArrayList<>();
   private int at;
 
-  private FrequentMistakes(SourceText source, int start, int end) {
-    this.source = source;
-    this.start = start;
-    this.tokens = new Tokens(source.text().substring(start, end));
+  private FrequentMistakes(SourceRange range) {
+    this.range = range;
+    this.tokens = new Tokens(range.text());
   }
 
   /** The mistakes in a part of a text, each an error at its place. */
-  static List<Diagnostic> in(SourceText source, int start, int end) {
-    FrequentMistakes mistakes = new FrequentMistakes(source, start, end);
+  static List<Diagnostic> in(SourceRange range) {
+    FrequentMistakes mistakes = new FrequentMistakes(range);
     while (mistakes.at < mistakes.tokens.size()) {
       mistakes.look();
     }
@@ -111,8 +110,8 @@ final class FrequentMistakes {
 
   private void skipRestOfLine(String pair) {
     if (pair.equals("//")) {
-      int line = source.at(start + tokens.start(at - 1)).line();
-      while (at < tokens.size() && source.at(start + tokens.start(at)).line() == line) {
+      int line = location(at - 1).line();
+      while (at < tokens.size() && location(at).line() == line) {
         at++;
       }
     }
@@ -213,7 +212,11 @@ final class FrequentMistakes {
 
   private void add(int token, Mistake mistake) {
     found.add(
-        Diagnostic.error("ocl.syntax", mistake.message(), source.at(start + tokens.start(token)))
+        Diagnostic.error("ocl.syntax", mistake.message(), location(token))
             .withHint(mistake.hint()));
+  }
+
+  private SourceLocation location(int token) {
+    return range.source().at(range.start() + tokens.start(token));
   }
 }

@@ -1,6 +1,7 @@
 package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -10,7 +11,6 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import org.eclipse.emf.common.util.Enumerator;
 import org.eclipse.emf.ecore.EObject;
-import org.eclipse.emf.ecore.EPackage;
 
 /** A message with expressions in braces, which are evaluated on the element it is about. */
 final class MessageTemplate {
@@ -28,15 +28,13 @@ final class MessageTemplate {
    * Reads a message.
    *
    * @param text the message; empty for none
-   * @param offset where it starts in its document
+   * @param firstLine its first line where it stands; the others are indented there but not in text
    */
   static Optional<MessageTemplate> parse(
       String text,
-      int offset,
-      SourceText source,
+      SourceRange firstLine,
+      ResolvedClause clause,
       ExpressionLanguage language,
-      Scope scope,
-      EPackage contextPackage,
       List<Diagnostic> problems) {
     List<Part> parts = new ArrayList<>();
     int at = 0;
@@ -47,12 +45,13 @@ final class MessageTemplate {
         break;
       }
       parts.add(new Part(text.substring(at, open), null));
-      // A line that goes on with the message is indented in the document but not here.
-      boolean sameLine = source.text().startsWith(text.substring(0, close), offset);
-      SourceText from = sameLine ? source : SourceText.of(source.name(), text);
-      int base = sameLine ? offset : 0;
+      SourceRange where = firstLine;
+      if (firstLine.start() + close > firstLine.end()) {
+        where = SourceText.of(firstLine.source().name(), text).whole();
+      }
+      SourceRange inside = where.source().range(where.start() + open + 1, where.start() + close);
       language
-          .parse(from, base + open + 1, base + close, scope, contextPackage, problems)
+          .parse(inside, clause.scope(), clause.contextPackage(), problems)
           .ifPresent(expression -> parts.add(new Part("", expression)));
       at = close + 1;
     }

@@ -1,5 +1,6 @@
 package dev.eventchain.ocl;
 
+import dev.eventchain.diagnostics.SourceRange;
 import java.util.Collection;
 import java.util.List;
 import java.util.regex.Pattern;
@@ -12,17 +13,14 @@ final class PlainComment {
 
   private static final Pattern ANNOTATION = Pattern.compile(" ?@\\w.*");
 
-  private final String source;
   private final StringBuilder text = new StringBuilder();
   private boolean annotated;
 
-  private PlainComment(String source) {
-    this.source = source;
-  }
+  private PlainComment() {}
 
   /** The text of the comment at the end of a part of a document that holds comments only. */
-  static String in(String source, RuleDocument.Range part) {
-    return new PlainComment(source).read(part);
+  static String in(SourceRange part) {
+    return new PlainComment().read(part);
   }
 
   /** Which of these ids a text holds as a word of its own, in the order given. */
@@ -36,7 +34,8 @@ final class PlainComment {
         .toList();
   }
 
-  private String read(RuleDocument.Range part) {
+  private String read(SourceRange part) {
+    String source = part.source().text();
     boolean above = part.start() == 0;
     for (int at = part.start(); at < part.end(); ) {
       int end = Lexer.end(source, at, part.end());

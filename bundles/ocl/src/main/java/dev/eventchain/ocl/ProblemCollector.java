@@ -2,16 +2,14 @@ package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.diagnostics.SourceRange;
 import java.util.List;
 import org.eclipse.ocl.lpg.AbstractProblemHandler;
 
 /** Turns the problems that Eclipse OCL reports into diagnostics with their exact places. */
 final class ProblemCollector extends AbstractProblemHandler {
 
-  private final SourceText text;
-  private final int start;
-  private final int end;
+  private final SourceRange range;
   private final int prefix;
   private final List<Diagnostic> problems;
   private boolean failed;
@@ -20,14 +18,12 @@ final class ProblemCollector extends AbstractProblemHandler {
   /**
    * Collects the problems of one parse.
    *
-   * @param prefix how many characters stand in the parser's input before the part of the text that
-   *     is parsed, which goes from start to end
+   * @param range what is parsed
+   * @param prefix how many characters stand before it in the parser's input
    */
-  ProblemCollector(SourceText text, int start, int end, int prefix, List<Diagnostic> problems) {
+  ProblemCollector(SourceRange range, int prefix, List<Diagnostic> problems) {
     super(null);
-    this.text = text;
-    this.start = start;
-    this.end = end;
+    this.range = range;
     this.prefix = prefix;
     this.problems = problems;
   }
@@ -35,7 +31,7 @@ final class ProblemCollector extends AbstractProblemHandler {
   /** Whether what is parsed has a character at the parser's offset. */
   boolean isAt(char character, int startOffset) {
     int offset = offset(startOffset);
-    return offset < end && text.text().charAt(offset) == character;
+    return offset < range.end() && range.source().text().charAt(offset) == character;
   }
 
   /** Whether an error was reported. */
@@ -79,7 +75,7 @@ final class ProblemCollector extends AbstractProblemHandler {
   }
 
   void add(String id, boolean error, String message, String hint, int startOffset) {
-    SourceLocation location = text.at(offset(startOffset));
+    SourceLocation location = range.source().at(offset(startOffset));
     Diagnostic problem =
         error ? Diagnostic.error(id, message, location) : Diagnostic.warning(id, message, location);
     failed |= error;
@@ -89,6 +85,8 @@ final class ProblemCollector extends AbstractProblemHandler {
   }
 
   private int offset(int startOffset) {
-    return startOffset < prefix ? start : Math.min(end, startOffset - prefix + start);
+    return startOffset < prefix
+        ? range.start()
+        : Math.min(range.end(), startOffset - prefix + range.start());
   }
 }

@@ -11,19 +11,22 @@ import org.eclipse.emf.ecore.EPackage;
  * @param context the class it is about
  * @param contextPackage the package whose types come first
  */
-record ResolvedClause(
-    SourceText source, RuleDocument.Clause clause, EClass context, EPackage contextPackage) {
+record ResolvedClause(RuleDocument.Clause clause, EClass context, EPackage contextPackage) {
 
   Scope scope() {
     return Scope.EMPTY.with("self", context);
   }
 
+  SourceText source() {
+    return clause.text().source();
+  }
+
   SourceLocation location() {
-    return source.at(clause.keyword());
+    return clause.location();
   }
 
   Tokens tokens() {
-    return new Tokens(source.text().substring(clause.start(), clause.end()));
+    return new Tokens(clause.text().text());
   }
 
   /** The text, whatever its white space and comments. */
@@ -43,6 +46,6 @@ record ResolvedClause(
 
   /** Whether another clause says the same in another document, which is no fault. */
   boolean repeats(ResolvedClause other) {
-    return source != other.source && words().equals(other.words());
+    return source() != other.source() && words().equals(other.words());
   }
 }

@@ -3,6 +3,7 @@ package dev.eventchain.ocl;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -30,30 +31,29 @@ final class RuleComments {
   private Severity severity = Severity.ERROR;
   private final StringBuilder message = new StringBuilder();
   private final StringBuilder hint = new StringBuilder();
-  private int messageOffset;
+  private SourceRange messageStart;
   private String last = "";
   private final String own;
   private final String context;
   private final List<RuleComments> repeated = new ArrayList<>();
 
-  private RuleComments(SourceText source, RuleDocument.Clause clause, List<Diagnostic> problems) {
-    this.source = source;
+  private RuleComments(RuleDocument.Clause clause, List<Diagnostic> problems) {
+    this.source = clause.text().source();
     this.problems = problems;
-    this.own = PlainComment.in(source.text(), clause.ownComment());
-    this.context = PlainComment.in(source.text(), clause.contextComment());
+    this.own = PlainComment.in(clause.ownComment());
+    this.context = PlainComment.in(clause.contextComment());
   }
 
   /** Reads the comments above an invariant and above its context; the invariant's own win. */
-  static RuleComments read(
-      SourceText source, RuleDocument.Clause clause, List<Diagnostic> problems) {
-    RuleComments comments = new RuleComments(source, clause, problems);
+  static RuleComments read(RuleDocument.Clause clause, List<Diagnostic> problems) {
+    RuleComments comments = new RuleComments(clause, problems);
     clause.comments().forEach(comments::readBlock);
     return comments;
   }
 
   /** Takes in the comments above the same invariant in another document. */
-  void addRepeated(RuleDocument.Clause clause, SourceText document) {
-    repeated.add(new RuleComments(document, clause, new ArrayList<>()));
+  void addRepeated(RuleDocument.Clause clause) {
+    repeated.add(new RuleComments(clause, new ArrayList<>()));
   }
 
   /** Which of these ids the invariant's comment names, or else the comment of its context. */
@@ -66,7 +66,7 @@ final class RuleComments {
   }
 
   /** Reads the lines between the last blank line and the end. */
-  private void readBlock(RuleDocument.Range part) {
+  private void readBlock(SourceRange part) {
     Matcher blank = BLANK_LINE.matcher(source.text()).region(part.start(), part.end());
     int start = part.start();
     while (blank.find()) {
@@ -91,9 +91,9 @@ final class RuleComments {
     return message.toString();
   }
 
-  /** Where the text of the message starts. */
-  int messageOffset() {
-    return messageOffset;
+  /** The first line of the message where it stands; {@code null} if there is none. */
+  SourceRange messageStart() {
+    return messageStart;
   }
 
   /** The hint; empty if there is none. */
@@ -123,7 +123,7 @@ final class RuleComments {
       case "message" -> {
         message.setLength(0);
         message.append(text);
-        messageOffset = offset;
+        messageStart = source.range(offset, offset + text.length());
       }
       case "hint" -> {
         hint.setLength(0);

@@ -1,6 +1,8 @@
 package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
 import java.util.List;
@@ -13,7 +15,7 @@ import java.util.Set;
 final class RuleDocument {
 
   /** A qualified name and where it stands. */
-  record Path(List<String> names, int offset) {
+  record Path(List<String> names, SourceLocation location) {
     @Override
     public String toString() {
       return String.join("::", names);
@@ -21,7 +23,7 @@ final class RuleDocument {
   }
 
   /** An import line: a URI, a file or a name. */
-  record Import(String target, int offset) {}
+  record Import(String target, SourceLocation location) {}
 
   /**
    * An invariant or a definition.
@@ -30,9 +32,8 @@ final class RuleDocument {
    * @param packagePath the package clause around it; {@code null} if there is none
    * @param context the class it is about
    * @param name its name; empty if it has none
-   * @param keyword the offset of its keyword
-   * @param start the offset of its expression, of its keyword for a definition
-   * @param end the offset after it
+   * @param location where its keyword stands
+   * @param text its expression; all of it for a definition
    * @param comments where the comments above it stand; those above the context, for its first one
    * @param contextComment where the comment above its context stands
    */
@@ -41,20 +42,16 @@ final class RuleDocument {
       Path packagePath,
       Path context,
       String name,
-      int keyword,
-      int start,
-      int end,
-      List<Range> comments,
-      Range contextComment) {
+      SourceLocation location,
+      SourceRange text,
+      List<SourceRange> comments,
+      SourceRange contextComment) {
 
     /** Where the comment right above it stands. */
-    Range ownComment() {
+    SourceRange ownComment() {
       return comments.get(comments.size() - 1);
     }
   }
-
-  /** A part of a document. */
-  record Range(int start, int end) {}
 
   private static final Set<String> UNSUPPORTED = Set.of("pre", "post", "body", "init", "derive");
 
@@ -72,7 +69,7 @@ final class RuleDocument {
   private final List<Clause> clauses = new ArrayList<>();
   private Path packagePath;
   private Path context;
-  private Range contextComments;
+  private SourceRange contextComments;
   private boolean contextIsNew;
   private boolean contextFailed;
   private int at;
@@ -137,11 +134,11 @@ final class RuleDocument {
     }
     if (at < tokens.size() && tokens.isString(at)) {
       String literal = tokens.text(at);
-      imports.add(new Import(literal.substring(1, literal.length() - 1), tokens.start(at)));
+      imports.add(new Import(literal.substring(1, literal.length() - 1), location(at)));
       at++;
     } else if (at < tokens.size() && tokens.isName(at)) {
       Path path = readPath();
-      imports.add(new Import(path.toString(), path.offset()));
+      imports.add(new Import(path.toString(), path.location()));
     } else {
       error(start, "'import' needs the URI, the file or the name of a metamodel.");
     }
@@ -176,14 +173,14 @@ final class RuleDocument {
       error(at - 1, "A name is expected after '" + tokens.text(at - 1) + "'.");
       return null;
     }
-    int offset = tokens.start(at);
+    SourceLocation location = location(at);
     List<String> names = new ArrayList<>();
     names.add(tokens.text(at++));
     while (at + 1 < tokens.size() && tokens.is(at, "::") && tokens.isName(at + 1)) {
       names.add(tokens.text(at + 1));
       at += 2;
     }
-    return new Path(List.copyOf(names), offset);
+    return new Path(List.copyOf(names), location);
   }
 
   private void readInvariant() {
@@ -195,9 +192,7 @@ final class RuleDocument {
     if (at < tokens.size() && tokens.is(at, "(")) {
       problems.add(
           Diagnostic.error(
-                  "ocl.syntax",
-                  "An invariant has no message in parentheses.",
-                  source.at(tokens.start(at)))
+                  "ocl.syntax", "An invariant has no message in parentheses.", location(at))
               .withHint("Write the message in a comment above it: -- @message ..."));
       skipToClause(at);
       return;
@@ -220,22 +215,20 @@ final class RuleDocument {
 
   private void add(boolean definition, String name, int keyword, int start) {
     if (context != null) {
-      List<Range> comments = new ArrayList<>();
+      List<SourceRange> comments = new ArrayList<>();
       if (contextIsNew) {
         comments.add(contextComments);
       }
       comments.add(before(keyword));
-      int end = endOfClause(start);
-      int offset = tokens.start(keyword);
+      SourceRange text = source.range(start, endOfClause(start));
       clauses.add(
           new Clause(
               definition,
               packagePath,
               context,
               name,
-              offset,
-              start,
-              end,
+              location(keyword),
+              text,
               comments,
               contextComments));
     } else if (!contextFailed) {
@@ -245,9 +238,8 @@ final class RuleDocument {
   }
 
   /** What stands between a token and the one before it. */
-  private Range before(int token) {
-    int end = tokens.start(token);
-    return new Range(tokens.endBefore(token), end);
+  private SourceRange before(int token) {
+    return source.range(tokens.endBefore(token), tokens.start(token));
   }
 
   /** The end of the last token before the next clause. */
@@ -281,15 +273,17 @@ final class RuleDocument {
     };
   }
 
+  private SourceLocation location(int token) {
+    return source.at(tokens.start(Math.min(token, tokens.size() - 1)));
+  }
+
   private void error(int token, String message) {
-    problems.add(
-        Diagnostic.error(
-            "ocl.syntax", message, source.at(tokens.start(Math.min(token, tokens.size() - 1)))));
+    problems.add(Diagnostic.error("ocl.syntax", message, location(token)));
   }
 
   private void unsupported(int token, String message) {
     problems.add(
-        Diagnostic.error("ocl.unsupported", message, source.at(tokens.start(token)))
+        Diagnostic.error("ocl.unsupported", message, location(token))
             .withHint("Write 'context Class inv Name: ...' with 'self', or a 'def:'."));
   }
 }

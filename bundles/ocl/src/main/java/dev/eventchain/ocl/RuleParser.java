@@ -33,12 +33,12 @@ final class RuleParser {
     List<ResolvedClause> clauses = new ArrayList<>();
     for (SourceText document : documents) {
       RuleDocument parsed = RuleDocument.read(document, problems);
-      parsed.imports().forEach(each -> contexts.check(each, document));
+      parsed.imports().forEach(contexts::check);
       for (RuleDocument.Clause clause : parsed.clauses()) {
-        Optional<ResolvedClause> resolved = contexts.resolve(document, clause);
+        Optional<ResolvedClause> resolved = contexts.resolve(clause);
         resolved.ifPresent(clauses::add);
         if (resolved.isEmpty() && clause.definition()) {
-          definitions.addHomeless(document, clause);
+          definitions.addHomeless(clause);
         }
       }
     }
@@ -51,22 +51,15 @@ final class RuleParser {
 
   private void addInvariant(ResolvedClause resolved) {
     RuleDocument.Clause clause = resolved.clause();
-    SourceText source = resolved.source();
     String name = nameOf(resolved);
     if (!isNew(resolved, name)) {
       return;
     }
-    RuleComments comments = RuleComments.read(source, clause, problems);
+    RuleComments comments = RuleComments.read(clause, problems);
     commentsOf.put(qualified(resolved, name), comments);
     Optional<MessageTemplate> message =
         MessageTemplate.parse(
-            comments.message(),
-            comments.messageOffset(),
-            source,
-            language,
-            resolved.scope(),
-            resolved.contextPackage(),
-            problems);
+            comments.message(), comments.messageStart(), resolved, language, problems);
     Optional<Expression> condition = condition(resolved, name);
     if (condition.isPresent()
         && definitions.isUsable(condition.get().ast())
@@ -87,16 +80,9 @@ final class RuleParser {
   }
 
   private Optional<Expression> condition(ResolvedClause resolved, String name) {
-    RuleDocument.Clause clause = resolved.clause();
     return language
-        .parse(
-            resolved.source(),
-            clause.start(),
-            clause.end(),
-            resolved.scope(),
-            resolved.contextPackage(),
-            problems)
-        .filter(expression -> isBoolean(expression, name, resolved.source(), clause));
+        .parse(resolved.clause().text(), resolved.scope(), resolved.contextPackage(), problems)
+        .filter(expression -> isBoolean(expression, name, resolved));
   }
 
   private String nameOf(ResolvedClause resolved) {
@@ -111,7 +97,7 @@ final class RuleParser {
       return true;
     }
     if (resolved.repeats(first)) {
-      commentsOf.get(qualified(resolved, name)).addRepeated(resolved.clause(), resolved.source());
+      commentsOf.get(qualified(resolved, name)).addRepeated(resolved.clause());
     } else {
       String context = resolved.context().getName();
       problems.add(
@@ -129,8 +115,7 @@ final class RuleParser {
     return Names.qualified(resolved.context()) + "::" + name;
   }
 
-  private boolean isBoolean(
-      Expression expression, String name, SourceText source, RuleDocument.Clause clause) {
+  private boolean isBoolean(Expression expression, String name, ResolvedClause resolved) {
     if (expression.type() == language.type("Boolean")) {
       return true;
     }
@@ -143,7 +128,7 @@ final class RuleParser {
                     + "' is of type "
                     + Names.of(expression.type())
                     + ", not Boolean.",
-                source.at(clause.keyword()))
+                resolved.location())
             .withHint(
                 collection
                     ? "Say what is asked of the elements, with ->forAll(...) or ->exists(...)."

@@ -1,7 +1,7 @@
 package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.diagnostics.SourceRange;
 import java.util.List;
 
 /** Warns of string literals that do not mean what they seem to. */
@@ -10,9 +10,10 @@ final class StringLiterals {
   private StringLiterals() {}
 
   /** Looks for two literals without a space between: {@code 'it''s'} is {@code its}. */
-  static void check(SourceText source, int start, int end, List<Diagnostic> problems) {
-    String text = source.text();
-    int i = start;
+  static void check(SourceRange range, List<Diagnostic> problems) {
+    String text = range.source().text();
+    int end = range.end();
+    int i = range.start();
     while (i < end) {
       int next = Lexer.end(text, i, end);
       boolean literal = text.charAt(i) == '\'' && next - i > 1;
@@ -21,7 +22,7 @@ final class StringLiterals {
             Diagnostic.warning(
                     "ocl.string.quote",
                     "Two quotes do not make a quote: the two strings are joined.",
-                    source.at(next - 1))
+                    range.source().at(next - 1))
                 .withHint("Write \\' for a quote inside a string."));
       }
       i = next;

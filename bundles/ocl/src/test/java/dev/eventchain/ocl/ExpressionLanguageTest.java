@@ -92,7 +92,7 @@ class ExpressionLanguageTest {
             .with("i", language.type("Integer"))
             .with("word", language.type("String"));
     Optional<Expression> expression =
-        language.parse(SourceText.of("test.ocl", text), 0, text.length(), scope, problems);
+        language.parse(SourceText.of("test.ocl", text).whole(), scope, problems);
     assertEquals(List.of(), problems);
     Evaluation run = Evaluation.over(List.of(library));
     run.bind("self", library);
@@ -106,7 +106,7 @@ class ExpressionLanguageTest {
     Scope scope = language.root().with("self", library.eClass());
     assertTrue(
         language
-            .parse(SourceText.of("test.ocl", text), start, text.length(), scope, problems)
+            .parse(SourceText.of("test.ocl", text).range(start, text.length()), scope, problems)
             .isEmpty());
     return problems;
   }
@@ -197,13 +197,13 @@ class ExpressionLanguageTest {
     String good = "b.title.concat(twice('x'))";
     Expression expression =
         language
-            .parse(SourceText.of("t", good), 0, good.length(), scope, problems)
+            .parse(SourceText.of("t", good).whole(), scope, problems)
             .orElseThrow(() -> new AssertionError(problems));
     Evaluation run = Evaluation.over(List.of(library));
     run.bind("b", library.eContents().get(0));
     assertEquals("Dunexx", expression.evaluate(run));
-    assertTrue(language.parse(SourceText.of("t", "self.title"), 0, 10, scope, problems).isEmpty());
-    assertTrue(language.parse(SourceText.of("t", "title"), 0, 5, scope, problems).isEmpty());
+    assertTrue(language.parse(SourceText.of("t", "self.title").whole(), scope, problems).isEmpty());
+    assertTrue(language.parse(SourceText.of("t", "title").whole(), scope, problems).isEmpty());
     assertEquals(2, problems.size());
   }
 
@@ -220,7 +220,7 @@ class ExpressionLanguageTest {
     assertEquals("Sequence(Book)", language.type("Sequence(Book)").getName());
     assertEquals("Member", language.type("people::Member -- of a library").getName());
     List<Diagnostic> problems = new ArrayList<>();
-    assertTrue(language.type(SourceText.of("t", "x : Boook"), 4, 9, problems).isEmpty());
+    assertTrue(language.type(SourceText.of("t", "x : Boook").range(4, 9), problems).isEmpty());
     assertEquals("t:1:5", problems.get(0).location().toString());
     assertTrue(
         language.conforms(language.type("AudioBook"), language.type("Book"))

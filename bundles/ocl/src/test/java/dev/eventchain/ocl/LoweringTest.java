@@ -95,7 +95,7 @@ class LoweringTest {
   private Expression parse(String text) {
     List<Diagnostic> problems = new ArrayList<>();
     return language
-        .parse(SourceText.of("generated.ocl", text), 0, text.length(), scope, problems)
+        .parse(SourceText.of("generated.ocl", text).whole(), scope, problems)
         .orElseThrow(() -> new AssertionError(text + "\n" + problems));
   }
 

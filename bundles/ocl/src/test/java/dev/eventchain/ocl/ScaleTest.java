@@ -49,9 +49,9 @@ class ScaleTest {
           "let a : Integer = " + i + " in self.next->select(s | s.name <> 'x')->size() > a";
       List<Diagnostic> problems = new ArrayList<>();
       assertTrue(
-          language.parse(SourceText.of("", text), 0, text.length(), scope, problems).isPresent(),
+          language.parse(SourceText.of("", text).whole(), scope, problems).isPresent(),
           problems::toString);
-      language.parse(SourceText.of("", "self.x + "), 0, 9, scope, problems);
+      language.parse(SourceText.of("", "self.x + ").whole(), scope, problems);
       language.type("Sequence(State)");
       if (i == 10) {
         afterFew = language.environment().roots();
@@ -73,9 +73,7 @@ class ScaleTest {
         "let m : Integer = n in State.allInstances()->select(s | s.name <> self.name)->collect(s |"
             + " s.name.concat(m.toString()))->asSet()->asSequence()->first()";
     Expression expression =
-        language
-            .parse(SourceText.of("", text), 0, text.length(), scope, new ArrayList<>())
-            .orElseThrow();
+        language.parse(SourceText.of("", text).whole(), scope, new ArrayList<>()).orElseThrow();
     Evaluation shared = Evaluation.over(List.of(machine));
     List<Callable<Object>> tasks = new ArrayList<>();
     for (int i = 0; i < 400; i++) {
@@ -110,7 +108,7 @@ class ScaleTest {
     run.bind("self", machine);
     Object names =
         language
-            .parse(SourceText.of("", text), 0, text.length(), scope, new ArrayList<>())
+            .parse(SourceText.of("", text).whole(), scope, new ArrayList<>())
             .orElseThrow()
             .evaluate(run);
     List<String> expected = new ArrayList<>();

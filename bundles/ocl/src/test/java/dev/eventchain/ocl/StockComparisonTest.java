@@ -65,7 +65,7 @@ class StockComparisonTest {
     List<Diagnostic> problems = new ArrayList<>();
     Scope scope = language.root().with("self", library.eClass());
     Optional<Expression> expression =
-        language.parse(SourceText.of("", text), 0, text.length(), scope, problems);
+        language.parse(SourceText.of("", text).whole(), scope, problems);
     assertTrue(expression.isPresent(), problems::toString);
     Evaluation run = Evaluation.over(List.of(library));
     run.bind("self", library);
