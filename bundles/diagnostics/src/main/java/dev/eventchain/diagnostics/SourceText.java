@@ -52,20 +52,29 @@ public final class SourceText {
    * Reads a file as UTF-8; a byte order mark is skipped.
    *
    * @throws DiagnosticException for a missing file ({@code file.missing}), one that cannot be read
-   *     ({@code file.unreadable}), or one that is not UTF-8 ({@code file.encoding})
+   *     ({@code file.unreadable}), or one that is not UTF-8 text ({@code file.encoding}), as none
+   *     with a NUL character is
    */
   public static SourceText read(Path file) {
     String name = SourceLocation.nameOf(file);
     byte[] bytes = bytesOf(file);
     try {
-      return of(name, decode(bytes));
+      SourceText text = of(name, decode(bytes));
+      int nul = text.text.indexOf('\0');
+      if (nul >= 0) {
+        // What UTF-16 writes between the letters is valid UTF-8.
+        throw wrongEncoding("The file has a NUL character, which no text has.", text.at(nul));
+      }
+      return text;
     } catch (CharacterCodingException e) {
-      throw new DiagnosticException(
-          DiagnosticException.Reason.INPUT,
-          Diagnostic.error(
-                  "file.encoding", "The file is not UTF-8 text.", encodingError(name, bytes))
-              .withHint("Save it as UTF-8."));
+      throw wrongEncoding("The file is not UTF-8 text.", encodingError(name, bytes));
     }
+  }
+
+  private static DiagnosticException wrongEncoding(String message, SourceLocation place) {
+    return new DiagnosticException(
+        DiagnosticException.Reason.INPUT,
+        Diagnostic.error("file.encoding", message, place).withHint("Save it as UTF-8."));
   }
 
   /** Large files are decoded without a copy of two bytes for each character on the way. */

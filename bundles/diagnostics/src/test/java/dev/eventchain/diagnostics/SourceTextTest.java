@@ -64,6 +64,15 @@ class SourceTextTest {
   }
 
   @Test
+  void whatUtf16WritesBetweenLettersIsNoText() throws IOException {
+    Path wide = folder.resolve("wide.md");
+    Files.write(wide, "\n- A".getBytes(StandardCharsets.UTF_16LE));
+    assertEquals("file.encoding", idOf(wide));
+    DiagnosticException e = assertThrows(DiagnosticException.class, () -> SourceText.read(wide));
+    assertEquals(2, e.diagnostics().get(0).location().line());
+  }
+
+  @Test
   void aFileHasOneNameHoweverTheWayToItIsWritten() {
     assertEquals("x/y", SourceLocation.of(Path.of("./x/../x/y")).file());
     assertEquals(".", SourceLocation.of(Path.of("./")).file());

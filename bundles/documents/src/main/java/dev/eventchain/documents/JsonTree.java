@@ -48,7 +48,9 @@ final class JsonTree {
       return "a name or a number is too long.";
     }
     String said = e.getOriginalMessage().lines().findFirst().orElse("");
-    String plain = said.replaceFirst("( \\((start marker|not recognized)|: enable `).*$", "");
+    String plain =
+        said.replaceFirst(
+            "( \\((start marker|not recognized|for \\w+ starting)|: enable `).*$", "");
     return plain.endsWith("?") ? plain : plain + ".";
   }
 

@@ -17,6 +17,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -52,8 +53,10 @@ final class ModuleLoader {
   /**
    * Modules in the folder of a file: {@code a::b} is {@code a/b.mtl} below it, or {@code b.mtl} in
    * it, or {@code a/b.mtl} beside the folder, where several sets of templates share modules.
+   *
+   * @param read gets the file of each module that is read
    */
-  static Function<String, Optional<SourceText>> beside(Path file) {
+  static Function<String, Optional<SourceText>> beside(Path file, Consumer<Path> read) {
     Path folder = Optional.ofNullable(file.getParent()).orElse(Path.of(""));
     return name -> {
       String nested = name.replace("::", "/") + ".mtl";
@@ -62,7 +65,11 @@ final class ModuleLoader {
       return Stream.of(folder.resolve(nested), flat, around)
           .filter(Files::exists)
           .findFirst()
-          .map(ModuleLoader::read);
+          .map(
+              found -> {
+                read.accept(found);
+                return read(found);
+              });
     };
   }
 

@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.ocl.DeepStack;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -51,7 +52,24 @@ public final class TemplateModule {
    */
   public static TemplateModule compile(
       Path file, Collection<EPackage> packages, Optional<ClassLoader> services) {
-    return compile(ModuleLoader.read(file), ModuleLoader.beside(file), packages, services);
+    return compile(
+        ModuleLoader.read(file), ModuleLoader.beside(file, read -> {}), packages, services);
+  }
+
+  /**
+   * The files that make a module: its own, and those of all that it imports or extends. One that is
+   * not there, or has errors, is for the compiler to report.
+   *
+   * @throws DiagnosticException INPUT if one of them cannot be read
+   */
+  public static List<Path> files(Path file) {
+    List<Path> files = new ArrayList<>();
+    files.add(file);
+    if (Files.exists(file)) {
+      ModuleLoader.load(
+          ModuleLoader.read(file), ModuleLoader.beside(file, files::add), new ArrayList<>());
+    }
+    return files;
   }
 
   /**

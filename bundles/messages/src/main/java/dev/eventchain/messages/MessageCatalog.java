@@ -8,6 +8,7 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.FileVisitOption;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -15,6 +16,7 @@ import java.util.Collection;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
@@ -31,41 +33,42 @@ import java.util.stream.Stream;
 public final class MessageCatalog {
 
   private static final String STANDARD = "humble.msgs";
+  private static final String SUFFIX = ".msg";
   private static final String HEADING = "MSG: ";
   private static final String SEPARATOR = "=".repeat(80) + "\n";
 
   private final Map<String, String> standard;
   private final List<Path> folders;
-  private final SortedMap<String, Path> files;
+  private final SortedMap<String, Path> files = new TreeMap<>();
+  private final List<Path> misplaced = new ArrayList<>();
   private final Map<String, MessageType> types = new HashMap<>();
 
-  private MessageCatalog(
-      Map<String, String> standard, List<Path> folders, SortedMap<String, Path> files) {
+  private MessageCatalog(Map<String, String> standard, List<Path> folders) {
     this.standard = standard;
     this.folders = folders;
-    this.files = files;
+    folders.forEach(this::list);
   }
 
   /**
    * The standard types, and those of folders.
    *
-   * @param folders each holds {@code PACKAGE/msg/NAME.msg}; a later folder hides an earlier one,
-   *     and both hide standard types
+   * @param folders each holds {@code PACKAGE/msg/NAME.msg}, or links to such files or folders; a
+   *     later folder hides an earlier one, and both hide standard types
    * @throws DiagnosticException {@code file.unreadable}: a folder is missing or cannot be listed
    */
   public static MessageCatalog of(Collection<Path> folders) {
-    SortedMap<String, Path> files = new TreeMap<>();
-    folders.forEach(folder -> list(folder, files));
-    return new MessageCatalog(StandardTypes.TEXTS, List.copyOf(folders), files);
+    return new MessageCatalog(StandardTypes.TEXTS, List.copyOf(folders));
   }
 
-  private static void list(Path folder, Map<String, Path> files) {
-    try (Stream<Path> found = Files.walk(folder, 3)) {
-      for (Path file : found.filter(path -> path.toString().endsWith(".msg")).sorted().toList()) {
-        Path relative = folder.relativize(file);
-        String name = relative.toString().replace('\\', '/').replaceAll("\\.msg$", "");
-        if (RosNames.isFullMessageType(name)) {
-          files.put(name, file);
+  private void list(Path folder) {
+    try (Stream<Path> found = Files.walk(folder, FileVisitOption.FOLLOW_LINKS)) {
+      for (Path file : found.filter(MessageCatalog::isDefinition).sorted().toList()) {
+        String name = folder.relativize(file).toString().replace('\\', '/');
+        String type = name.substring(0, name.length() - SUFFIX.length());
+        if (name.endsWith(SUFFIX) && RosNames.isFullMessageType(type)) {
+          files.put(type, file);
+        } else {
+          misplaced.add(file);
         }
       }
     } catch (IOException e) {
@@ -73,6 +76,11 @@ public final class MessageCatalog {
     } catch (UncheckedIOException e) {
       throw unreadable(folder, SourceText.reason(e));
     }
+  }
+
+  /** Whether a file is called like a definition, in capitals or not. */
+  private static boolean isDefinition(Path file) {
+    return file.toString().toLowerCase(Locale.ROOT).endsWith(SUFFIX) && !Files.isDirectory(file);
   }
 
   private static DiagnosticException unreadable(Path folder, String reason) {
@@ -96,9 +104,20 @@ public final class MessageCatalog {
     return names;
   }
 
-  /** Everything that is wrong with the definitions in the user's folders. */
+  /**
+   * Everything that is wrong with the definitions in the user's folders; definitions that nobody
+   * can use because of their place or name ({@code message.place}) are warned of.
+   */
   public List<Diagnostic> diagnostics() {
     Set<Diagnostic> found = new TreeSet<>();
+    for (Path file : misplaced) {
+      found.add(
+          Diagnostic.warning(
+                  "message.place",
+                  "This is not read: no message type has this file.",
+                  SourceLocation.of(file))
+              .withHint("Name it PACKAGE/msg/NAME.msg within the folder of definitions."));
+    }
     for (String name : files.keySet()) {
       try {
         find(name);

@@ -1,6 +1,7 @@
 package dev.eventchain.modeler;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
@@ -64,45 +65,54 @@ public final class SoftwareBase {
   }
 
   /**
-   * Reads a software base. A file that is missing is a finding, {@code file.missing}.
+   * Reads a software base. A file that is missing, cannot be read or is not JSON is a finding, and
+   * nothing is known of what it describes.
    *
    * @param folder the folder {@code software-base}
-   * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if a file cannot be read or is not
-   *     JSON
    */
   public static SoftwareBase read(Path folder) {
     List<Diagnostic> diagnostics = new ArrayList<>();
     Map<String, Component> components = new LinkedHashMap<>();
     EventChain described = EventchainFactory.eINSTANCE.createEventChain();
-    String componentsText = "[]";
-    Optional<SourceText> componentsFile = existing(folder, COMPONENTS, diagnostics);
+    Optional<Text> componentsFile = existing(folder, COMPONENTS, diagnostics);
     if (componentsFile.isPresent()) {
-      componentsText = componentsFile.get().text();
-      Document json = JsonDocument.parse(componentsFile.get());
+      Document json = componentsFile.get().json();
       Modeled<EventChain> read = EventChainReader.readExisting(json);
       diagnostics.addAll(read.diagnostics());
       described = read.root();
       components = new Reader(folder, json, diagnostics).components();
     }
-    Optional<SourceText> signalsFile = existing(folder, SIGNALS, diagnostics);
+    Optional<Text> signalsFile = existing(folder, SIGNALS, diagnostics);
     Optional<List<Signal>> signals =
-        signalsFile.map(file -> new SignalReader(JsonDocument.parse(file), diagnostics).read());
-    String signalsText = signalsFile.map(SourceText::text).orElse("[]");
+        signalsFile.map(file -> new SignalReader(file.json(), diagnostics).read());
     return new SoftwareBase(
-        components, described, componentsText, signalsText, signals, diagnostics);
+        components,
+        described,
+        componentsFile.map(Text::text).orElse("[]"),
+        signalsFile.map(Text::text).orElse("[]"),
+        signals,
+        diagnostics);
   }
 
+  /** A file as it is written, and what it says. */
+  private record Text(String text, Document json) {}
+
   /** A file; that it is not there is a finding, since nothing could be checked without it. */
-  private static Optional<SourceText> existing(
-      Path folder, String name, List<Diagnostic> diagnostics) {
+  private static Optional<Text> existing(Path folder, String name, List<Diagnostic> diagnostics) {
     Path file = folder.resolve(name);
-    if (Files.exists(file, LinkOption.NOFOLLOW_LINKS)) {
-      return Optional.of(SourceText.read(file));
+    if (!Files.exists(file, LinkOption.NOFOLLOW_LINKS)) {
+      diagnostics.add(
+          Diagnostic.error("file.missing", "There is no such file.", SourceLocation.of(file))
+              .withHint("Write `[]` into it if there is nothing to describe."));
+      return Optional.empty();
     }
-    diagnostics.add(
-        Diagnostic.error("file.missing", "There is no such file.", SourceLocation.of(file))
-            .withHint("Write `[]` into it if there is nothing to describe."));
-    return Optional.empty();
+    try {
+      SourceText text = SourceText.read(file);
+      return Optional.of(new Text(text.text(), JsonDocument.parse(text)));
+    } catch (DiagnosticException e) {
+      diagnostics.addAll(e.diagnostics());
+      return Optional.empty();
+    }
   }
 
   /** The components, in the order of the file. */

@@ -48,7 +48,7 @@ final class GenerateStage implements StageWork {
       fingerprint.addFile(run.file(generatedName(node)));
     }
     Templates.own(run.project())
-        .ifPresent(main -> fingerprint.addFiles(run.project().filesBeside(main, ".mtl")));
+        .ifPresent(main -> fingerprint.addFiles(TemplateModule.files(main)));
   }
 
   @Override

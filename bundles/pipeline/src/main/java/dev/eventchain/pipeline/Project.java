@@ -189,22 +189,6 @@ public final class Project {
     throw unreadable(path, new NotDirectoryException(path.toString()));
   }
 
-  /** The files of a file's folder that end like it, by name. */
-  List<Path> filesBeside(Path file, String suffix) {
-    return filesIn(file.toAbsolutePath().getParent(), suffix);
-  }
-
-  private static List<Path> filesIn(Path parent, String suffix) {
-    if (!Files.isDirectory(parent)) {
-      return List.of();
-    }
-    try (Stream<Path> files = Files.list(parent)) {
-      return files.filter(file -> file.toString().endsWith(suffix)).sorted().toList();
-    } catch (IOException e) {
-      throw unreadable(parent, e);
-    }
-  }
-
   /** The failure that a file or folder of the project cannot be read. */
   static DiagnosticException unreadable(Path path, IOException e) {
     return new DiagnosticException(

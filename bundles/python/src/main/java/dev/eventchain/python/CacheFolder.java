@@ -3,6 +3,7 @@ package dev.eventchain.python;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Map;
@@ -27,7 +28,7 @@ final class CacheFolder {
         DiagnosticException.Reason.UNAVAILABLE,
         Diagnostic.error(
                 "python.unavailable",
-                "The cache folder cannot be written: " + problem,
+                "The cache folder cannot be written: " + SourceText.reason(problem) + ".",
                 SourceLocation.of(folder))
             .withHint("Make it writable, or set XDG_CACHE_HOME to a folder that is."));
   }

@@ -3,6 +3,7 @@ package dev.eventchain.python;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -255,8 +256,8 @@ public final class ConfinedProcess implements AutoCloseable {
             DiagnosticException.Reason.UNAVAILABLE,
             Diagnostic.error(
                 "python.unavailable",
-                "A confined Python cannot be started: " + e.getMessage(),
-                SourceLocation.NONE));
+                "A confined Python cannot be started: " + SourceText.reason(e) + ".",
+                SourceLocation.of(Path.of(command.line().get(0)))));
       }
     }
   }

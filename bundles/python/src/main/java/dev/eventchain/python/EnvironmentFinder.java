@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Sha256;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStream;
@@ -30,6 +31,7 @@ final class EnvironmentFinder {
   private static final List<String> CONTENT = List.of("environment.py", "requirements.txt");
   private static final List<String> NAMES =
       List.of("python3", "python3.13", "python3.12", "python3.11", "python3.10", "python3.14");
+  private static final String CHECK = "Name a Python that can be started in EVENTCHAIN_PYTHON.";
   private static final String MARKER = "complete.txt";
 
   private final Map<String, String> settings;
@@ -59,10 +61,12 @@ final class EnvironmentFinder {
     }
     if (!chosen.isEmpty()) {
       throw unavailable(
+          SourceLocation.of(Path.of(chosen)),
           "EVENTCHAIN_PYTHON names " + chosen + ", which is not an executable file.",
           "Set it to a Python 3.10 or newer, or unset it to use python3 of the PATH.");
     }
     throw unavailable(
+        SourceLocation.NONE,
         "There is no python3 on the PATH.",
         "Install Python 3.10 or newer, or set EVENTCHAIN_PYTHON to one.");
   }
@@ -87,7 +91,8 @@ final class EnvironmentFinder {
               settings.getOrDefault("PYENV_VERSION", ""));
       digest.add(facts);
     } catch (IOException e) {
-      throw new UncheckedIOException(e);
+      throw unavailable(
+          SourceLocation.of(python), "Python cannot be read: " + SourceText.reason(e) + ".", CHECK);
     }
     return digest.abbreviated();
   }
@@ -137,6 +142,7 @@ final class EnvironmentFinder {
     Path executable = Path.of(run(python, script)).toAbsolutePath();
     if (!Files.isExecutable(executable) || Files.isDirectory(executable)) {
       throw unavailable(
+          SourceLocation.of(python),
           python + " is no Python: it answered with nothing that can be started.",
           "Name a Python 3.10 or later in EVENTCHAIN_PYTHON, or unset it.");
     }
@@ -145,7 +151,10 @@ final class EnvironmentFinder {
       remember(remembered, executable.getParent().getParent());
       return found;
     } catch (IOException e) {
-      throw unavailable("The Python environment cannot be read: " + e, "Remove " + executable);
+      throw unavailable(
+          SourceLocation.of(executable),
+          "The Python environment cannot be read: " + SourceText.reason(e) + ".",
+          "Remove " + executable.getParent().getParent() + "; it is made anew.");
     }
   }
 
@@ -171,14 +180,17 @@ final class EnvironmentFinder {
       }
       exitCode = process.waitFor();
     } catch (IOException | UncheckedIOException e) {
+      IOException cause = e instanceof UncheckedIOException u ? u.getCause() : (IOException) e;
+      String reason = SourceText.reason(cause);
       throw unavailable(
-          python + " cannot be started: " + e.getMessage(), "Check EVENTCHAIN_PYTHON.");
+          SourceLocation.of(python), "Python cannot be started: " + reason + ".", CHECK);
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
-      throw unavailable("Creating the Python environment was interrupted.", "");
+      throw unavailable(
+          SourceLocation.of(python), "Creating the Python environment was interrupted.", "");
     }
     if (exitCode != 0) {
-      throw unavailable(answer.problem(exitCode), answer.hint);
+      throw unavailable(SourceLocation.of(python), answer.problem(exitCode), answer.hint);
     }
     return answer.last;
   }
@@ -207,9 +219,10 @@ final class EnvironmentFinder {
     }
   }
 
-  private static DiagnosticException unavailable(String message, String hint) {
+  private static DiagnosticException unavailable(
+      SourceLocation place, String message, String hint) {
     return new DiagnosticException(
         DiagnosticException.Reason.UNAVAILABLE,
-        Diagnostic.error("python.unavailable", message, SourceLocation.NONE).withHint(hint));
+        Diagnostic.error("python.unavailable", message, place).withHint(hint));
   }
 }

@@ -46,9 +46,15 @@ class StaleResultsTest {
   @BeforeEach
   void copyFinishedRun() throws IOException {
     project = folder.resolve("aeb");
-    try (Stream<Path> files = Files.walk(finished)) {
+    copy(finished, project);
+    assertTrue(verdict().contains("\"passed\" : true,"));
+  }
+
+  private static void copy(Path from, Path to) throws IOException {
+    Files.createDirectories(to.getParent());
+    try (Stream<Path> files = Files.walk(from)) {
       for (Path file : files.toList()) {
-        Path target = project.resolve(finished.relativize(file).toString());
+        Path target = to.resolve(from.relativize(file).toString());
         if (Files.isDirectory(file)) {
           Files.createDirectories(target);
         } else {
@@ -56,7 +62,6 @@ class StaleResultsTest {
         }
       }
     }
-    assertTrue(verdict().contains("\"passed\" : true,"));
   }
 
   @ParameterizedTest(name = "{index}: {0} {1}")
@@ -156,6 +161,18 @@ class StaleResultsTest {
     assertArrayEquals(
         Files.readAllBytes(project.resolve(component)),
         Files.readAllBytes(out("ros2/aeb/aeb/components/ObjectDetection.py")));
+  }
+
+  @Test
+  void aTemplateInASiblingFolderIsASourceToo() throws IOException {
+    for (String set : List.of("ros2-python", "python")) {
+      copy(Program.ROOT.resolve("templates").resolve(set), project.resolve("templates/" + set));
+    }
+    append("eventchain.yaml", "template: templates/ros2-python/main.mtl");
+    run("run").expect(0).says("✓ Generate");
+    run("run").expect(0).says("= Generate");
+    append("templates/python/names.mtl", "Edited.");
+    run("run").expect(0).says("✓ Generate");
   }
 
   @Test
