@@ -88,6 +88,16 @@ def test_the_kernel_counts_the_time_of_a_component_that_hides_it(project: Path) 
         assert all(host_time > 20_000_000 for _, _, host_time, _, _ in node["activations"])
 
 
+def test_what_the_program_may_write_is_not_imported_for_its_components(project: Path) -> None:
+    component = project / "chain" / "components" / "Doubler.py"
+    component.write_text("import numpy\n" + component.read_text())
+    with HostProcess() as host:
+        for module in ("numpy", "eventchain_ros2"):
+            (host.work / f"{module}.py").write_text("open('imported', 'w').close()\n")
+        scenario(host, project, 1)
+        assert not (host.work / "imported").exists()
+
+
 def test_each_component_has_a_process_of_its_own_in_each_scenario(project: Path) -> None:
     component = project / "chain" / "components" / "Doubler.py"
     component.write_text(

@@ -30,6 +30,9 @@ from component_rules import Component, Rules, read
 SHOW_STACK = SIGUSR1
 """The signal at which the process writes where it is."""
 
+MESSAGE_OBJECTS = "eventchain_ros2.message_objects"
+"""The module that makes messages of values; only programs with messages have it on their path."""
+
 _LENGTH = struct.Struct("<I")
 _MARKER = "_eventchain_returning"
 _LONGEST_TEXT = 2000
@@ -159,9 +162,7 @@ def _objects(folders: list[str] | None) -> component_values.Objects:
     """The message classes of the runtime, if its package is on the path."""
     if folders is None:
         return component_values.NO_OBJECTS
-    from eventchain_ros2 import message_objects  # type: ignore[import-not-found,unused-ignore]
-
-    objects: component_values.Objects = message_objects.serve(folders)
+    objects: component_values.Objects = importlib.import_module(MESSAGE_OBJECTS).serve(folders)
     return objects
 
 

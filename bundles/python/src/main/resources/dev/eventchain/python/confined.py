@@ -77,7 +77,7 @@ def _serve(settings: dict[str, Any]) -> NewProcess | None:
     for descriptor in (0, 1):
         os.dup2(nothing, descriptor)
     try:
-        os._exit(fork_server.ForkServer(ours, program, Path(settings["work"])).serve())
+        os._exit(fork_server.ForkServer(ours, program, Path(settings["work"]), settings["path"]).serve())
     except fork_server.NewProcess as new:
         return new.with_traceback(None)
 

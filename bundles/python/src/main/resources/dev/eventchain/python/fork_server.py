@@ -73,13 +73,15 @@ class ForkServer:
         control: where requests come from.
         program: id of the program's process.
         work: folder for the folders of the components.
+        path: folders with Eventchain's own packages, which nobody else can write.
 
     """
 
-    def __init__(self, control: socket.socket, program: int, work: Path) -> None:
+    def __init__(self, control: socket.socket, program: int, work: Path, path: list[str]) -> None:
         self._control = control
         self._program = program
         self._work = work
+        self._path = path
         self._folders: dict[int, Path] = {}
         self._started = 0
 
@@ -110,7 +112,7 @@ class ForkServer:
             ours.setsockopt(socket.SOL_SOCKET, option, struct.pack("ll", 0, int(LOOK_SECONDS * 1e6)))
         for end in (ours, theirs):
             end.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, _BUFFER)
-        self._prepare(description["file"])
+        self._prepare(description)
         self._started += 1
         folder = self._work / f"component-{self._started}"
         folder.mkdir(mode=0o700)
@@ -125,12 +127,22 @@ class ForkServer:
         for descriptor in (stack, stack_end):
             os.close(descriptor)
 
-    @staticmethod
-    def _prepare(file: str) -> None:
-        """Import NumPy here, once for all processes, instead of in each of them."""
-        with contextlib.suppress(ImportError, OSError):
-            if "numpy" not in sys.modules and _NUMPY.search(Path(file).read_bytes()):
-                importlib.import_module("numpy")
+    def _prepare(self, description: dict[str, Any]) -> None:
+        """Import here, once for all processes, what each of them would: NumPy and the classes of messages."""
+        wanted = []
+        with contextlib.suppress(OSError):
+            if _NUMPY.search(Path(description["file"]).read_bytes()):
+                wanted.append("numpy")
+        if description.get("messages") is not None:
+            wanted.append(component_process.MESSAGE_OBJECTS)
+        before = sys.path
+        # Neither the description's path nor the folder that the program may write: it may be foreign.
+        sys.path = [*filter(None, before), *self._path]
+        for name in wanted:
+            if name not in sys.modules:
+                with contextlib.suppress(ImportError):
+                    importlib.import_module(name)
+        sys.path = before
 
     def _signal(self, process: int, number: int) -> None:
         if process in self._folders:
