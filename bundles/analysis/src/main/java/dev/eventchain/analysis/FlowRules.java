@@ -10,6 +10,7 @@ import java.util.Collections;
 import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -18,7 +19,7 @@ import java.util.stream.Collectors;
 /**
  * What follows from the flow of a whole chain. In OCL each of these rules would look through all
  * components for each component. With an index, circles take time in proportion to the chain, and
- * so does each latency constraint.
+ * latency constraints, all with the same first component, in proportion to what lies between.
  */
 final class FlowRules {
 
@@ -35,7 +36,7 @@ final class FlowRules {
   void check() {
     mainLine();
     feedback();
-    chain.getLatencyConstraints().forEach(this::connected);
+    latencyConstraints();
   }
 
   /** The main line has an end: else no order of execution follows it. */
@@ -113,27 +114,59 @@ final class FlowRules {
     return before;
   }
 
-  private void connected(LatencyConstraint constraint) {
+  private void latencyConstraints() {
+    Map<SoftwareNode, List<LatencyConstraint>> byFirst = new LinkedHashMap<>();
+    for (LatencyConstraint constraint : chain.getLatencyConstraints()) {
+      // LatencyConstraintIsComplete finds those that lack an end.
+      if (constraint.getFirst() != null && constraint.getLast() != null) {
+        findings.checked(Rule.LATENCY_UNCONNECTED);
+        byFirst.computeIfAbsent(constraint.getFirst(), none -> new ArrayList<>()).add(constraint);
+      }
+    }
+    byFirst.forEach(this::connected);
+  }
+
+  private void connected(SoftwareNode first, List<LatencyConstraint> constraints) {
+    Set<SoftwareNode> missing = new HashSet<>();
+    constraints.forEach(constraint -> missing.add(constraint.getLast()));
+    removeReached(first, missing);
+    for (LatencyConstraint constraint : constraints) {
+      if (missing.contains(constraint.getLast())) {
+        unconnected(constraint);
+      }
+    }
+  }
+
+  /** Takes the start, and those that get data from it, out of a set; looks no further than that. */
+  private void removeReached(SoftwareNode start, Set<SoftwareNode> wanted) {
+    Set<SoftwareNode> known = new HashSet<>(List.of(start));
+    Deque<SoftwareNode> open = new ArrayDeque<>(known);
+    wanted.remove(start);
+    while (!open.isEmpty() && !wanted.isEmpty()) {
+      for (SoftwareNode next : flow.successors(open.remove())) {
+        if (known.add(next)) {
+          wanted.remove(next);
+          open.add(next);
+        }
+      }
+    }
+  }
+
+  private void unconnected(LatencyConstraint constraint) {
     SoftwareNode first = constraint.getFirst();
     SoftwareNode last = constraint.getLast();
-    if (first == null || last == null) {
-      return; // LatencyConstraintIsComplete
-    }
-    findings.checked(Rule.LATENCY_UNCONNECTED);
-    if (first != last && !reach(first, new HashSet<>(chain.getSoftware())).containsKey(last)) {
-      String backwards =
-          reach(last, new HashSet<>(chain.getSoftware())).containsKey(first)
-              ? "They flow the other way: exchange first and last."
-              : "Name two components with a way of data between them.";
-      findings.error(
-          Rule.LATENCY_UNCONNECTED,
-          findings.at(constraint),
-          "The latency constraint '%s' bounds the time from '%s' to '%s', but no data flow there."
-              .formatted(constraint.getName(), first.getName(), last.getName()),
-          backwards,
-          findings.at(first),
-          findings.at(last));
-    }
+    Set<SoftwareNode> backwards = new HashSet<>(List.of(first));
+    removeReached(last, backwards);
+    findings.error(
+        Rule.LATENCY_UNCONNECTED,
+        findings.at(constraint),
+        "The latency constraint '%s' bounds the time from '%s' to '%s', but no data flow there."
+            .formatted(constraint.getName(), first.getName(), last.getName()),
+        backwards.isEmpty()
+            ? "They flow the other way: exchange first and last."
+            : "Name two components with a way of data between them.",
+        findings.at(first),
+        findings.at(last));
   }
 
   /** {@code A -> B -> A}. */
