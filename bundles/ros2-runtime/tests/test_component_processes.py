@@ -17,6 +17,7 @@ from protocol import MILLISECOND, RESET, Failed, HostProcess, doubler, float32
 FIXTURES = Path(__file__).with_name("fixtures")
 FAKES = sorted(file.stem for file in (FIXTURES / "fakes").glob("*.py"))
 REFUSED = {
+    "acts_between_calls": "component.ended",
     "answers_twice": "component.ended",
     "answers_too_much": "component.ended",
     "answers_garbage": "component.ended",

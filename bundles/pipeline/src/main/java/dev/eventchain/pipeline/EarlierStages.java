@@ -43,15 +43,15 @@ final class EarlierStages {
   }
 
   /**
-   * Looks at every stage before the first one of the run.
+   * Looks at every stage before one that is to begin.
    *
    * @return what is suppressed of that, and warnings: what people edited, and what nobody remembers
    *     the sources of
    * @throws DiagnosticException INPUT with the first of what is out of date and not suppressed
    */
-  List<Diagnostic> require() {
+  List<Diagnostic> require(Stage next) {
     for (Stage stage : Stage.values()) {
-      if (stage.compareTo(run.options().first()) < 0 && stage.compareTo(Stage.SIMULATE) < 0) {
+      if (stage.compareTo(next) < 0 && stage.compareTo(Stage.SIMULATE) < 0) {
         look(stage);
       }
     }

@@ -55,7 +55,7 @@ public final class Pipeline {
     try (OutputFolder output = outputFor(options)) {
       RunContext context = new RunContext(project, options, output, progress);
       StageMemory memory = new StageMemory(output, options.output());
-      if (!readsOnly(options)) {
+      if (!options.readsOnly()) {
         boolean restored = !output.hasRecords() && memory.restoreRecords();
         context.findLostRecords(restored);
       }
@@ -83,13 +83,9 @@ public final class Pipeline {
 
   /** Validation alone writes nothing, so that it works where nothing can be written. */
   private static OutputFolder outputFor(RunOptions options) {
-    return readsOnly(options)
+    return options.readsOnly()
         ? OutputFolder.inMemory(new HashMap<>())
         : OutputFolder.open(options.output());
-  }
-
-  private static boolean readsOnly(RunOptions options) {
-    return options.first() == Stage.VALIDATE && options.last() == Stage.VALIDATE;
   }
 
   private RunResult runStages() {
@@ -106,11 +102,31 @@ public final class Pipeline {
     if (failure.isPresent() && (!judged || run.options().isPartial())) {
       standing.withdraw(stoppedIn());
     }
+    if (!run.options().runs(Stage.SIMULATE) && !run.options().readsOnly()) {
+      restoreVerdict();
+    }
     RunResult result = new Conclusion(run, outcomes, failure, progress).conclude();
     if (result.report().isEmpty()) {
       standing.putReportBack();
     }
     return result;
+  }
+
+  /** The verdict of before stands again if a simulation now would have nothing to do. */
+  private void restoreVerdict() {
+    try {
+      new EarlierStages(run, memory, WORK).require(Stage.SIMULATE);
+      standing.recall(fingerprint(Stage.SIMULATE).value());
+    } catch (DiagnosticException e) {
+      // It is about other files than today's. Whoever simulates next is told which.
+      return;
+    }
+  }
+
+  private Fingerprint fingerprint(Stage stage) {
+    Fingerprint fingerprint = new Fingerprint(run).add(stage.id());
+    WORK.get(stage).fingerprint(run, fingerprint);
+    return fingerprint;
   }
 
   private Map<String, String> written(List<String> outputs) {
@@ -144,13 +160,11 @@ public final class Pipeline {
   private StageOutcome runStage(Stage stage) {
     progress.started(stage);
     long start = System.nanoTime();
-    StageWork work = WORK.get(stage);
     try {
       if (stage == run.options().first()) {
-        new EarlierStages(run, memory, WORK).require().forEach(run::find);
+        new EarlierStages(run, memory, WORK).require(stage).forEach(run::find);
       }
-      Fingerprint fingerprint = new Fingerprint(run).add(stage.id());
-      work.fingerprint(run, fingerprint);
+      Fingerprint fingerprint = fingerprint(stage);
       String key = fingerprint.value();
       Optional<StageRecord> remembered =
           mayBeSkipped(stage) ? recall(stage, key) : Optional.empty();

@@ -47,6 +47,11 @@ public record RunOptions(
     return !scenarios.isEmpty();
   }
 
+  /** Whether nothing is written, so that it works where nothing can be written. */
+  boolean readsOnly() {
+    return first == Stage.VALIDATE && last == Stage.VALIDATE;
+  }
+
   boolean runs(Stage stage) {
     return first.compareTo(stage) <= 0 && stage.compareTo(last) <= 0;
   }

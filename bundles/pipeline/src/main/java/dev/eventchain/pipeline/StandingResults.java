@@ -8,10 +8,9 @@ import java.util.Optional;
 import java.util.TreeMap;
 
 /**
- * The results of an earlier simulation, and the report, while a run works that is to simulate. They
- * are withdrawn before anything is done that may end otherwise than they say, so that no verdict
- * stands that nobody reached, even if the run is killed; and put back if it turns out that they
- * still hold.
+ * The results of an earlier simulation, and the report, while a run works. They are withdrawn
+ * before anything is done that may end otherwise than they say, so that no verdict stands that
+ * nobody reached, even if the run is killed; and put back if it turns out that they still hold.
  */
 final class StandingResults {
 
@@ -32,12 +31,12 @@ final class StandingResults {
 
   /**
    * Withdraws the results; the verdict says in which stage the run is, and stays so if it ends
-   * there. Nothing happens in a run that is not to simulate.
+   * there. A run that is not to reach a verdict makes none where there is none.
    */
   void withdraw(Stage stage) {
-    boolean nothingStands =
-        run.options().isPartial() && run.output().read(SimulateStage.VERDICT).isEmpty();
-    if (!run.options().runs(Stage.SIMULATE) || nothingStands) {
+    boolean reachesVerdict = run.options().runs(Stage.SIMULATE) && !run.options().isPartial();
+    boolean nothingStands = run.output().read(SimulateStage.VERDICT).isEmpty();
+    if (run.options().readsOnly() || (nothingStands && !reachesVerdict)) {
       return;
     }
     if (!withdrawn) {

@@ -22,7 +22,8 @@ from component_values import LONGEST, NO_OBJECTS, MalformedError, Objects
 CONTROL = "EVENTCHAIN_FORK_SERVER"
 """The environment variable with the file descriptor of the :class:`ForkServer`."""
 
-_LENGTH = struct.Struct("<I")
+_HEADER = struct.Struct("<I4s")
+_TOKEN_BYTES = 4
 _FIRST_READ = 1 << 16
 _FRAME = re.compile(r'^ {2}File "(.*)", line (\d+) in', re.MULTILINE)
 _PATIENCE = 2.0  # s for the stack of a process that hangs
@@ -145,6 +146,7 @@ class ComponentProcess:
         self._process, self._channel, self._stack = server.start(description)
         self._clock = (~self._process << 3) | 2  # the processor time of another process, clock_getcpuclockid(3)
         self._deadlines = 0.0, 0.0
+        self._token = b""
         self._buffer = memoryview(bytearray(_FIRST_READ))
 
     def load(self) -> None:
@@ -187,6 +189,7 @@ class ComponentProcess:
         if self._ended:
             raise ComponentError("component.ended", "the process of the component has ended", self._file)
         self._start_clocks()
+        self._token = os.urandom(_TOKEN_BYTES)  # nobody can answer a question before it is asked
         self._send(component_values.write(question, self._objects))
         try:
             answer = component_values.read(self._receive(), self._objects)
@@ -204,9 +207,10 @@ class ComponentProcess:
 
     def _send(self, buffers: list[Any]) -> None:
         length = sum(map(len, buffers))
-        written = self._write([_LENGTH.pack(length), *buffers])
-        if written < length + _LENGTH.size:
-            rest = memoryview(b"".join((_LENGTH.pack(length), *buffers)))
+        header = _HEADER.pack(length, self._token)
+        written = self._write([header, *buffers])
+        if written < length + _HEADER.size:
+            rest = memoryview(b"".join((header, *buffers)))
             while written < len(rest):
                 written += self._write([rest[written:]])
 
@@ -223,18 +227,18 @@ class ComponentProcess:
     def _receive(self) -> memoryview:
         view = self._buffer
         have = self._read(view)
-        while have < _LENGTH.size:
+        while have < _HEADER.size:
             have += self._read(view[have:])
-        (length,) = _LENGTH.unpack_from(view)
-        whole = length + _LENGTH.size
-        if length > LONGEST or have > whole:
+        length, token = _HEADER.unpack_from(view)
+        whole = length + _HEADER.size
+        if token != self._token or length > LONGEST or have > whole:
             raise self._strange()
         if whole > len(view):
             view = memoryview(bytearray(whole))
             view[:have] = self._buffer[:have]
         while have < whole:
             have += self._read(view[have:whole])
-        return view[_LENGTH.size : whole]
+        return view[_HEADER.size : whole]
 
     def _read(self, view: memoryview) -> int:
         """Read what there is; the socket gives up from time to time (SO_RCVTIMEO)."""

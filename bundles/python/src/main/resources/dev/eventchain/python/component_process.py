@@ -1,8 +1,8 @@
 """The process in which one component lives: it gets the arguments of execute() and gives back its result.
 
 Nothing else that this process says is believed, since foreign code runs in it: see :mod:`component_client`, the other
-side. Frames in both directions are the length of what follows (u32, little endian) and a value of
-:mod:`component_values`, question and answer in turn:
+side. Frames in both directions are the length of the value (u32, little endian), the token of the question (4 bytes,
+which the answer has, too), and a value of :mod:`component_values`, question and answer in turn:
 
 - ``["load"]``, which imports the file, and ``["make"]``, which makes the object, are answered by ``["done"]``,
 - ``["call", [argument...], {name: argument...}]`` by ``["result", value, line, column]``, with the place where
@@ -33,7 +33,7 @@ SHOW_STACK = SIGUSR1
 MESSAGE_OBJECTS = "eventchain_ros2.message_objects"
 """The module that makes messages of values; only programs with messages have it on their path."""
 
-_LENGTH = struct.Struct("<I")
+_HEADER = struct.Struct("<I4s")
 _MARKER = "_eventchain_returning"
 _LONGEST_TEXT = 2000
 
@@ -63,7 +63,8 @@ class ComponentProcess:
     def serve(self) -> NoReturn:
         """Answer until nobody asks any more."""
         while True:
-            question = component_values.read(self._receive(), self._objects)
+            token, data = self._receive()
+            question = component_values.read(data, self._objects)
             try:
                 answer = self._answer(question)
             except BaseException as problem:  # foreign code may raise anything
@@ -72,11 +73,11 @@ class ComponentProcess:
                 buffers = component_values.write(answer, self._objects)
             except TypeError:
                 buffers = component_values.write(self._unfit(answer[1]))
-            _write_all(self._channel, [_LENGTH.pack(sum(map(len, buffers))), *buffers])
+            _write_all(self._channel, [_HEADER.pack(sum(map(len, buffers)), token), *buffers])
 
-    def _receive(self) -> memoryview:
-        (length,) = _LENGTH.unpack(_read_all(self._channel, _LENGTH.size))
-        return memoryview(_read_all(self._channel, length))
+    def _receive(self) -> tuple[bytes, memoryview]:
+        length, token = _HEADER.unpack(_read_all(self._channel, _HEADER.size))
+        return token, memoryview(_read_all(self._channel, length))
 
     def _answer(self, question: list[Any]) -> list[Any]:
         kind = question[0]

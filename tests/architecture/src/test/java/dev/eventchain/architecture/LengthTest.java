@@ -52,7 +52,6 @@ class LengthTest {
           Map.entry("QosContracts.compare", 39L),
           Map.entry("ReportPage.render", 38L),
           Map.entry("ResultBuilder.measure", 31L),
-          Map.entry("RuleParser.addInvariant", 44L),
           Map.entry("TextOperations.addSubstitutions", 31L),
           Map.entry("UnitContracts.compare", 52L));
 

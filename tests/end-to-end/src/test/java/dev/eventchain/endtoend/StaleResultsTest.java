@@ -76,6 +76,8 @@ class StaleResultsTest {
         "scenarios/empty-road.yaml|name: [|run|2",
         "scenarios/empty-road.yaml|# Changed.|simulate --scenario empty-road|0",
         "constraints.ocl|context SoftwareNode inv Fast: frequency > 30|run|1",
+        "software-base/components/ObjectDetection.py|# Changed.|generate|0",
+        "requirements.md|- AEB-7: It shall stop.|design --llm handoff:HERE|4",
       })
   void noVerdictOutlivesARunThatReachesNone(String file, String text, String command, int code)
       throws IOException {
@@ -125,6 +127,10 @@ class StaleResultsTest {
     assertArrayEquals(verdict, Files.readAllBytes(out("verdict.json")));
     byte[] report = Files.readAllBytes(out("report.html"));
     run("simulate").expect(0);
+    assertArrayEquals(report, Files.readAllBytes(out("report.html")));
+    append("out/ros2/aeb/setup.py", "# Edited.");
+    run("generate --overwrite").expect(0).says("24 files");
+    assertArrayEquals(verdict, Files.readAllBytes(out("verdict.json")));
     assertArrayEquals(report, Files.readAllBytes(out("report.html")));
   }
 
