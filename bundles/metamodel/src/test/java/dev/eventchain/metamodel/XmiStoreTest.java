@@ -190,7 +190,7 @@ class XmiStoreTest {
     Files.write(model, Arrays.copyOf(bytes, bytes.length - 40));
     assertEquals("xmi.syntax", refusal(model).id());
     Files.write(model, declared.getBytes(StandardCharsets.UTF_16LE));
-    assertEquals("xmi.syntax", refusal(model).id());
+    assertEquals("file.encoding", refusal(model).id());
   }
 
   @Test
