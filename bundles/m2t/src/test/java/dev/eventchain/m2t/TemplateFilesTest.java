@@ -102,7 +102,7 @@ class TemplateFilesTest {
   @Test
   void aNulCharacterIsAnError() {
     assertEquals(
-        List.of("5:m2t.syntax: The file has a NUL character, which no text has."),
+        List.of("5:file.encoding: The file has a NUL character, which no text has."),
         problems(HEAD + "a\0b" + FOOT, UTF_8));
   }
 
