@@ -36,16 +36,28 @@ public final class SourceText {
 
   private record Line(int index, String text) {}
 
-  private SourceText(String name, String text) {
+  /** Where all of the text stands; null if its own lines are those of its file. */
+  private final SourceLocation place;
+
+  private SourceText(String name, String text, SourceLocation place) {
     this.name = name;
     this.text = text;
     this.lineStarts = lineStarts(text);
+    this.place = place;
   }
 
   /** A text that is in memory already, under the name that people know it by. */
   public static SourceText of(String name, String text) {
     boolean marked = !text.isEmpty() && text.charAt(0) == BYTE_ORDER_MARK;
-    return new SourceText(name, marked ? text.substring(1) : text);
+    return new SourceText(name, marked ? text.substring(1) : text, null);
+  }
+
+  /**
+   * A text that is written in another one with escapes, as an attribute's value in XML is, so that
+   * its offsets are none of the file: all of it is at one place.
+   */
+  public static SourceText within(SourceLocation place, String text) {
+    return new SourceText(place.file(), text, place);
   }
 
   /**
@@ -214,6 +226,9 @@ public final class SourceText {
    * @param offset from 0 to the length of the text; anything beyond is taken for the nearest end
    */
   public SourceLocation at(int offset) {
+    if (place != null) {
+      return place;
+    }
     int inside = Math.max(0, Math.min(offset, text.length()));
     int found = Arrays.binarySearch(lineStarts, inside);
     int index = found >= 0 ? found : -found - 2;
@@ -224,6 +239,9 @@ public final class SourceText {
    * The place of a line and a column, both from 1; a line beyond the end is taken for the last one.
    */
   public SourceLocation at(int line, int column) {
+    if (place != null) {
+      return place;
+    }
     int index = Math.max(0, Math.min(line - 1, lineStarts.length - 1));
     return new SourceLocation(name, index + 1, Math.max(1, column), "", lineText(index));
   }
@@ -256,14 +274,30 @@ public final class SourceText {
     return text.substring(start, end);
   }
 
+  /** The last character of a line's end, which is LF, CRLF or CR; -1 if there is no more. */
+  private static int lineEnd(String text, int from, boolean onlyLineFeeds) {
+    if (onlyLineFeeds) {
+      return text.indexOf('\n', from);
+    }
+    for (int i = from; i < text.length(); i++) {
+      char c = text.charAt(i);
+      if (c == '\n' || (c == '\r' && !text.startsWith("\n", i + 1))) {
+        return i;
+      }
+    }
+    return -1;
+  }
+
   private static int[] lineStarts(String text) {
     int[] starts = new int[16];
     int count = 1;
-    for (int i = text.indexOf('\n'); i >= 0; i = text.indexOf('\n', i + 1)) {
+    boolean onlyLineFeeds = text.indexOf('\r') < 0;
+    for (int i = lineEnd(text, 0, onlyLineFeeds); i >= 0; ) {
       if (count == starts.length) {
         starts = Arrays.copyOf(starts, count * 2);
       }
       starts[count++] = i + 1;
+      i = lineEnd(text, i + 1, onlyLineFeeds);
     }
     return Arrays.copyOf(starts, count);
   }

@@ -2,6 +2,7 @@ package dev.eventchain.metamodel;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
 import java.io.InputStream;
@@ -68,6 +69,11 @@ public final class XmiStore {
       metamodels.forgetFrom(before);
       throw e;
     }
+  }
+
+  /** Where an element of a metamodel that was loaded here was written. */
+  public SourceLocation locateInMetamodel(EObject element) {
+    return metamodels.origins().locate(element);
   }
 
   /** Checks and registers what was loaded from a position on. */

@@ -304,14 +304,15 @@ final class Evaluator extends EvaluationVisitorImpl {
             annotation.getDetails().get(AbstractOCLAnalyzer.IMPLICIT_SET_CONVERSION));
   }
 
-  /** The expression that defines an operation; null if there is none. */
-  OCLExpression<EClassifier> bodyOf(EOperation operation) {
-    return getOperationBody(operation);
+  /** Eclipse OCL would look for annotations by itself, of which it knows only some. */
+  @Override
+  protected OCLExpression<EClassifier> getOperationBody(EOperation operation) {
+    return ((OclEnvironment) getEnvironment()).bodyOf(operation);
   }
 
-  /** The expression that defines a property; null if there is none. */
-  OCLExpression<EClassifier> bodyOf(EStructuralFeature property) {
-    return getPropertyBody(property);
+  @Override
+  protected OCLExpression<EClassifier> getPropertyBody(EStructuralFeature property) {
+    return ((OclEnvironment) getEnvironment()).bodyOf(property);
   }
 
   @Override

@@ -11,9 +11,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EOperation;
 import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EParameter;
+import org.eclipse.emf.ecore.ETypedElement;
 import org.eclipse.emf.ecore.EcorePackage;
 import org.eclipse.ocl.Environment;
 import org.eclipse.ocl.ecore.Constraint;
@@ -50,8 +53,12 @@ public final class ExpressionLanguage {
   /** The types that were asked for by name, which parsing again would not change. */
   private final Map<String, EClassifier> types = new HashMap<>();
 
+  /** The bodies of features and operations that metamodels state, as far as they were needed. */
+  private final Map<ETypedElement, Optional<OCLExpression<EClassifier>>> bodies = new HashMap<>();
+
   private ExpressionLanguage(OclEnvironmentFactory factory) {
     this.factory = factory;
+    factory.computeBy(this::bodyOf);
     this.root = factory.root();
     this.lowering = new Lowering(this);
   }
@@ -114,9 +121,11 @@ public final class ExpressionLanguage {
       SourceRange signature, Scope scope, EPackage contextPackage, List<Diagnostic> problems) {
     EClassifier owner = scope.typeOf(Environment.SELF_VARIABLE_NAME);
     List<Object> before = root.definitionsOf(owner);
+    factory.declare(true);
     boolean declared =
         parseConstraint(signature, "", ANY_BODY, environment(scope, contextPackage), problems)
             .isPresent();
+    factory.declare(false);
     List<Object> added = root.definitionsOf(owner);
     added.removeAll(before);
     if (declared) {
@@ -153,6 +162,43 @@ public final class ExpressionLanguage {
     definition.setContextVariable(self);
     definition.getParameterVariable().addAll(parameters);
     definition.setBodyExpression(body.orElse(null));
+  }
+
+  /**
+   * Computes a feature or an operation of a metamodel by an expression, which sees {@code self} and
+   * the parameters. One that has an error is invalid wherever it is used.
+   */
+  synchronized void implement(ETypedElement element, SourceRange text, List<Diagnostic> problems) {
+    EClass owner = (EClass) element.eContainer();
+    Scope scope = Scope.EMPTY.with(Environment.SELF_VARIABLE_NAME, owner);
+    if (element instanceof EOperation operation) {
+      for (EParameter parameter : operation.getEParameters()) {
+        scope = scope.with(parameter.getName(), root.getUMLReflection().getOCLType(parameter));
+      }
+    }
+    EClassifier declared = root.getUMLReflection().getOCLType(element);
+    OclEnvironment environment = environment(scope, owner.getEPackage());
+    OCLExpression<EClassifier> body =
+        parse(text, environment, problems)
+            .filter(found -> hasType(found, element, declared, text, problems))
+            .or(() -> parse(SourceText.of("", "invalid").whole(), environment, new ArrayList<>()))
+            .orElseThrow();
+    bodies.put(element, Optional.of(body));
+  }
+
+  /** The expression that computes a feature or an operation; null if there is none. */
+  synchronized OCLExpression<EClassifier> bodyOf(ETypedElement element) {
+    Constraint definition = root.getDefinition(element);
+    if (definition != null) {
+      return definition.getSpecification().getBodyExpression();
+    }
+    if (!bodies.containsKey(element)) {
+      bodies.put(element, Optional.empty());
+      OclAnnotations.body(element)
+          .map(text -> SourceText.of(Names.of(element), text.value()).whole())
+          .ifPresent(text -> implement(element, text, new ArrayList<>()));
+    }
+    return bodies.get(element).orElse(null);
   }
 
   private boolean hasType(
@@ -192,7 +238,9 @@ public final class ExpressionLanguage {
     ProblemCollector collector = new ProblemCollector(range, prefix.length(), problems);
     environment.setProblemHandler(collector);
     try {
-      OclAnalyzer analyzer = new OclAnalyzer(environment, prefix + range.text() + suffix);
+      // Eclipse OCL ends a comment at line feeds only.
+      String input = prefix + range.text().replace('\r', '\n') + suffix;
+      OclAnalyzer analyzer = new OclAnalyzer(environment, input);
       analyzer.setCharacterOffset(range.start() - prefix.length());
       Constraint constraint = analyzer.parseInvOrDefCS();
       if (collector.failed() || constraint == null) {

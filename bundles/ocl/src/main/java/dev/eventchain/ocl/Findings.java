@@ -43,13 +43,16 @@ final class Findings {
         List.of(constraint.location()));
   }
 
-  /** An element for which an invariant is neither true nor false. */
+  /**
+   * An element for which an invariant is neither true nor false: an error, however bad a violation
+   * would be, since nothing was checked.
+   */
   Diagnostic undefined(OclConstraint constraint, EObject element, Object value) {
     Invalid invalid = value instanceof Invalid reason ? reason : IS_NULL;
     boolean placed = !SourceLocation.NONE.equals(invalid.location());
     return new Diagnostic(
         "ocl.undefined",
-        constraint.severity(),
+        Severity.ERROR,
         "'"
             + constraint.name()
             + "' is neither true nor false for "

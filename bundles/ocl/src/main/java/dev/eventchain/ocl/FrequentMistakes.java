@@ -74,6 +74,11 @@ final class FrequentMistakes {
   /** The mistakes in a part of a text, each an error at its place. */
   static List<Diagnostic> in(SourceRange range) {
     FrequentMistakes mistakes = new FrequentMistakes(range);
+    int comment = mistakes.tokens.unclosedComment();
+    if (comment >= 0) {
+      SourceLocation place = range.source().at(range.start() + comment);
+      mistakes.found.add(Diagnostic.error("ocl.syntax", "This comment has no end.", place));
+    }
     while (mistakes.at < mistakes.tokens.size()) {
       mistakes.look();
     }

@@ -12,8 +12,7 @@ final class Lexer {
   static int end(String text, int start, int limit) {
     char c = text.charAt(start);
     if (text.startsWith("--", start)) {
-      int end = text.indexOf('\n', start);
-      return end < 0 ? limit : Math.min(end, limit);
+      return endOfLine(text, start, limit);
     } else if (text.startsWith("/*", start)) {
       int end = text.indexOf("*/", start + 2);
       return end < 0 ? limit : Math.min(end + 2, limit);
@@ -27,6 +26,30 @@ final class Lexer {
       return Math.min(start + 2, limit);
     }
     return start + 1;
+  }
+
+  /** Where a line ends: before a line feed, or before a carriage return, be it alone or not. */
+  private static int endOfLine(String text, int start, int limit) {
+    int end = start;
+    while (end < limit && text.charAt(end) != '\n' && text.charAt(end) != '\r') {
+      end++;
+    }
+    return end;
+  }
+
+  /** How many lines end in a text. */
+  static int lineEnds(String text) {
+    int count = 0;
+    for (int i = 0; i < text.length(); i++) {
+      boolean inside = text.charAt(i) == '\r' && text.startsWith("\n", i + 1);
+      count += !inside && (text.charAt(i) == '\n' || text.charAt(i) == '\r') ? 1 : 0;
+    }
+    return count;
+  }
+
+  /** Whether a comment that starts and ends at these offsets has its end marks. */
+  static boolean isUnclosedComment(String text, int start, int end) {
+    return text.startsWith("/*", start) && text.indexOf("*/", start + 2) != end - 2;
   }
 
   private static int endOfString(String text, int start, int limit, char quote) {

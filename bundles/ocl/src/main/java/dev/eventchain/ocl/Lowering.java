@@ -4,11 +4,13 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EOperation;
 import org.eclipse.emf.ecore.EParameter;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.ocl.expressions.OCLExpression;
+import org.eclipse.ocl.expressions.OperationCallExp;
 
 /**
  * Compiles the expressions of a language into trees of {@link Node}s, whose variables are slots of
@@ -52,7 +54,7 @@ final class Lowering {
 
   /** The lowered body of an operation; null if the operation has none. */
   Lowered definition(EOperation operation) {
-    OCLExpression<EClassifier> body = evaluator.bodyOf(operation);
+    OCLExpression<EClassifier> body = language.bodyOf(operation);
     if (body == null) {
       return null;
     }
@@ -66,8 +68,41 @@ final class Lowering {
 
   /** The lowered body of a property; null if the property has none. */
   Lowered definition(EStructuralFeature property) {
-    OCLExpression<EClassifier> body = evaluator.bodyOf(property);
+    OCLExpression<EClassifier> body = language.bodyOf(property);
     return body == null ? null : definition(body, List.of("self"));
+  }
+
+  /** The bodies that classes below the static type of a call's source give its operation. */
+  List<VirtualCall.Implementation> overrides(OperationCallExp<EClassifier, EOperation> call) {
+    List<VirtualCall.Implementation> found = new ArrayList<>();
+    EOperation operation = call.getReferredOperation();
+    if (call.getSource().getType() instanceof EClass type && operation != null) {
+      for (EClass below : language.packages().classesBelow(type)) {
+        for (EOperation other : language.environment().operationsOf(below)) {
+          if (isOverride(other, operation)) {
+            Lowered body = definition(other);
+            if (body != null) {
+              found.add(new VirtualCall.Implementation(below, body));
+            }
+          }
+        }
+      }
+    }
+    return found;
+  }
+
+  private static boolean isOverride(EOperation other, EOperation operation) {
+    List<EParameter> parameters = other.getEParameters();
+    List<EParameter> overridden = operation.getEParameters();
+    boolean same =
+        other != operation
+            && other.getName() != null
+            && other.getName().equals(operation.getName())
+            && parameters.size() == overridden.size();
+    for (int i = 0; same && i < parameters.size(); i++) {
+      same = parameters.get(i).getEType() == overridden.get(i).getEType();
+    }
+    return same;
   }
 
   private Lowered definition(OCLExpression<EClassifier> body, List<String> parameters) {

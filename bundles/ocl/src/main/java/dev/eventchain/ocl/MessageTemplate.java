@@ -59,6 +59,17 @@ final class MessageTemplate {
     return text.isEmpty() ? Optional.empty() : Optional.of(new MessageTemplate(parts));
   }
 
+  /** Reads a message that is an expression as a whole. */
+  static Optional<MessageTemplate> parse(
+      SourceRange expression,
+      ResolvedClause clause,
+      ExpressionLanguage language,
+      List<Diagnostic> problems) {
+    return language
+        .parse(expression, clause.scope(), clause.contextPackage(), problems)
+        .map(parsed -> new MessageTemplate(List.of(new Part("", parsed))));
+  }
+
   private static int closingBrace(String text, int start) {
     int depth = 1;
     for (int i = start; i < text.length(); i = Lexer.end(text, i, text.length())) {

@@ -7,19 +7,20 @@ import java.util.List;
 import java.util.Set;
 import org.eclipse.emf.common.util.TreeIterator;
 import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.util.EcoreUtil;
-import org.eclipse.ocl.ecore.Constraint;
 import org.eclipse.ocl.ecore.OperationCallExp;
 import org.eclipse.ocl.ecore.PropertyCallExp;
+import org.eclipse.ocl.expressions.OCLExpression;
 
 /** Finds the features that an expression reads, also by way of definitions. */
 final class Navigations {
 
   private final OclEnvironment environment;
   private final Set<OclConstraint.Navigation> found = new LinkedHashSet<>();
-  private final Set<Constraint> visited = new HashSet<>();
+  private final Set<OCLExpression<EClassifier>> visited = new HashSet<>();
 
   private Navigations(OclEnvironment environment) {
     this.environment = environment;
@@ -54,8 +55,7 @@ final class Navigations {
       EObject node = nodes.next();
       if (node instanceof PropertyCallExp call) {
         EStructuralFeature feature = call.getReferredProperty();
-        if (!followed(environment.getDefinition(feature))
-            && feature.getEContainingClass() != null) {
+        if (!followed(environment.bodyOf(feature)) && feature.getEContainingClass() != null) {
           EClass owner =
               call.getSource().getType() instanceof EClass type
                   ? type
@@ -63,20 +63,16 @@ final class Navigations {
           found.add(new OclConstraint.Navigation(owner, feature));
         }
       } else if (node instanceof OperationCallExp call && call.getReferredOperation() != null) {
-        followed(environment.getDefinition(call.getReferredOperation()));
+        followed(environment.bodyOf(call.getReferredOperation()));
       }
     }
   }
 
-  /** Walks a definition, if there is one, and says whether there is. */
-  private boolean followed(Constraint definition) {
-    if (definition == null) {
-      return false;
+  /** Walks the body of a definition, if there is one, and says whether there is. */
+  private boolean followed(OCLExpression<EClassifier> body) {
+    if (body != null && visited.add(body)) {
+      walk((EObject) body);
     }
-    EObject body = (EObject) definition.getSpecification().getBodyExpression();
-    if (visited.add(definition) && body != null) {
-      walk(body);
-    }
-    return true;
+    return body != null;
   }
 }

@@ -3,14 +3,17 @@ package dev.eventchain.ocl;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
+import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EOperation;
 import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EParameter;
+import org.eclipse.emf.ecore.ETypedElement;
 import org.eclipse.emf.ecore.EcorePackage;
 import org.eclipse.ocl.AmbiguousLookupException;
 import org.eclipse.ocl.LookupException;
 import org.eclipse.ocl.ecore.EcoreEnvironment;
+import org.eclipse.ocl.expressions.OCLExpression;
 import org.eclipse.ocl.expressions.Variable;
 import org.eclipse.ocl.lpg.ProblemHandler;
 import org.eclipse.ocl.options.ParsingOptions;
@@ -97,6 +100,18 @@ final class OclEnvironment extends EcoreEnvironment {
     return definitions;
   }
 
+  /** The operations that a class declares itself, and those that definitions have added to it. */
+  List<EOperation> operationsOf(EClass type) {
+    List<EOperation> operations = new ArrayList<>(type.getEOperations());
+    operations.addAll(getTypeResolver().getAdditionalOperations(type));
+    return operations;
+  }
+
+  /** The expression that computes a feature or an operation; null if there is none. */
+  OCLExpression<EClassifier> bodyOf(ETypedElement element) {
+    return factory.bodyOf(element);
+  }
+
   ProblemTexts texts() {
     return factory.texts();
   }
@@ -161,7 +176,12 @@ final class OclEnvironment extends EcoreEnvironment {
         return found;
       }
     }
-    return super.lookupOperation(owner, name, args);
+    EOperation found = super.lookupOperation(owner, name, args);
+    boolean overridden =
+        factory.isDeclaring()
+            && owner instanceof EClass type
+            && !operationsOf(type).contains(found);
+    return overridden ? null : found;
   }
 
   @Override

@@ -3,6 +3,7 @@ package dev.eventchain.ocl;
 import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Function;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EEnumLiteral;
@@ -20,6 +21,7 @@ import org.eclipse.ocl.ecore.Constraint;
 import org.eclipse.ocl.ecore.EcoreEnvironmentFactory;
 import org.eclipse.ocl.ecore.SendSignalAction;
 import org.eclipse.ocl.expressions.CollectionKind;
+import org.eclipse.ocl.expressions.OCLExpression;
 
 /** Makes Eclipse OCL use our environments, analyzer and evaluator. */
 final class OclEnvironmentFactory extends EcoreEnvironmentFactory {
@@ -30,6 +32,8 @@ final class OclEnvironmentFactory extends EcoreEnvironmentFactory {
   private final ValueEnvironment.Kinds kinds;
   private final ProblemTexts texts;
   private final Set<String> failedNames = new HashSet<>();
+  private boolean declaring;
+  private Function<ETypedElement, OCLExpression<EClassifier>> bodies = element -> null;
 
   OclEnvironmentFactory(PackageIndex packages, Libraries libraries) {
     super(packages.registry());
@@ -38,6 +42,25 @@ final class OclEnvironmentFactory extends EcoreEnvironmentFactory {
     this.root = new OclEnvironment(this);
     this.texts = new ProblemTexts(root, packages);
     this.kinds = new ValueEnvironment.Kinds(element -> root.getUMLReflection().getOCLType(element));
+  }
+
+  /** While a definition is declared, an operation of a superclass is one that it may override. */
+  void declare(boolean begins) {
+    declaring = begins;
+  }
+
+  boolean isDeclaring() {
+    return declaring;
+  }
+
+  /** Says where the bodies of features and operations come from. */
+  void computeBy(Function<ETypedElement, OCLExpression<EClassifier>> source) {
+    bodies = source;
+  }
+
+  /** The expression that computes a feature or an operation; null if there is none. */
+  OCLExpression<EClassifier> bodyOf(ETypedElement element) {
+    return bodies.apply(element);
   }
 
   PackageIndex packages() {

@@ -1,10 +1,13 @@
 package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
+import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 
 /**
@@ -39,6 +42,19 @@ public final class OclRules {
    */
   public static OclRules parse(List<SourceText> documents, Collection<EPackage> packages) {
     return parse(documents, ExpressionLanguage.of(packages));
+  }
+
+  /**
+   * As {@link #parse(List, Collection)}, with the invariants that the metamodels hold in
+   * annotations: first those, then the documents'.
+   *
+   * @param places where elements of the metamodels stand
+   */
+  public static OclRules parse(
+      List<SourceText> documents,
+      Collection<EPackage> packages,
+      Function<EObject, SourceLocation> places) {
+    return new RuleParser(ExpressionLanguage.of(packages)).parse(documents, places);
   }
 
   /**

@@ -1,5 +1,7 @@
 package dev.eventchain.ocl;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EEnum;
@@ -42,7 +44,10 @@ final class OperationLowering {
           call, call.getType(), library.implementation(), source, arguments);
     }
     Lowered definition = lowering.definition(operation);
-    if (definition != null) {
+    List<VirtualCall.Implementation> overrides = lowering.overrides(call);
+    if (!overrides.isEmpty()) {
+      return virtual(call, overrides, source, arguments);
+    } else if (definition != null) {
       return new DefinitionNodes.Call(source, arguments, body.calls(definition));
     } else if (call.getOperationCode() <= 0) {
       return new NavigationNodes.Operation(
@@ -54,6 +59,27 @@ final class OperationLowering {
       return new StockOperation.Apply(stock(call), prepend(source, arguments));
     }
     return node;
+  }
+
+  private Node virtual(
+      OperationCallExp<EClassifier, EOperation> call,
+      List<VirtualCall.Implementation> overrides,
+      Node source,
+      Node[] arguments) {
+    EOperation operation = call.getReferredOperation();
+    Lowered definition = lowering.definition(operation);
+    List<VirtualCall.Implementation> all = new ArrayList<>(overrides);
+    if (definition != null) {
+      all.add(new VirtualCall.Implementation((EClass) call.getSource().getType(), definition));
+    }
+    all.forEach(each -> body.calls(each.definition()));
+    ValueEnvironment environment = lowering.environment();
+    int code = codeOf(operation);
+    return new VirtualCall(
+        source,
+        arguments,
+        all,
+        (object, values) -> environment.callOperation(operation, code, object, values));
   }
 
   /** Comparisons that a metamodel declares have the code of the standard ones. */

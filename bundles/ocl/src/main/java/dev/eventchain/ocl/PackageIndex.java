@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.ENamedElement;
 import org.eclipse.emf.ecore.EPackage;
@@ -21,6 +22,8 @@ final class PackageIndex {
 
   /** What was found by each path, which each parse of an expression asks for again. */
   private final Map<List<String>, List<EClassifier>> classifiers = new ConcurrentHashMap<>();
+
+  private final Map<EClass, List<EClass>> classesBelow = new ConcurrentHashMap<>();
 
   PackageIndex(Collection<EPackage> given) {
     given.forEach(this::add);
@@ -61,6 +64,19 @@ final class PackageIndex {
     }
     List<EPackage> exact = found.stream().filter(each -> depth(each) == path.size()).toList();
     return exact.size() == 1 ? exact : found;
+  }
+
+  /** The classes that have a class above them, in the order of their packages. */
+  List<EClass> classesBelow(EClass type) {
+    return classesBelow.computeIfAbsent(
+        type,
+        upper ->
+            packages.stream()
+                .flatMap(each -> each.getEClassifiers().stream())
+                .filter(EClass.class::isInstance)
+                .map(EClass.class::cast)
+                .filter(each -> each != upper && upper.isSuperTypeOf(each))
+                .toList());
   }
 
   private static int depth(EPackage innermost) {

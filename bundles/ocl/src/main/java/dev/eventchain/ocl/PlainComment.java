@@ -41,9 +41,10 @@ final class PlainComment {
       int end = Lexer.end(source, at, part.end());
       String token = source.substring(at, end);
       if (token.isBlank()) {
-        above |= token.indexOf('\n') >= 0;
+        int lines = Lexer.lineEnds(token);
+        above |= lines > 0;
         // The line break behind a line comment is the first of these.
-        if (token.chars().filter(c -> c == '\n').count() > 1) {
+        if (lines > 1) {
           text.setLength(0);
           annotated = false;
         }

@@ -22,7 +22,8 @@ import java.util.regex.Pattern;
 final class RuleComments {
 
   private static final Pattern COMMENT = Pattern.compile("^[ \\t]*--(.*)$", Pattern.MULTILINE);
-  private static final Pattern BLANK_LINE = Pattern.compile("\\n[ \\t\\r]*\\n");
+  private static final Pattern BLANK_LINE =
+      Pattern.compile("(?>\\r\\n|\\r|\\n)[ \\t]*(?>\\r\\n|\\r|\\n)");
   private static final Pattern ANNOTATION = Pattern.compile(" ?@(\\w+)[ \\t]*(.*)");
   private static final List<String> KEYWORDS = List.of("severity", "message", "hint");
 

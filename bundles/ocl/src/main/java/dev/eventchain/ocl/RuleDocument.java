@@ -34,6 +34,7 @@ final class RuleDocument {
    * @param name its name; empty if it has none
    * @param location where its keyword stands
    * @param text its expression; all of it for a definition
+   * @param message the expression for its message; {@code null} if there is none
    * @param comments where the comments above it stand; those above the context, for its first one
    * @param contextComment where the comment above its context stands
    */
@@ -44,6 +45,7 @@ final class RuleDocument {
       String name,
       SourceLocation location,
       SourceRange text,
+      SourceRange message,
       List<SourceRange> comments,
       SourceRange contextComment) {
 
@@ -83,6 +85,12 @@ final class RuleDocument {
   /** Takes a document apart; what is neither an invariant nor a definition becomes a problem. */
   static RuleDocument read(SourceText source, List<Diagnostic> problems) {
     RuleDocument document = new RuleDocument(source, problems);
+    int comment = document.tokens.unclosedComment();
+    if (comment >= 0) {
+      problems.add(
+          Diagnostic.error("ocl.syntax", "This comment has no end.", source.at(comment))
+              .withHint("Close it with */; all that follows counts as comment."));
+    }
     while (document.at < document.tokens.size()) {
       document.readNext();
     }
@@ -189,14 +197,7 @@ final class RuleDocument {
     if (at < tokens.size() && tokens.isName(at)) {
       name = tokens.text(at++);
     }
-    if (at < tokens.size() && tokens.is(at, "(")) {
-      problems.add(
-          Diagnostic.error(
-                  "ocl.syntax", "An invariant has no message in parentheses.", location(at))
-              .withHint("Write the message in a comment above it: -- @message ..."));
-      skipToClause(at);
-      return;
-    }
+    SourceRange message = readMessage();
     if (at >= tokens.size() || !tokens.is(at, ":")) {
       error(at - 1, "':' is expected after '" + tokens.text(at - 1) + "'.");
       skipToClause(at);
@@ -204,16 +205,34 @@ final class RuleDocument {
     }
     int start = tokens.end(at++);
     skipToClause(at);
-    add(false, name, keyword, start);
+    add(false, name, keyword, start, message);
+  }
+
+  /** {@code (expression)} after an invariant's name; null if there is none. */
+  private SourceRange readMessage() {
+    if (!tokens.is(at, "(")) {
+      return null;
+    }
+    int open = at;
+    int depth = 0;
+    while (at < tokens.size()) {
+      depth += tokens.is(at, "(") ? 1 : tokens.is(at, ")") ? -1 : 0;
+      at++;
+      if (depth == 0) {
+        return source.range(tokens.end(open), tokens.start(at - 1));
+      }
+    }
+    at = open;
+    return null;
   }
 
   private void readDefinition() {
     int keyword = at;
     skipToClause(at + (tokens.is(at, "static") ? 2 : 1));
-    add(true, "", keyword, tokens.start(keyword));
+    add(true, "", keyword, tokens.start(keyword), null);
   }
 
-  private void add(boolean definition, String name, int keyword, int start) {
+  private void add(boolean definition, String name, int keyword, int start, SourceRange message) {
     if (context != null) {
       List<SourceRange> comments = new ArrayList<>();
       if (contextIsNew) {
@@ -229,6 +248,7 @@ final class RuleDocument {
               name,
               location(keyword),
               text,
+              message,
               comments,
               contextComments));
     } else if (!contextFailed) {

@@ -1,6 +1,7 @@
 package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -8,7 +9,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.TreeSet;
+import java.util.function.Function;
 import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EStructuralFeature;
 
 /** Parses rule documents: first all definitions, then the invariants, which may use any of them. */
 final class RuleParser {
@@ -29,10 +33,26 @@ final class RuleParser {
     this.definitions = new Definitions(language, problems);
   }
 
+  /**
+   * Parses documents, and what the metamodels hold themselves.
+   *
+   * @param places where elements of the metamodels stand
+   */
+  OclRules parse(List<SourceText> documents, Function<EObject, SourceLocation> places) {
+    List<ResolvedClause> embedded = MetamodelRules.read(language, places, problems);
+    embedded.forEach(this::addInvariant);
+    return parse(documents);
+  }
+
   OclRules parse(List<SourceText> documents) {
     List<ResolvedClause> clauses = new ArrayList<>();
+    List<Diagnostic> empty = new ArrayList<>();
     for (SourceText document : documents) {
+      int before = problems.size();
       RuleDocument parsed = RuleDocument.read(document, problems);
+      if (parsed.clauses().isEmpty() && problems.size() == before) {
+        empty.add(empty(document));
+      }
       parsed.imports().forEach(contexts::check);
       for (RuleDocument.Clause clause : parsed.clauses()) {
         Optional<ResolvedClause> resolved = contexts.resolve(clause);
@@ -42,11 +62,24 @@ final class RuleParser {
         }
       }
     }
+    if (empty.size() < documents.size()) {
+      problems.addAll(empty);
+    }
     definitions.addAll(clauses.stream().filter(each -> each.clause().definition()).toList());
     clauses.stream().filter(each -> !each.clause().definition()).forEach(this::addInvariant);
     definitions.forgetUnusable();
     List<String> names = documents.stream().map(SourceText::name).toList();
     return new OclRules(constraints, List.copyOf(new TreeSet<>(problems)), names);
+  }
+
+  /** If all documents are empty, nothing is evaluated, which is said then. */
+  private static Diagnostic empty(SourceText document) {
+    boolean blank = document.text().isBlank();
+    return Diagnostic.error(
+            "ocl.document.empty",
+            blank ? "The document is empty." : "The document holds nothing but comments.",
+            SourceLocation.of(document.name()))
+        .withHint("Write invariants: context Class inv Name: ..., or leave it out.");
   }
 
   private void addInvariant(ResolvedClause resolved) {
@@ -58,9 +91,11 @@ final class RuleParser {
     RuleComments comments = RuleComments.read(clause, problems);
     commentsOf.put(qualified(resolved, name), comments);
     Optional<MessageTemplate> message =
-        MessageTemplate.parse(
-            comments.message(), comments.messageStart(), resolved, language, problems);
-    Optional<Expression> condition = condition(resolved, name);
+        clause.message() == null
+            ? MessageTemplate.parse(
+                comments.message(), comments.messageStart(), resolved, language, problems)
+            : MessageTemplate.parse(clause.message(), resolved, language, problems);
+    Optional<Expression> condition = condition(resolved, name).filter(c -> isKnown(c, resolved));
     if (condition.isPresent()
         && definitions.isUsable(condition.get().ast())
         && message.stream()
@@ -83,6 +118,25 @@ final class RuleParser {
     return language
         .parse(resolved.clause().text(), resolved.scope(), resolved.contextPackage(), problems)
         .filter(expression -> isBoolean(expression, name, resolved));
+  }
+
+  /** Whether each feature that an invariant reads is stored, or computed by an expression. */
+  private boolean isKnown(Expression condition, ResolvedClause resolved) {
+    Optional<EStructuralFeature> missing =
+        Navigations.of(condition.ast(), language.environment()).stream()
+            .map(OclConstraint.Navigation::feature)
+            .filter(OclAnnotations::isComputedInJava)
+            .findFirst();
+    missing.ifPresent(
+        feature ->
+            problems.add(
+                Diagnostic.error(
+                        "ocl.java.missing",
+                        "This reads '%s' of %s, which only Java code computes."
+                            .formatted(feature.getName(), Names.of(feature.getEContainingClass())),
+                        resolved.location())
+                    .withHint("Give the feature a derivation in OCL, or do without it.")));
+    return missing.isEmpty();
   }
 
   private String nameOf(ResolvedClause resolved) {

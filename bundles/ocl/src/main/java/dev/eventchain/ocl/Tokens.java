@@ -9,6 +9,7 @@ final class Tokens {
   private int[] starts = new int[64];
   private int[] ends = new int[64];
   private int size;
+  private int unclosedComment = -1;
 
   Tokens(String text) {
     this.text = text;
@@ -16,6 +17,8 @@ final class Tokens {
       int end = Lexer.end(text, i, text.length());
       if (!Lexer.isBlank(text, i)) {
         add(i, end);
+      } else if (Lexer.isUnclosedComment(text, i, end)) {
+        unclosedComment = i;
       }
       i = end;
     }
@@ -28,6 +31,11 @@ final class Tokens {
     }
     starts[size] = start;
     ends[size++] = end;
+  }
+
+  /** Where a comment begins that has no end; -1 if there is none. */
+  int unclosedComment() {
+    return unclosedComment;
   }
 
   int size() {

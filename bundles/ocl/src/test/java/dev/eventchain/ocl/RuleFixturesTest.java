@@ -20,8 +20,9 @@ import org.junit.jupiter.api.TestFactory;
 
 /**
  * For each id in the folder {@code rules}, {@code rules/ID/good.ocl} does not give it and {@code
- * bad.ocl} does, on the model {@code rules/model.xmi}; all that is found stands beside each. A
- * missing expectation is written, and the test fails.
+ * bad.ocl} does, on the model {@code rules/model.xmi}, together with {@code rules/ID/other.ocl} if
+ * there is one; all that is found stands beside each. A missing expectation is written, and the
+ * test fails.
  */
 class RuleFixturesTest {
 
@@ -50,14 +51,22 @@ class RuleFixturesTest {
   }
 
   private static List<Diagnostic> validate(Path rules) throws IOException {
+    Path own = rules.resolveSibling("metamodel.ecore");
     TestModels models =
-        new TestModels(FIXTURES, Path.of("src", "test", "resources", "metamodels", "library"));
+        Files.exists(own)
+            ? new TestModels(own.getParent(), own.getParent())
+            : new TestModels(
+                FIXTURES, Path.of("src", "test", "resources", "metamodels", "library"));
     EPackage metamodel = models.metamodel();
     EObject model = models.load("model.xmi");
-    String name = rules.getFileName().toString();
+    List<SourceText> documents = new ArrayList<>();
+    for (Path file : List.of(rules, rules.resolveSibling("other.ocl"))) {
+      if (Files.exists(file)) {
+        documents.add(SourceText.of(file.getFileName().toString(), Files.readString(file)));
+      }
+    }
     return OclValidator.validate(
-            OclRules.parse(
-                List.of(SourceText.of(name, Files.readString(rules))), List.of(metamodel)),
+            OclRules.parse(documents, List.of(metamodel)),
             List.of(model),
             element -> SourceLocation.of("model.xmi").withElement(Names.pathOf(element)))
         .diagnostics();

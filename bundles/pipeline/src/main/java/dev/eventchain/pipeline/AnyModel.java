@@ -61,7 +61,7 @@ public final class AnyModel {
   public record Validation(Coverage coverage, List<Diagnostic> diagnostics) {}
 
   /**
-   * Evaluates constraints on models.
+   * Evaluates constraints on models, those of documents and those that the metamodels hold.
    *
    * @param metamodels the models' metamodels; none for event chains, for which the standard
    *     constraints are evaluated and the contracts inside of each chain checked, too
@@ -82,7 +82,7 @@ public final class AnyModel {
       documents.add(XmiStore.standardConstraints());
     }
     constraints.forEach(file -> documents.add(SourceText.read(file)));
-    OclRules rules = OclRules.parse(documents, any.packages);
+    OclRules rules = OclRules.parse(documents, any.packages, any.store::locateInMetamodel);
     OclResult result =
         OclValidator.of(rules).withTimeLimit(timeLimit).validate(any.roots, any.origins::locate);
     List<String> files =

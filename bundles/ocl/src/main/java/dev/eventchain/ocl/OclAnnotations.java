@@ -1,0 +1,107 @@
+package dev.eventchain.ocl;
+
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.eclipse.emf.common.util.EMap;
+import org.eclipse.emf.ecore.EAnnotation;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EModelElement;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EOperation;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EStructuralFeature;
+import org.eclipse.emf.ecore.ETypedElement;
+import org.eclipse.emf.ecore.EcorePackage;
+import org.eclipse.emf.ecore.impl.EPackageImpl;
+import org.eclipse.emf.ecore.util.ExtendedMetaData;
+
+/**
+ * The OCL that an Ecore metamodel holds in annotations, as OCLinEcore and EMF's delegates write it
+ * ("OCLinEcore", "Delegates" in the documentation of Eclipse OCL).
+ */
+final class OclAnnotations {
+
+  private static final String ECORE = EcorePackage.eNS_URI;
+
+  /** The sources of annotations with expressions; those of the Pivot dialect as well. */
+  private static final List<String> SOURCES =
+      List.of(ECORE + "/OCL", ECORE + "/OCL/Pivot", ECORE + "/OCL/LPG", ECORE + "/OCL/debug");
+
+  /** The key of an invariant's message is that of the invariant and this. */
+  private static final String MESSAGE = "$message";
+
+  /**
+   * A text of an annotation.
+   *
+   * @param entry the detail that holds it
+   */
+  record Text(String key, String value, EObject entry) {}
+
+  private OclAnnotations() {}
+
+  /** The invariants of a class, by their names. */
+  static Map<String, Text> invariants(EClass type) {
+    Map<String, Text> invariants = details(type);
+    invariants.keySet().removeIf(key -> key.endsWith(MESSAGE));
+    return invariants;
+  }
+
+  /** The expression for the message of an invariant. */
+  static Optional<Text> message(EClass type, String invariant) {
+    return Optional.ofNullable(details(type).get(invariant + MESSAGE));
+  }
+
+  /** The expression that computes a feature or an operation. */
+  static Optional<Text> body(ETypedElement element) {
+    String key = element instanceof EOperation ? "body" : "derivation";
+    return Optional.ofNullable(details(element).get(key));
+  }
+
+  /** The constraints that a class is said to have and that no OCL states: Java checks them. */
+  static Set<String> constraintsInJava(EClass type) {
+    EAnnotation annotation = type.getEAnnotation(ECORE);
+    String names = annotation == null ? null : annotation.getDetails().get("constraints");
+    Set<String> inJava = new LinkedHashSet<>();
+    if (names != null && !names.isBlank()) {
+      inJava.addAll(List.of(names.strip().split("\\s+", -1)));
+      inJava.removeAll(invariants(type).keySet());
+    }
+    return inJava;
+  }
+
+  /**
+   * Whether a feature of a metamodel without generated code is computed, and nothing says how:
+   * reading it gives its default.
+   */
+  static boolean isComputedInJava(EStructuralFeature feature) {
+    EClass owner = feature.getEContainingClass();
+    EPackage ePackage = owner == null ? null : owner.getEPackage();
+    boolean computed = feature.isVolatile() || (feature.isDerived() && feature.isTransient());
+    return computed
+        && ePackage != null
+        && ePackage.getClass() == EPackageImpl.class
+        && ExtendedMetaData.INSTANCE.getGroup(feature) == null
+        && ExtendedMetaData.INSTANCE.getFeatureKind(feature) == ExtendedMetaData.UNSPECIFIED_FEATURE
+        && body(feature).isEmpty();
+  }
+
+  private static Map<String, Text> details(EModelElement element) {
+    Map<String, Text> details = new LinkedHashMap<>();
+    for (String source : SOURCES) {
+      EAnnotation annotation = element.getEAnnotation(source);
+      EMap<String, String> entries = annotation == null ? null : annotation.getDetails();
+      if (entries != null) {
+        for (Map.Entry<String, String> entry : entries) {
+          String value = entry.getValue() == null ? "" : entry.getValue();
+          Text text = new Text(entry.getKey(), value, (EObject) entry);
+          details.putIfAbsent(entry.getKey(), text);
+        }
+      }
+    }
+    return details;
+  }
+}

@@ -1,0 +1,170 @@
+package dev.eventchain.ocl;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.Stream;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EModelElement;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EOperation;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EStructuralFeature;
+import org.eclipse.emf.ecore.util.EcoreUtil;
+import org.junit.jupiter.api.Test;
+
+/** What metamodels say in annotations: invariants, messages, bodies and derivations. */
+class MetamodelRulesTest {
+
+  private static final String OCL = "http://www.eclipse.org/emf/2002/Ecore/OCL";
+
+  private final TestModels models = new TestModels("annotated");
+  private final EPackage metamodel = models.metamodel();
+
+  private OclRules rules(String... documents) {
+    List<SourceText> texts =
+        Stream.of(documents).map(text -> SourceText.of("r.ocl", text)).toList();
+    return OclRules.parse(
+        texts,
+        List.of(metamodel),
+        element -> SourceLocation.of("metamodel.ecore").withElement(Names.pathOf(element)));
+  }
+
+  private List<String> found(OclRules rules, String model) {
+    return OclValidator.validate(
+            rules,
+            List.of(models.load(model)),
+            element -> SourceLocation.of(model).withElement(Names.pathOf(element)))
+        .diagnostics()
+        .stream()
+        .filter(each -> !each.id().equals("ocl.java.missing"))
+        .map(each -> each.rule() + ": " + each.message())
+        .toList();
+  }
+
+  private EClass type(String name) {
+    return (EClass) metamodel.getEClassifier(name);
+  }
+
+  private static void annotate(EModelElement element, String key, String text) {
+    EcoreUtil.setAnnotation(element, OCL + "/Pivot", key, text);
+  }
+
+  @Test
+  void invariantsOfAllDialectsAreEvaluatedWithTheirMessages() {
+    OclRules rules = rules();
+    assertEquals(
+        List.of(
+            "Shop::HasItems", "Item::PositivePrice", "Item::Named", "Item::Cheap", "Item::Doubled"),
+        rules.constraintNames());
+    assertEquals(
+        List.of("Item::Named: An item of 3.0 has no name", "Item::Cheap: 'Cheap'"),
+        found(rules, "model.xmi").stream()
+            .map(each -> each.startsWith("Item::Cheap") ? "Item::Cheap: 'Cheap'" : each)
+            .sorted(Comparator.reverseOrder())
+            .toList());
+    assertEquals(
+        List.of("Shop::HasItems: The shop corner sells nothing"), found(rules, "empty.xmi"));
+  }
+
+  @Test
+  void constraintThatOnlyJavaKnowsIsSaidNotToBeChecked() {
+    Diagnostic said = rules().diagnostics().get(0);
+    assertEquals("ocl.java.missing", said.id());
+    assertEquals(Severity.WARNING, said.severity());
+    assertEquals(
+        "The constraint 'Audited' of Shop is not checked: only Java code knows it.",
+        said.message());
+  }
+
+  @Test
+  void derivedFeatureThatOnlyJavaComputesIsNotReadAsZero() {
+    OclRules rules = rules("context Item inv Rated: rating = 0");
+    Diagnostic said = rules.diagnostics().get(rules.diagnostics().size() - 1);
+    assertEquals("ocl.java.missing", said.id());
+    assertEquals(Severity.ERROR, said.severity());
+    assertEquals(
+        List.of(), rules.constraintNames().stream().filter("Item::Rated"::equals).toList());
+  }
+
+  @Test
+  void bodyOfTheSubclassIsTheOneThatIsCalled() {
+    OclRules rules = rules("context Item inv Free: name = 'voucher' implies total() = 0.0");
+    assertEquals(
+        List.of(),
+        found(rules, "model.xmi").stream().filter(each -> each.contains("Free")).toList());
+    OclRules labels = rules("context Item inv Label: name = 'voucher' implies label() = 'gift'");
+    assertEquals(
+        List.of(),
+        found(labels, "model.xmi").stream().filter(each -> each.contains("Label")).toList());
+  }
+
+  @Test
+  void definitionOfTheSubclassIsTheOneThatIsCalledInWhateverOrderTheyStand() {
+    String upper = "context Item def: kind(n : Integer) : String = 'item'\n";
+    String lower = "context Gift def: kind(n : Integer) : String = 'gift'\n";
+    String use =
+        "context Item inv Kind: kind(1) = if name = 'voucher' then 'gift' else 'item' endif\n";
+    for (String document : List.of(upper + lower + use, use + lower + upper)) {
+      OclRules rules = rules(document);
+      assertEquals(List.of(), errors(rules));
+      assertEquals(
+          List.of(),
+          found(rules, "model.xmi").stream().filter(each -> each.contains("Kind")).toList());
+    }
+    assertEquals(1, errors(rules(lower + lower.replace("'gift'", "'present'"))).size());
+  }
+
+  private static List<Diagnostic> errors(OclRules rules) {
+    return rules.diagnostics().stream().filter(each -> each.severity() == Severity.ERROR).toList();
+  }
+
+  @Test
+  void whatCannotBeParsedIsAnErrorOnTheMetamodel() {
+    annotate(type("Shop"), "Broken", "items?.name->size() > 0");
+    EStructuralFeature doubled = type("Item").getEStructuralFeature("doubled");
+    annotate(doubled, "derivation", "price.nothing");
+    EOperation total = type("Item").getEOperations().get(0);
+    annotate(total, "body", "'text'");
+    List<Diagnostic> errors = errors(rules());
+    assertEquals(3, errors.size(), errors::toString);
+    for (Diagnostic error : errors) {
+      assertEquals("metamodel.ecore", error.location().file());
+    }
+  }
+
+  @Test
+  void sameInvariantInADocumentCountsOnce() {
+    OclRules rules = rules("context Item inv PositivePrice: price > 0.0");
+    assertEquals(5, rules.constraints().size());
+  }
+
+  @Test
+  void messageInParenthesesIsEvaluated() {
+    OclRules rules =
+        rules("context Item inv Wanted('No ' + (if name = null then '?' else name endif)): false");
+    assertEquals(
+        List.of("Item::Wanted: No ?", "Item::Wanted: No car"),
+        found(rules, "model.xmi").stream()
+            .filter(each -> each.contains("Wanted"))
+            .sorted()
+            .limit(2)
+            .toList());
+  }
+
+  @Test
+  void failingDerivationIsUndefinedAndNoDefect() {
+    EStructuralFeature doubled = type("Item").getEStructuralFeature("doubled");
+    annotate(doubled, "derivation", "Sequence{1.0}->at(2)");
+    EObject shop = models.load("model.xmi");
+    List<Diagnostic> found =
+        OclValidator.validate(rules(), List.of(shop), element -> SourceLocation.of("model.xmi"))
+            .diagnostics();
+    assertEquals(4, found.stream().filter(each -> each.id().equals("ocl.undefined")).count());
+  }
+}
