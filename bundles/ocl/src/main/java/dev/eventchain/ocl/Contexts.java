@@ -1,5 +1,6 @@
 package dev.eventchain.ocl;
 
+import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
 import java.util.ArrayList;
@@ -8,9 +9,13 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EOperation;
 import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.ETypedElement;
+import org.eclipse.emf.ecore.EcorePackage;
 import org.eclipse.emf.ecore.resource.Resource;
 
 /** Finds the metamodels, packages and classes that rule documents name. */
@@ -27,7 +32,9 @@ final class Contexts {
   /** Checks that an import names a loaded metamodel: its URI, its file or its package. */
   void check(RuleDocument.Import wanted) {
     String target = wanted.target().replaceFirst("#.*", "");
-    boolean known = !packages.packages(List.of(target.split("::", -1))).isEmpty();
+    boolean known =
+        target.equals(EcorePackage.eNS_URI)
+            || !packages.packages(List.of(target.split("::", -1))).isEmpty();
     for (EPackage each : packages.all()) {
       Resource resource = each.eResource();
       known |= target.equals(each.getNsURI());
@@ -58,20 +65,68 @@ final class Contexts {
 
   /** The class that a clause is about; a problem if there is not exactly one of its name. */
   Optional<ResolvedClause> resolve(RuleDocument.Clause clause) {
-    EPackage given = null;
-    if (clause.packagePath() != null) {
-      List<EPackage> found = packages.packages(clause.packagePath().names());
-      if (found.size() != 1) {
-        problems.add(packageProblem(clause.packagePath(), found));
-        return Optional.empty();
-      }
-      given = found.get(0);
-    }
-    EPackage first = given;
-    return contextClass(clause.context(), first)
+    return classOf(clause.packagePath(), clause.context())
         .map(
             context ->
-                new ResolvedClause(clause, context, first == null ? context.getEPackage() : first));
+                new ResolvedClause(
+                    clause,
+                    context,
+                    contextPackage(clause.packagePath()).orElse(context.getEPackage())));
+  }
+
+  /** The operation or feature that a context names; a problem if its class has none of its own. */
+  Optional<ETypedElement> resolve(RuleDocument.Member member) {
+    Optional<EClass> owner = classOf(member.packagePath(), member.owner());
+    Optional<ETypedElement> found = owner.flatMap(type -> memberOf(type, member));
+    if (owner.isPresent() && found.isEmpty()) {
+      String wanted =
+          member.parameters() == null
+              ? "feature '" + member.name() + "'"
+              : "operation '"
+                  + member.name()
+                  + "' with "
+                  + Coverage.counted(member.parameters().size(), "parameter");
+      List<String> known =
+          owner.get().eContents().stream()
+              .filter(ETypedElement.class::isInstance)
+              .map(each -> ((ETypedElement) each).getName())
+              .toList();
+      problems.add(
+          Diagnostic.error(
+                  "ocl.type",
+                  Names.of(owner.get()) + " has no " + wanted + " of its own.",
+                  member.owner().location())
+              .withHint(NearestName.question(member.name(), known)));
+    }
+    return found;
+  }
+
+  private static Optional<ETypedElement> memberOf(EClass type, RuleDocument.Member member) {
+    return Stream.concat(type.getEOperations().stream(), type.getEStructuralFeatures().stream())
+        .filter(each -> member.name().equals(each.getName()))
+        .filter(
+            each ->
+                each instanceof EOperation operation
+                    ? member.parameters() != null
+                        && operation.getEParameters().size() == member.parameters().size()
+                    : member.parameters() == null)
+        .map(ETypedElement.class::cast)
+        .findFirst();
+  }
+
+  private Optional<EPackage> contextPackage(RuleDocument.Path path) {
+    return path == null ? Optional.empty() : packages.packages(path.names()).stream().findFirst();
+  }
+
+  private Optional<EClass> classOf(RuleDocument.Path packagePath, RuleDocument.Path path) {
+    if (packagePath != null) {
+      List<EPackage> found = packages.packages(packagePath.names());
+      if (found.size() != 1) {
+        problems.add(packageProblem(packagePath, found));
+        return Optional.empty();
+      }
+    }
+    return contextClass(path, contextPackage(packagePath).orElse(null));
   }
 
   private Diagnostic packageProblem(RuleDocument.Path path, List<EPackage> found) {

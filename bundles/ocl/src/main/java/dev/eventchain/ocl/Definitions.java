@@ -101,7 +101,7 @@ final class Definitions {
       SourceRange signature = text.source().range(text.start(), end);
       SourceRange body = text.source().range(end, text.end());
       language
-          .declare(signature, clause.scope(), clause.contextPackage(), problems)
+          .declare(signature, clause, problems)
           .ifPresentOrElse(
               feature -> declared.add(new Declared(clause, body, feature)),
               () -> language.environment().addFailedName(nameOf(tokens)));
@@ -195,6 +195,6 @@ final class Definitions {
   }
 
   private void complete(Declared each) {
-    language.complete(each.feature(), each.body(), each.clause().contextPackage(), problems);
+    language.complete(each.feature(), each.body(), each.clause(), problems);
   }
 }

@@ -43,6 +43,7 @@ public final class ExpressionLanguage {
 
   private static final String EXPRESSION_PREFIX = "inv:\n";
   private static final String ANY_BODY = " null";
+  private static final SourceText INVALID = SourceText.of("", "invalid");
   private static final String TYPE_PREFIX = "inv:\nlet type : ";
   private static final String TYPE_SUFFIX = "\n = null in true";
 
@@ -82,19 +83,22 @@ public final class ExpressionLanguage {
    * @param problems takes all errors and warnings, at their places in the text
    * @return empty if there is an error
    */
-  public Optional<Expression> parse(SourceRange range, Scope scope, List<Diagnostic> problems) {
-    return parse(range, scope, null, problems);
+  public synchronized Optional<Expression> parse(
+      SourceRange range, Scope scope, List<Diagnostic> problems) {
+    return parse(range, "", environment(scope, null), problems)
+        .map(ast -> new Expression(this, ast));
   }
 
-  /** As the public one, with a package whose types come first. */
+  /** As the public one, in the context of a clause. */
   synchronized Optional<Expression> parse(
-      SourceRange range, Scope scope, EPackage contextPackage, List<Diagnostic> problems) {
-    return parse(range, environment(scope, contextPackage), problems)
+      SourceRange range, ResolvedClause clause, List<Diagnostic> problems) {
+    OclEnvironment environment = environment(clause.scope(), clause.contextPackage());
+    return parse(range, clause.prefix(), environment, problems)
         .map(ast -> new Expression(this, ast));
   }
 
   private Optional<OCLExpression<EClassifier>> parse(
-      SourceRange range, OclEnvironment environment, List<Diagnostic> problems) {
+      SourceRange range, String prefix, OclEnvironment environment, List<Diagnostic> problems) {
     if (range.text().isBlank()) {
       problems.add(
           Diagnostic.error("ocl.syntax", "An expression is missing here.", range.location()));
@@ -106,7 +110,7 @@ public final class ExpressionLanguage {
     if (!mistakes.isEmpty()) {
       return Optional.empty();
     }
-    return parseConstraint(range, EXPRESSION_PREFIX, "", environment, problems);
+    return parseConstraint(range, EXPRESSION_PREFIX + prefix, "", environment, problems);
   }
 
   /**
@@ -114,16 +118,18 @@ public final class ExpressionLanguage {
    * given its body with {@link #complete} before any of them is evaluated.
    *
    * @param signature from {@code def} to the equals sign
-   * @param scope has {@code self}, whose type is the class
+   * @param clause the definition
    * @return the operation or property; empty if the signature has an error
    */
   synchronized Optional<Object> declare(
-      SourceRange signature, Scope scope, EPackage contextPackage, List<Diagnostic> problems) {
+      SourceRange signature, ResolvedClause clause, List<Diagnostic> problems) {
+    Scope scope = clause.scope();
     EClassifier owner = scope.typeOf(Environment.SELF_VARIABLE_NAME);
     List<Object> before = root.definitionsOf(owner);
     factory.declare(true);
     boolean declared =
-        parseConstraint(signature, "", ANY_BODY, environment(scope, contextPackage), problems)
+        parseConstraint(
+                signature, "", ANY_BODY, environment(scope, clause.contextPackage()), problems)
             .isPresent();
     factory.declare(false);
     List<Object> added = root.definitionsOf(owner);
@@ -142,14 +148,12 @@ public final class ExpressionLanguage {
    * @param text what follows the equals sign
    */
   synchronized void complete(
-      Object feature, SourceRange text, EPackage contextPackage, List<Diagnostic> problems) {
+      Object feature, SourceRange text, ResolvedClause clause, List<Diagnostic> problems) {
     ExpressionInOCL<EClassifier, EParameter> definition =
         root.getDefinition(feature).getSpecification();
     Variable<EClassifier, EParameter> self = definition.getContextVariable();
     OclEnvironment environment = factory.createEnvironment(root);
-    if (contextPackage != null) {
-      environment.setPackage(contextPackage);
-    }
+    environment.setPackage(clause.contextPackage());
     environment.addVariable(self);
     // An environment takes its variables out of what contains them; they are put back below.
     List<Variable<EClassifier, EParameter>> parameters =
@@ -157,7 +161,7 @@ public final class ExpressionLanguage {
     parameters.forEach(environment::addVariable);
     EClassifier declared = root.getUMLReflection().getOCLType(feature);
     Optional<OCLExpression<EClassifier>> body =
-        parse(text, environment, problems)
+        parse(text, clause.prefix(), environment, problems)
             .filter(found -> hasType(found, feature, declared, text, problems));
     definition.setContextVariable(self);
     definition.getParameterVariable().addAll(parameters);
@@ -167,21 +171,26 @@ public final class ExpressionLanguage {
   /**
    * Computes a feature or an operation of a metamodel by an expression, which sees {@code self} and
    * the parameters. One that has an error is invalid wherever it is used.
+   *
+   * @param parameters what the parameters are called there; {@code null} for their own names
    */
-  synchronized void implement(ETypedElement element, SourceRange text, List<Diagnostic> problems) {
+  synchronized void implement(
+      ETypedElement element, List<String> parameters, SourceRange text, List<Diagnostic> problems) {
     EClass owner = (EClass) element.eContainer();
     Scope scope = Scope.EMPTY.with(Environment.SELF_VARIABLE_NAME, owner);
     if (element instanceof EOperation operation) {
-      for (EParameter parameter : operation.getEParameters()) {
-        scope = scope.with(parameter.getName(), root.getUMLReflection().getOCLType(parameter));
+      for (int i = 0; i < operation.getEParameters().size(); i++) {
+        EParameter parameter = operation.getEParameters().get(i);
+        String name = parameters == null ? parameter.getName() : parameters.get(i);
+        scope = scope.with(name, root.getUMLReflection().getOCLType(parameter));
       }
     }
     EClassifier declared = root.getUMLReflection().getOCLType(element);
     OclEnvironment environment = environment(scope, owner.getEPackage());
     OCLExpression<EClassifier> body =
-        parse(text, environment, problems)
+        parse(text, "", environment, problems)
             .filter(found -> hasType(found, element, declared, text, problems))
-            .or(() -> parse(SourceText.of("", "invalid").whole(), environment, new ArrayList<>()))
+            .or(() -> parse(INVALID.whole(), "", environment, new ArrayList<>()))
             .orElseThrow();
     bodies.put(element, Optional.of(body));
   }
@@ -196,7 +205,7 @@ public final class ExpressionLanguage {
       bodies.put(element, Optional.empty());
       OclAnnotations.body(element)
           .map(text -> SourceText.of(Names.of(element), text.value()).whole())
-          .ifPresent(text -> implement(element, text, new ArrayList<>()));
+          .ifPresent(text -> implement(element, null, text, new ArrayList<>()));
     }
     return bodies.get(element).orElse(null);
   }

@@ -51,7 +51,7 @@ final class MessageTemplate {
       }
       SourceRange inside = where.source().range(where.start() + open + 1, where.start() + close);
       language
-          .parse(inside, clause.scope(), clause.contextPackage(), problems)
+          .parse(inside, clause, problems)
           .ifPresent(expression -> parts.add(new Part("", expression)));
       at = close + 1;
     }
@@ -66,7 +66,7 @@ final class MessageTemplate {
       ExpressionLanguage language,
       List<Diagnostic> problems) {
     return language
-        .parse(expression, clause.scope(), clause.contextPackage(), problems)
+        .parse(expression, clause, problems)
         .map(parsed -> new MessageTemplate(List.of(new Part("", parsed))));
   }
 

@@ -80,7 +80,7 @@ final class MetamodelRules {
 
   private void implement(ETypedElement element) {
     OclAnnotations.body(element)
-        .ifPresent(text -> language.implement(element, textOf(text).whole(), problems));
+        .ifPresent(text -> language.implement(element, null, textOf(text).whole(), problems));
   }
 
   private SourceText textOf(OclAnnotations.Text text) {
@@ -96,6 +96,7 @@ final class MetamodelRules {
             false,
             null,
             context,
+            "",
             name,
             places.apply(text.entry()),
             source.whole(),

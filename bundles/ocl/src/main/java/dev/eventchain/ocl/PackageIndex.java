@@ -53,7 +53,7 @@ final class PackageIndex {
 
   /**
    * The packages whose qualified name ends with this path; only the one whose whole name it is, if
-   * there is one.
+   * there is one; Ecore only if there are no others.
    */
   List<EPackage> packages(List<String> path) {
     List<EPackage> found = new ArrayList<>();
@@ -61,6 +61,9 @@ final class PackageIndex {
       if (endsWith(each, path)) {
         found.add(each);
       }
+    }
+    if (found.isEmpty() && endsWith(EcorePackage.eINSTANCE, path)) {
+      return List.of(EcorePackage.eINSTANCE);
     }
     List<EPackage> exact = found.stream().filter(each -> depth(each) == path.size()).toList();
     return exact.size() == 1 ? exact : found;

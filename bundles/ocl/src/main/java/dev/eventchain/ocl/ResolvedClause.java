@@ -17,6 +17,12 @@ record ResolvedClause(RuleDocument.Clause clause, EClass context, EPackage conte
     return Scope.EMPTY.with("self", context);
   }
 
+  /** What stands before its expressions, to make another name of {@code self} known. */
+  String prefix() {
+    String alias = clause.alias();
+    return alias.isEmpty() ? "" : "let " + alias + " : " + clause.context() + " = self in\n";
+  }
+
   SourceText source() {
     return clause.text().source();
   }

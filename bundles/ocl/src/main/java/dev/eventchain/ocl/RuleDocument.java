@@ -22,6 +22,22 @@ final class RuleDocument {
     }
   }
 
+  /**
+   * The context of an operation or a feature, and an expression that computes it.
+   *
+   * @param owner the class
+   * @param name of the operation or feature
+   * @param parameters the names of an operation's parameters; {@code null} for a feature
+   * @param text the expression; {@code null} where nothing says yet what is computed
+   */
+  record Member(
+      Path packagePath, Path owner, String name, List<String> parameters, SourceRange text) {
+
+    Member with(SourceRange expression) {
+      return new Member(packagePath, owner, name, parameters, expression);
+    }
+  }
+
   /** An import line: a URI, a file or a name. */
   record Import(String target, SourceLocation location) {}
 
@@ -31,6 +47,7 @@ final class RuleDocument {
    * @param definition whether it is a definition
    * @param packagePath the package clause around it; {@code null} if there is none
    * @param context the class it is about
+   * @param alias another name of {@code self}; empty if there is none
    * @param name its name; empty if it has none
    * @param location where its keyword stands
    * @param text its expression; all of it for a definition
@@ -42,6 +59,7 @@ final class RuleDocument {
       boolean definition,
       Path packagePath,
       Path context,
+      String alias,
       String name,
       SourceLocation location,
       SourceRange text,
@@ -55,7 +73,10 @@ final class RuleDocument {
     }
   }
 
-  private static final Set<String> UNSUPPORTED = Set.of("pre", "post", "body", "init", "derive");
+  /** What says how a member is computed, or is about what happens while a program runs. */
+  private static final Set<String> CONDITIONS = Set.of("pre", "post", "body", "init", "derive");
+
+  private static final Set<String> COMPUTING = Set.of("body", "derive");
 
   /** A keyword after one of these is a name inside an expression. */
   private static final Set<String> BEFORE_NAMES =
@@ -69,6 +90,10 @@ final class RuleDocument {
   private final List<Diagnostic> problems;
   private final List<Import> imports = new ArrayList<>();
   private final List<Clause> clauses = new ArrayList<>();
+  private final List<Member> members = new ArrayList<>();
+  private int unchecked;
+  private Member member;
+  private String alias = "";
   private Path packagePath;
   private Path context;
   private SourceRange contextComments;
@@ -105,6 +130,20 @@ final class RuleDocument {
     return clauses;
   }
 
+  /** The operations and features that the document computes. */
+  List<Member> members() {
+    return members;
+  }
+
+  /** How many conditions are about running programs: {@code pre}, {@code post}, {@code init}. */
+  int unchecked() {
+    return unchecked;
+  }
+
+  boolean isEmpty() {
+    return clauses.isEmpty() && members.isEmpty() && unchecked == 0;
+  }
+
   private void readNext() {
     String token = tokens.text(at);
     switch (token) {
@@ -123,15 +162,32 @@ final class RuleDocument {
       case "inv" -> readInvariant();
       case "static", "def" -> readDefinition();
       default -> {
-        if (UNSUPPORTED.contains(token)) {
-          if (!contextFailed) {
-            unsupported(at, "'" + token + "' conditions are not checked here.");
-          }
+        if (CONDITIONS.contains(token)) {
+          readCondition(token);
         } else {
           error(at, "'context', 'inv' or 'def' is expected here, not '" + token + "'.");
+          skipToClause(at + 1);
         }
-        skipToClause(at + 1);
       }
+    }
+  }
+
+  private void readCondition(String keyword) {
+    int start = at;
+    at += tokens.isName(at + 1) ? 2 : 1;
+    if (!tokens.is(at, ":")) {
+      error(at - 1, "':' is expected after '" + tokens.text(at - 1) + "'.");
+      skipToClause(at);
+      return;
+    }
+    int expression = tokens.end(at);
+    skipToClause(at + 1);
+    if (member != null && COMPUTING.contains(keyword)) {
+      members.add(member.with(source.range(expression, endOfClause(expression))));
+    } else if (member != null) {
+      unchecked++;
+    } else if (!contextFailed) {
+      unsupported(start, "'" + keyword + "' needs the context of an operation or a feature.");
     }
   }
 
@@ -160,8 +216,12 @@ final class RuleDocument {
     contextIsNew = true;
     if (path == null) {
       skipToClause(start + 1);
-    } else if (tokens.is(at, ":") || tokens.is(at, "(")) {
-      unsupported(at, "Only 'context' with the name of a class is understood.");
+    } else if (tokens.is(at, ":") && path.names().size() == 1) {
+      readNamedContext(path);
+    } else if (path.names().size() > 1 && (tokens.is(at, ":") || tokens.is(at, "("))) {
+      readMember(path);
+    } else if (tokens.is(at, "(")) {
+      unsupported(at, "The class of this operation is missing.");
       setContext(null, true);
       skipToClause(at);
     } else if (at >= tokens.size() || !AFTER_CONTEXT.contains(tokens.text(at))) {
@@ -170,8 +230,40 @@ final class RuleDocument {
     }
   }
 
+  /** {@code context b : Book}. */
+  private void readNamedContext(Path variable) {
+    at++;
+    SourceRange comments = contextComments;
+    Path path = readPath();
+    setContext(path, path == null);
+    contextComments = comments;
+    contextIsNew = true;
+    alias = variable.names().get(0);
+    skipToClause(at);
+  }
+
+  /** {@code context Book::lend(to : Member) : Boolean}, {@code context Book::title : String}. */
+  private void readMember(Path path) {
+    List<String> parameters = tokens.is(at, "(") ? new ArrayList<>() : null;
+    int depth = 0;
+    do {
+      depth += tokens.is(at, "(") ? 1 : tokens.is(at, ")") ? -1 : 0;
+      if (depth == 1 && tokens.isName(at) && tokens.is(at + 1, ":")) {
+        parameters.add(tokens.text(at));
+      }
+      at++;
+    } while (depth > 0 && at < tokens.size());
+    skipToClause(at);
+    int last = path.names().size() - 1;
+    Path owner = new Path(path.names().subList(0, last), path.location());
+    setContext(null, true);
+    member = new Member(packagePath, owner, path.names().get(last), parameters, null);
+  }
+
   private void setContext(Path path, boolean failed) {
     context = path;
+    member = null;
+    alias = "";
     contextFailed = failed;
     contextIsNew = false;
   }
@@ -183,12 +275,22 @@ final class RuleDocument {
     }
     SourceLocation location = location(at);
     List<String> names = new ArrayList<>();
-    names.add(tokens.text(at++));
+    names.add(name());
     while (at + 1 < tokens.size() && tokens.is(at, "::") && tokens.isName(at + 1)) {
-      names.add(tokens.text(at + 1));
-      at += 2;
+      at++;
+      names.add(name());
     }
     return new Path(List.copyOf(names), location);
+  }
+
+  /** A name, which may be quoted: {@code _'in'}. */
+  private String name() {
+    String name = tokens.text(at++);
+    if (name.equals("_") && tokens.touches(at - 1) && tokens.isString(at)) {
+      String quoted = tokens.text(at++);
+      return quoted.substring(1, quoted.length() - 1);
+    }
+    return name;
   }
 
   private void readInvariant() {
@@ -245,6 +347,7 @@ final class RuleDocument {
               definition,
               packagePath,
               context,
+              alias,
               name,
               location(keyword),
               text,

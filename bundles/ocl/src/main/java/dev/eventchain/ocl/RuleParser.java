@@ -1,5 +1,6 @@
 package dev.eventchain.ocl;
 
+import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
@@ -50,8 +51,12 @@ final class RuleParser {
     for (SourceText document : documents) {
       int before = problems.size();
       RuleDocument parsed = RuleDocument.read(document, problems);
-      if (parsed.clauses().isEmpty() && problems.size() == before) {
+      if (parsed.isEmpty() && problems.size() == before) {
         empty.add(empty(document));
+      }
+      parsed.members().forEach(this::implement);
+      if (parsed.unchecked() > 0) {
+        problems.add(unchecked(parsed.unchecked(), document));
       }
       parsed.imports().forEach(contexts::check);
       for (RuleDocument.Clause clause : parsed.clauses()) {
@@ -70,6 +75,21 @@ final class RuleParser {
     definitions.forgetUnusable();
     List<String> names = documents.stream().map(SourceText::name).toList();
     return new OclRules(constraints, List.copyOf(new TreeSet<>(problems)), names);
+  }
+
+  private void implement(RuleDocument.Member member) {
+    contexts
+        .resolve(member)
+        .ifPresent(
+            element -> language.implement(element, member.parameters(), member.text(), problems));
+  }
+
+  private static Diagnostic unchecked(int conditions, SourceText document) {
+    return Diagnostic.info(
+        "ocl.condition.unchecked",
+        Coverage.counted(conditions, "condition")
+            + " of operations and initial values not checked: no program runs here.",
+        SourceLocation.of(document.name()));
   }
 
   /** If all documents are empty, nothing is evaluated, which is said then. */
@@ -116,7 +136,7 @@ final class RuleParser {
 
   private Optional<Expression> condition(ResolvedClause resolved, String name) {
     return language
-        .parse(resolved.clause().text(), resolved.scope(), resolved.contextPackage(), problems)
+        .parse(resolved.clause().text(), resolved, problems)
         .filter(expression -> isBoolean(expression, name, resolved));
   }
 

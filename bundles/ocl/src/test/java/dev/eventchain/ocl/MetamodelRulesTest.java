@@ -125,6 +125,55 @@ class MetamodelRulesTest {
   }
 
   @Test
+  void documentsComputeOperationsAndFeatures() {
+    OclRules rules =
+        rules(
+            """
+            import 'http://www.eclipse.org/emf/2002/Ecore#/'
+            context Item::label() : String
+              pre Named: name <> null
+              post: result <> null
+              body: 'item of ' + name
+            context Item::rating : Integer
+              init: 3
+              derive: 5
+            context i : Item
+              inv Labelled('wrong: ' + i.label()): i.oclIsTypeOf(Gift) or i.name = null
+                or i.label() = 'item of ' + name
+              inv Rated: i.rating = 5
+            context p : Item def: twice : Real = p.price * 2.0
+            context Item inv Twice: twice = price + price
+            """);
+    assertEquals(List.of(), errors(rules));
+    assertEquals(
+        "3 conditions of operations and initial values not checked: no program runs here.",
+        rules.diagnostics().stream()
+            .filter(each -> each.id().equals("ocl.condition.unchecked"))
+            .findFirst()
+            .orElseThrow()
+            .message());
+    assertEquals(
+        List.of(),
+        found(rules, "model.xmi").stream()
+            .filter(each -> each.matches(".*(Labelled|Rated|Twice).*"))
+            .toList());
+  }
+
+  @Test
+  void memberThatIsNotThereIsFound() {
+    OclRules rules =
+        rules(
+            """
+            context Item::lable() : String body: 'x'
+            context Item::label(n : Integer) : String body: 'x'
+            context Item::prize : Real derive: 1.0
+            context Item inv A: true
+            """);
+    assertEquals(3, errors(rules).size(), () -> errors(rules).toString());
+    assertEquals("Did you mean `label`?", errors(rules).get(0).hint());
+  }
+
+  @Test
   void whatCannotBeParsedIsAnErrorOnTheMetamodel() {
     annotate(type("Shop"), "Broken", "items?.name->size() > 0");
     EStructuralFeature doubled = type("Item").getEStructuralFeature("doubled");
