@@ -100,11 +100,22 @@ final class Definitions {
       int end = text.start() + tokens.end(equals);
       SourceRange signature = text.source().range(text.start(), end);
       SourceRange body = text.source().range(end, text.end());
+      int before = problems.size();
       language
           .declare(signature, clause, problems)
           .ifPresentOrElse(
               feature -> declared.add(new Declared(clause, body, feature)),
-              () -> language.environment().addFailedName(nameOf(tokens)));
+              () -> fail(clause, tokens, before));
+    }
+  }
+
+  /** Nothing that cannot be declared goes unsaid. */
+  private void fail(ResolvedClause clause, Tokens tokens, int before) {
+    language.environment().addFailedName(nameOf(tokens));
+    if (!Diagnostic.anyError(problems.subList(before, problems.size()))) {
+      problems.add(
+          Diagnostic.error("ocl.syntax", "This definition cannot be read.", clause.location())
+              .withHint("Write def: name(parameter : Type) : Type = ..."));
     }
   }
 
@@ -123,6 +134,11 @@ final class Definitions {
                   "A definition needs '=' and an expression.",
                   clause.source().at(clause.clause().text().end()))
               .withHint("Write def: name : Type = ..."));
+    } else if (untypedParameter(tokens, equals) >= 0) {
+      int at = clause.clause().text().start() + tokens.start(untypedParameter(tokens, equals));
+      return Optional.of(
+          Diagnostic.error("ocl.syntax", "A parameter needs a type.", clause.source().at(at))
+              .withHint("Write def: name(parameter : Type) : Type = ..."));
     } else if (typeColon(tokens, equals) < 0) {
       int at = clause.clause().text().start() + tokens.start(equals);
       return Optional.of(
@@ -131,6 +147,24 @@ final class Definitions {
               .withHint("Write def: name : Type = ..."));
     }
     return Optional.empty();
+  }
+
+  /** The index of a parameter without a type; -1 if there is none. */
+  private static int untypedParameter(Tokens tokens, int equals) {
+    int colon = 0;
+    while (colon < equals && !tokens.is(colon, ":")) {
+      colon++;
+    }
+    int open = colon + 2; // after the name
+    int depth = tokens.is(open, "(") ? 1 : 0;
+    for (int i = open + 1; i < equals && depth > 0; i++) {
+      boolean begins = depth == 1 && (i == open + 1 || tokens.is(i - 1, ","));
+      if (begins && tokens.isName(i) && !tokens.is(i + 1, ":")) {
+        return i;
+      }
+      depth += tokens.is(i, "(") ? 1 : tokens.is(i, ")") ? -1 : 0;
+    }
+    return -1;
   }
 
   /** The index of the colon after the name and the parameters; -1 if there is none. */

@@ -19,16 +19,22 @@ final class FrequentMistakes {
 
   /** Two characters that stand together and what is wrong with them. */
   private static final Map<String, Mistake> OPERATORS =
-      Map.of(
-          "==", new Mistake("'==' is no operator.", "Equality is written =."),
-          "!=", new Mistake("'!=' is no operator.", "Inequality is written <>."),
-          "&&", new Mistake("'&&' is no operator.", "Write and."),
-          "||", new Mistake("'||' is no operator.", "Write or."),
-          "=>", new Mistake("'=>' is no operator.", "Write implies, or >= for a comparison."),
-          ":=", new Mistake("'=' is written without a colon.", "Nothing is assigned in OCL."),
-          "=~", new Mistake("'=~' is no operator.", "Write text.matches('...')."),
-          "//", new Mistake("Comments start with two hyphens.", "Write -- instead of //."),
-          "?.", new Mistake("'?.' is not part of this OCL.", "Write x <> null implies x.y ..."));
+      Map.ofEntries(
+          Map.entry("==", new Mistake("'==' is no operator.", "Equality is written =.")),
+          Map.entry("!=", new Mistake("'!=' is no operator.", "Inequality is written <>.")),
+          Map.entry("&&", new Mistake("'&&' is no operator.", "Write and.")),
+          Map.entry("||", new Mistake("'||' is no operator.", "Write or.")),
+          Map.entry(
+              "=>", new Mistake("'=>' is no operator.", "Write implies, or >= for a comparison.")),
+          Map.entry(
+              ":=", new Mistake("'=' is written without a colon.", "Nothing is assigned in OCL.")),
+          Map.entry("=<", new Mistake("'=<' is no operator.", "Write <=.")),
+          Map.entry("=~", new Mistake("'=~' is no operator.", "Write text.matches('...').")),
+          Map.entry(
+              "//", new Mistake("Comments start with two hyphens.", "Write -- instead of //.")),
+          Map.entry(
+              "?.",
+              new Mistake("'?.' is not part of this OCL.", "Write x <> null implies x.y ...")));
 
   private static final Map<String, Mistake> CHARACTERS =
       Map.of(
@@ -96,7 +102,11 @@ final class FrequentMistakes {
     } else if (CHARACTERS.containsKey(token)) {
       add(at, CHARACTERS.get(token));
     } else if (token.startsWith("'") && !tokens.isString(at)) {
-      add(at, new Mistake("The string is not closed.", "A string ends on its line with '."));
+      add(at, unclosed(token));
+    } else if (token.startsWith("\"") && !tokens.isString(at)) {
+      add(at, new Mistake("A string stands in single quotes.", "Write '...'."));
+    } else if (token.equals("[") && endsOperand(at - 1)) {
+      add(at, new Mistake("Brackets do not give an element here.", "Write ->at(1) for the first."));
     } else if (token.equals(";") && depth() == 0) {
       add(at, new Mistake("';' does not end an expression.", "Leave it out."));
     } else if (INFIX.contains(token) && endsOperand(at - 1) && startsOperand(at + 1)) {
@@ -111,6 +121,14 @@ final class FrequentMistakes {
           new Mistake("'" + tokens.text(at + 1) + "' follows an arrow.", "Write -> for the dot."));
     }
     at++;
+  }
+
+  private static Mistake unclosed(String token) {
+    return new Mistake(
+        "The string is not closed.",
+        token.endsWith("\\'")
+            ? "\\' is a quote inside of it; a backslash is written \\\\."
+            : "A string ends on its line with '.");
   }
 
   private void skipRestOfLine(String pair) {

@@ -200,9 +200,13 @@ final class ProblemTexts {
     }
     Matcher type = UNKNOWN_TYPE.matcher(message);
     if (type.matches()) {
-      return new Problem(
-          "There is no type '" + type.group(1) + "'.",
-          NearestName.question(type.group(1), types()));
+      List<String> names = List.of(type.group(1).replaceAll("^\\[|]$", "").split(", ", -1));
+      String name = String.join("::", names);
+      return names.size() == 1
+          ? new Problem("There is no type '" + name + "'.", NearestName.question(name, types()))
+          : new Problem(
+              "There is no type, literal or feature '" + name + "'.",
+              NearestName.question(names.get(0), types()));
     }
     if (message.startsWith("Qualifiers do not conform")) {
       return new Problem(

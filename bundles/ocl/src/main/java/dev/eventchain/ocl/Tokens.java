@@ -79,6 +79,16 @@ final class Tokens {
     return index < size
         && (text.charAt(starts[index]) == '\'' || text.charAt(starts[index]) == '"')
         && ends[index] - starts[index] >= 2
-        && text.charAt(ends[index] - 1) == text.charAt(starts[index]);
+        && text.charAt(ends[index] - 1) == text.charAt(starts[index])
+        && !isEscaped(ends[index] - 1, starts[index]);
+  }
+
+  /** Whether a backslash before a quote, which no other escapes, makes it part of the string. */
+  private boolean isEscaped(int quote, int start) {
+    int backslashes = 0;
+    while (quote - 1 - backslashes > start && text.charAt(quote - 1 - backslashes) == '\\') {
+      backslashes++;
+    }
+    return backslashes % 2 == 1;
   }
 }

@@ -13,6 +13,7 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvFileSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What could vanish from a document, or from its findings, without a word. */
@@ -85,5 +86,30 @@ class SilentPassesTest {
     OclRules rules = parse("context Library inv A: true", "-- context Library inv B: false\n");
     assertEquals("ocl.document.empty", rules.diagnostics().get(0).id());
     assertTrue(Diagnostic.anyError(rules.diagnostics()));
+  }
+
+  @ParameterizedTest
+  @CsvFileSource(
+      resources = "/messages.csv",
+      numLinesToSkip = 1,
+      delimiter = '|',
+      quoteCharacter = '`')
+  void mistakeIsNamedInWordsThatHelp(String expression, String message, String hint) {
+    OclRules rules = parse("context Library inv A: " + expression.replace("¦", "|"));
+    Diagnostic found = rules.diagnostics().get(0);
+    assertEquals(message, found.message());
+    assertEquals(hint.replace("´", "`"), found.hint());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"f(n) : Integer = 3", "f(n : Integer, m) : Integer = 3"})
+  void untypedParameterIsAnErrorOfItsOwn(String definition) {
+    OclRules rules = parse("context Library def: " + definition + "\ncontext Library inv A: true");
+    assertEquals("A parameter needs a type.", rules.diagnostics().get(0).message());
+    assertEquals(1, rules.diagnostics().size());
+    assertEquals(
+        List.of(),
+        parse("context Library def: f(n : Set(Integer)) : Bag(Integer) = Bag{}\ninv A: true")
+            .diagnostics());
   }
 }
