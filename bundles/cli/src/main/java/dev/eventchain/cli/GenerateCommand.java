@@ -1,8 +1,10 @@
 package dev.eventchain.cli;
 
+import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.AnyModel;
 import dev.eventchain.pipeline.Project;
 import dev.eventchain.pipeline.Stage;
+import dev.eventchain.pipeline.WrittenFiles;
 import java.nio.file.Path;
 import java.util.List;
 import picocli.CommandLine.Command;
@@ -75,8 +77,10 @@ final class GenerateCommand extends ProjectCommand {
     if (folder == null) {
       throw wrongUsage("say where to write: -o FOLDER");
     }
-    return Outcome.of(
-        AnyModel.generate(given.metamodels, template, services, inputs, folder, overwrite(), trace),
-        suppressions());
+    Suppressions suppressions = suppressions();
+    WrittenFiles files =
+        AnyModel.generate(
+            given.metamodels, template, services, inputs, folder, overwrite(), trace, suppressions);
+    return Outcome.of(files, suppressions);
   }
 }

@@ -18,6 +18,8 @@ import picocli.CommandLine.Parameters;
     mixinStandardHelpOptions = true,
     description = {
       "Check a project's model, event chains, or models of any Ecore metamodel, with OCL.",
+      "Models must be instances of their metamodel: multiplicities, opposites, keys, data types.",
+      "Files that they refer to are checked, too.",
       "Event chains are checked by the standard constraints and message contracts, too.",
       "A project without model or generated constraints gets them first, as by 'run DIR'."
     },
@@ -25,7 +27,7 @@ import picocli.CommandLine.Parameters;
     customSynopsis = {
       "eventchain validate DIR [OPTIONS]",
       "eventchain validate MODEL.xmi... [--ocl FILE.ocl] [--messages FOLDER] [OPTIONS]",
-      "eventchain validate --metamodel FILE.ecore --ocl FILE.ocl MODEL... [OPTIONS]"
+      "eventchain validate --metamodel FILE.ecore [--ocl FILE.ocl] MODEL... [OPTIONS]"
     })
 final class ValidateCommand extends ProjectCommand {
 
@@ -57,9 +59,6 @@ final class ValidateCommand extends ProjectCommand {
 
   @Override
   Outcome work() {
-    if (!given.metamodels.isEmpty() && constraints.isEmpty()) {
-      throw wrongUsage("models of a metamodel need constraints: --ocl FILE");
-    }
     boolean files = !given.metamodels.isEmpty() || !constraints.isEmpty() || inputs.size() > 1;
     if (!files && !Files.isRegularFile(inputs.get(0))) {
       if (!messages.isEmpty()) {

@@ -25,7 +25,9 @@ public record Coverage(List<String> files, long elements, List<Check> checks) {
     /** A constraint of the model: standard, or written by the user. */
     CONSTRAINT("constraints"),
     /** What two ends of a topic promise each other. */
-    CONTRACT("message contracts");
+    CONTRACT("message contracts"),
+    /** What the metamodel itself demands of any model: multiplicities, opposites, keys. */
+    METAMODEL("metamodel checks");
 
     private final String title;
 

@@ -49,6 +49,7 @@ final class JsonReport {
     json.number("constraints", coverage.constraints());
     json.number("evaluations", coverage.evaluations(Coverage.Kind.CONSTRAINT));
     json.number("contracts", coverage.evaluations(Coverage.Kind.CONTRACT));
+    json.number("metamodelChecks", coverage.evaluations(Coverage.Kind.METAMODEL));
     json.number("errors", report.count(Severity.ERROR));
     json.number("warnings", report.count(Severity.WARNING));
     json.number("infos", report.count(Severity.INFO));

@@ -54,11 +54,6 @@ public record Report(
     if (coverage.equals(Coverage.NONE)) {
       return found;
     }
-    String contracts = "";
-    if (coverage.checks().stream().anyMatch(c -> c.kind() == Coverage.Kind.CONTRACT)) {
-      contracts =
-          ", " + Coverage.counted(coverage.evaluations(Coverage.Kind.CONTRACT), "message contract");
-    }
     return found
         + " in "
         + Coverage.counted(coverage.files().size(), "file")
@@ -68,7 +63,13 @@ public record Report(
         + Coverage.counted(coverage.constraints(), "constraint")
         + " evaluated "
         + Coverage.counted(coverage.evaluations(Coverage.Kind.CONSTRAINT), "time")
-        + contracts;
+        + evaluated(Coverage.Kind.CONTRACT, "message contract")
+        + evaluated(Coverage.Kind.METAMODEL, "metamodel check");
+  }
+
+  private String evaluated(Coverage.Kind kind, String what) {
+    boolean known = coverage.checks().stream().anyMatch(check -> check.kind() == kind);
+    return known ? ", " + Coverage.counted(coverage.evaluations(kind), what) : "";
   }
 
   /** How many findings are this bad. */

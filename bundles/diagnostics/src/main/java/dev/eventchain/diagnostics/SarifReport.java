@@ -79,6 +79,7 @@ final class SarifReport {
     json.number("constraints", coverage.constraints());
     json.number("evaluations", coverage.evaluations(Coverage.Kind.CONSTRAINT));
     json.number("contracts", coverage.evaluations(Coverage.Kind.CONTRACT));
+    json.number("metamodelChecks", coverage.evaluations(Coverage.Kind.METAMODEL));
   }
 
   private void results(JsonText json) throws IOException {

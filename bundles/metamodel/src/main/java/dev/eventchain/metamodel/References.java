@@ -7,11 +7,14 @@ import java.util.ArrayList;
 import java.util.Iterator;
 import java.util.List;
 import org.eclipse.emf.common.util.URI;
+import org.eclipse.emf.ecore.EAttribute;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EReference;
 import org.eclipse.emf.ecore.InternalEObject;
 import org.eclipse.emf.ecore.resource.Resource;
 import org.eclipse.emf.ecore.util.EcoreUtil;
+import org.eclipse.emf.ecore.util.FeatureMap;
+import org.eclipse.emf.ecore.util.FeatureMapUtil;
 import org.eclipse.emf.ecore.util.InternalEList;
 
 /** Resolves the references between the files of a project, and finds those that lead nowhere. */
@@ -38,13 +41,38 @@ final class References {
     all.forEachRemaining(elements::add);
     for (EObject element : elements) {
       for (EReference reference : element.eClass().getEAllReferences()) {
-        if (!reference.isDerived() && !reference.isContainer() && element.eIsSet(reference)) {
+        if (holdsValues(reference) && element.eIsSet(reference)) {
           resolve(file, element, reference);
+        }
+      }
+      for (EAttribute attribute : element.eClass().getEAllAttributes()) {
+        if (FeatureMapUtil.isFeatureMap(attribute) && !attribute.isDerived()) {
+          resolve(file, (FeatureMap.Internal) element.eGet(attribute, false), element);
         }
       }
       InternalEObject container = ((InternalEObject) element).eInternalContainer();
       if (container != null && container.eIsProxy()) {
         resolveContainer(file, element, container);
+      }
+    }
+  }
+
+  /** Containers are resolved by themselves, and what has no place of its own stands elsewhere. */
+  private static boolean holdsValues(EReference reference) {
+    boolean computed = reference.isVolatile() || !reference.isChangeable();
+    return !reference.isContainer() && !(reference.isDerived() && computed);
+  }
+
+  private void resolve(XmiResource file, FeatureMap.Internal map, EObject element) {
+    for (int i = 0; i < map.size(); i++) {
+      FeatureMap.Entry entry = map.basicList().get(i);
+      if (entry.getEStructuralFeature() instanceof EReference reference
+          && entry.getValue() instanceof InternalEObject proxy
+          && proxy.eIsProxy()) {
+        EObject target = targetOf(file, reference, proxy);
+        if (target != null && mayHold(file, element, reference, proxy, target)) {
+          map.set(i, FeatureMapUtil.createEntry(reference, target));
+        }
       }
     }
   }
@@ -96,18 +124,40 @@ final class References {
     if (target == null) {
       return;
     }
-    if (reference.isContainment()) {
-      Containers containers = new Containers(element);
-      if (containers.closeCircleBelow(target)) {
-        file.problems().addCircle(file.offsetOfProxy(proxy));
-        return;
-      }
-      if (target.eContainer() != null && target.eContainer() != element) {
-        refuseSecondContainer(file, proxy, target);
-        return;
-      }
+    if (!mayHold(file, element, reference, proxy, target)) {
+      return;
     }
-    EcoreUtil.replace(element, reference, proxy, target);
+    if (reference.isMany() && reference.isUnique() && holds(element, reference, target)) {
+      file.statements().addFault(Faults.duplicate(file, element, reference, ModelPath.of(target)));
+      EcoreUtil.remove(element, reference, proxy);
+    } else {
+      EcoreUtil.replace(element, reference, proxy, target);
+    }
+  }
+
+  /** Whether an element can have another one as its part, if the reference makes it one. */
+  private boolean mayHold(
+      XmiResource file,
+      EObject element,
+      EReference reference,
+      InternalEObject proxy,
+      EObject target) {
+    if (!reference.isContainment()) {
+      return true;
+    }
+    if (new Containers(element).closeCircleBelow(target)) {
+      file.problems().addCircle(file.offsetOfProxy(proxy));
+      return false;
+    }
+    if (target.eContainer() != null && target.eContainer() != element) {
+      refuseSecondContainer(file, proxy, target);
+      return false;
+    }
+    return true;
+  }
+
+  private static boolean holds(EObject element, EReference reference, EObject target) {
+    return ((InternalEList<?>) element.eGet(reference, false)).basicContains(target);
   }
 
   /** What a reference leads to; null, and a finding, if that is nothing that it may lead to. */

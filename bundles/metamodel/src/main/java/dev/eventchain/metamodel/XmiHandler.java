@@ -10,9 +10,12 @@ import org.eclipse.emf.ecore.EDataType;
 import org.eclipse.emf.ecore.EFactory;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EReference;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.InternalEObject;
+import org.eclipse.emf.ecore.impl.DynamicEObjectImpl;
 import org.eclipse.emf.ecore.util.EcoreUtil;
+import org.eclipse.emf.ecore.util.ExtendedMetaData;
 import org.eclipse.emf.ecore.xmi.IllegalValueException;
 import org.eclipse.emf.ecore.xmi.PackageNotFoundException;
 import org.eclipse.emf.ecore.xmi.UnresolvedReferenceException;
@@ -39,6 +42,9 @@ final class XmiHandler extends SAXXMIHandler {
   private int depth;
   private boolean ended;
 
+  /** Whether a text of several ids is being taken apart, which has been noted as a whole. */
+  private boolean inIds;
+
   XmiHandler(XmiResource file, XMLHelper helper, Map<?, ?> options) {
     super(file, helper, options);
     this.file = file;
@@ -58,7 +64,9 @@ final class XmiHandler extends SAXXMIHandler {
   @Override
   public void endElement(String uri, String localName, String name) {
     depth--;
+    EObject open = objects.peekEObject();
     super.endElement(uri, localName, name);
+    file.statements().close(open);
   }
 
   @Override
@@ -115,14 +123,49 @@ final class XmiHandler extends SAXXMIHandler {
     if (feature.getEType() instanceof EDataType type
         && !harmless.computeIfAbsent(type, HarmlessTypes::contains)) {
       file.problems().refuseType(feature, tagOffset());
+    } else if (isComputed(object, feature)) {
+      file.problems().refuseComputed(feature, tagOffset());
     } else if (value instanceof String text && NonFiniteNumbers.contains(feature, text)) {
       file.problems().refuseNumber(feature, text, tagOffset());
     } else {
+      note(object, feature, value);
       super.setFeatureValue(object, feature, shared(value), position);
       if (feature instanceof EAttribute attribute && attribute.isID()) {
         noteId(EcoreUtil.getID(object), object); // also where the id is a part and no attribute
       }
     }
+  }
+
+  /** Only code knows where such a value would go, and there is none: EMF drops it. */
+  private static boolean isComputed(EObject object, EStructuralFeature feature) {
+    return feature.isVolatile()
+        && object instanceof DynamicEObjectImpl
+        && ExtendedMetaData.INSTANCE.getGroup(feature) == null
+        && ExtendedMetaData.INSTANCE.getMixedFeature(object.eClass()) == null;
+  }
+
+  private void note(EObject object, EStructuralFeature feature, Object value) {
+    if (ended) {
+      return;
+    }
+    if (value instanceof EObject target) {
+      file.statements().noteEnd(object, feature, target, tagOffset());
+    }
+    if (!inIds && file.statements().fill(object, feature)) {
+      file.problems().addSecondValue(feature, tagOffset());
+    }
+  }
+
+  @Override
+  protected void setValueFromId(EObject object, EReference reference, String ids) {
+    file.statements().noteEnds(object, reference, ids, tagOffset());
+    if (file.statements().fill(object, reference)
+        || (!reference.isMany() && Statements.idsIn(ids).size() > 1)) {
+      file.problems().addSecondValue(reference, tagOffset());
+    }
+    inIds = true;
+    super.setValueFromId(object, reference, ids);
+    inIds = false;
   }
 
   /** Models say the same again and again: types, units, topics. One text serves all. */
@@ -177,11 +220,22 @@ final class XmiHandler extends SAXXMIHandler {
   public void error(XMIException problem) {
     int tag = file.problems().tagEndingAt(problem.getLine(), problem.getColumn());
     if (ended && problem instanceof IllegalValueException value) {
+      if (isSingleEnd(value)) {
+        return; // EMF cannot place it in a list where it does not stand; found as what it is.
+      }
       tag = file.offsetOf(value.getObject(), tag);
     } else if (problem instanceof UnresolvedReferenceException reference) {
       tag = file.offsetOf(reference.getObject(), tag);
     }
     file.problems().add(problem, tag);
+  }
+
+  private boolean isSingleEnd(IllegalValueException problem) {
+    return problem.getFeature().getEType().isInstance(problem.getValue())
+        && file.statements().ends().stream()
+            .anyMatch(
+                end ->
+                    end.element() == problem.getObject() && end.feature() == problem.getFeature());
   }
 
   @Override

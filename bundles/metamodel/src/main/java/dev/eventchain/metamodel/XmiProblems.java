@@ -113,6 +113,26 @@ final class XmiProblems {
         "Write a number, or leave the feature out.");
   }
 
+  /** Adds that a file gives a value to a feature that is computed from others. */
+  void refuseComputed(EStructuralFeature feature, int tag) {
+    add(
+        "xmi.feature.computed",
+        "Feature `%s` is volatile: its value is computed, and none can be given to it."
+            .formatted(feature.getName()),
+        attributeIn(tag, feature.getName()),
+        "Leave it out, or declare the feature with volatile=\"false\".");
+  }
+
+  /** Adds that a feature for one value gets another one from the element at an offset. */
+  void addSecondValue(EStructuralFeature feature, int tag) {
+    add(
+        "xmi.value.twice",
+        "Feature `%s` holds one value, and the file gives it another one here."
+            .formatted(feature.getName()),
+        attributeIn(tag, feature.getName()),
+        "Leave one of them, or declare the feature with upperBound=\"-1\".");
+  }
+
   /** Adds that two elements have one id. */
   void addDuplicate(String id, int tag, int first) {
     found.add(
@@ -201,7 +221,7 @@ final class XmiProblems {
   }
 
   /** The offset of an attribute in the tag at an offset, prefixed or not; else that of the tag. */
-  private int attributeIn(int tag, String name) {
+  int attributeIn(int tag, String name) {
     int end = text.text().indexOf('>', tag);
     Matcher attribute =
         Pattern.compile("\\s(?:[\\w.-]+:)?" + Pattern.quote(name) + "\\s*=")

@@ -34,6 +34,7 @@ final class XmiResource extends XMIResourceImpl {
   private final IdentityHashMap<EObject, Integer> proxies = new IdentityHashMap<>();
   private final IdentityHashMap<EObject, Integer> owners = new IdentityHashMap<>();
   private final Map<String, EObject> ids = new HashMap<>();
+  private final Statements statements = new Statements();
   private XmiProblems problems;
   private Offsets offsets;
 
@@ -90,6 +91,10 @@ final class XmiResource extends XMIResourceImpl {
 
   XmiProblems problems() {
     return problems;
+  }
+
+  Statements statements() {
+    return statements;
   }
 
   void noteOrigin(EObject object, int offset) {

@@ -106,21 +106,27 @@ public final class XmiStore {
 
   private void register(EPackage ePackage) {
     registry.put(ePackage.getNsURI(), ePackage);
+    JavaNames.forget(ePackage);
     ePackage.getESubpackages().forEach(this::register);
   }
 
   /**
    * Reads a model and the files of the project that it refers to.
    *
-   * @throws DiagnosticException (INPUT) with everything that is wrong with these files
+   * @throws DiagnosticException (INPUT) with everything that is wrong with these files, and all
+   *     that they say and the model does not hold
    */
   public LoadedModel load(Path model) {
-    return loadAll(List.of(model)).get(0);
+    ProjectResources resources = new ProjectResources(files, registry);
+    XmiResource read = read(model, resources);
+    refuse(new Faults(resources).find());
+    return new LoadedModel(read, resources.origins());
   }
 
   /**
    * Reads models that may refer to each other, and the files of the project that they refer to. An
-   * element is one object, whichever file leads to it.
+   * element is one object, whichever file leads to it. What the files say and the models do not
+   * hold, such as one end of a reference with two, is found by {@link EcoreChecks}.
    *
    * @param models the files, in an order; a file that is named again is left out
    * @return a model for each file, which share their origins and one resource set
@@ -132,6 +138,25 @@ public final class XmiStore {
         models.stream().map(model -> resources.fileOf(uriOf(model))).distinct().toList();
     resolve(resources);
     return read.stream().map(file -> new LoadedModel(file, resources.origins())).toList();
+  }
+
+  /**
+   * Models that were loaded together, and those in the files that they refer to, which nobody
+   * named. Metamodels that they refer to are none.
+   *
+   * @param models at least one, all of one {@link #loadAll}
+   */
+  public static List<LoadedModel> withReferred(List<LoadedModel> models) {
+    List<LoadedModel> all = new ArrayList<>(models);
+    ProjectResources resources = (ProjectResources) models.get(0).resource().getResourceSet();
+    for (XmiResource file : resources.loaded()) {
+      boolean named = models.stream().anyMatch(model -> model.resource() == file);
+      List<EObject> roots = file.getContents(); // none if all became parts of other files' elements
+      if (!named && !roots.isEmpty() && !(roots.get(0) instanceof EPackage)) {
+        all.add(new LoadedModel(file, resources.origins()));
+      }
+    }
+    return all;
   }
 
   private static XmiResource read(Path path, ProjectResources resources) {

@@ -7,12 +7,14 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.m2t.GenerationContext;
 import dev.eventchain.m2t.GenerationResult;
 import dev.eventchain.m2t.OutputFolder;
 import dev.eventchain.m2t.OutputFolder.OnEdit;
 import dev.eventchain.m2t.TemplateModule;
 import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.metamodel.EcoreChecks;
 import dev.eventchain.metamodel.LoadedModel;
 import dev.eventchain.metamodel.Origins;
 import dev.eventchain.metamodel.XmiStore;
@@ -36,8 +38,13 @@ public final class AnyModel {
 
   private final XmiStore store;
   private final List<EPackage> packages = new ArrayList<>();
-  private final List<EObject> roots = new ArrayList<>();
+  private final List<LoadedModel> models;
+
+  /** The models, and those that nobody named and they refer to. */
+  private final List<LoadedModel> all;
+
   private final Origins origins;
+  private final EcoreChecks ecore;
 
   private AnyModel(List<Path> metamodels, List<Path> models) {
     store = new XmiStore(folders(metamodels, models));
@@ -47,9 +54,10 @@ public final class AnyModel {
     if (packages.stream().noneMatch(given -> shipped.getNsURI().equals(given.getNsURI()))) {
       packages.add(shipped);
     }
-    List<LoadedModel> loaded = store.loadAll(models);
-    loaded.forEach(model -> roots.addAll(model.roots()));
-    origins = loaded.get(0).origins();
+    this.models = store.loadAll(models);
+    all = XmiStore.withReferred(this.models);
+    origins = all.get(0).origins();
+    ecore = EcoreChecks.of(all);
   }
 
   /**
@@ -61,7 +69,9 @@ public final class AnyModel {
   public record Validation(Coverage coverage, List<Diagnostic> diagnostics) {}
 
   /**
-   * Evaluates constraints on models, those of documents and those that the metamodels hold.
+   * Checks models against their metamodel and evaluates constraints on them, and on those in files
+   * that they refer to. The constraints are those of documents and those that the metamodels hold;
+   * without any, what the metamodels demand has to do.
    *
    * @param metamodels the models' metamodels; none for event chains, for which the standard
    *     constraints are evaluated and the contracts inside of each chain checked, too
@@ -84,15 +94,18 @@ public final class AnyModel {
     constraints.forEach(file -> documents.add(SourceText.read(file)));
     OclRules rules = OclRules.parse(documents, any.packages, any.store::locateInMetamodel);
     OclResult result =
-        OclValidator.of(rules).withTimeLimit(timeLimit).validate(any.roots, any.origins::locate);
-    List<String> files =
-        Stream.of(models, metamodels, constraints)
-            .flatMap(List::stream)
-            .map(file -> SourceLocation.of(file).file())
-            .distinct()
-            .toList();
-    Coverage coverage = Constraints.coverage(files, result);
+        OclValidator.of(rules)
+            .withTimeLimit(timeLimit)
+            .validate(roots(any.all), any.origins::locate);
+    Coverage coverage =
+        Constraints.coverage(any.files(metamodels, constraints, models), result)
+            .and(any.ecore.coverage());
     List<Diagnostic> found = new ArrayList<>(result.diagnostics());
+    boolean onlyMetamodel = documents.isEmpty() && rules.constraints().isEmpty();
+    if (onlyMetamodel && coverage.evaluations(Coverage.Kind.METAMODEL) > 0) {
+      found.removeIf(finding -> finding.id().equals("ocl.nothing-evaluated"));
+    }
+    found.addAll(any.ecore.diagnostics());
     if (metamodels.isEmpty()) {
       Validation contracts = any.contracts(MessageCatalog.of(messages));
       coverage = coverage.and(contracts.coverage());
@@ -101,12 +114,27 @@ public final class AnyModel {
     return new Validation(coverage, found);
   }
 
+  private static List<EObject> roots(List<LoadedModel> models) {
+    return models.stream().flatMap(model -> model.roots().stream()).toList();
+  }
+
+  /** The files that were read. */
+  private List<String> files(List<Path> metamodels, List<Path> constraints, List<Path> named) {
+    Stream<String> referred =
+        all.stream().skip(models.size()).map(m -> origins.locate(m.roots().get(0)).file());
+    Stream<String> given =
+        Stream.of(named, metamodels, constraints)
+            .flatMap(List::stream)
+            .map(file -> SourceLocation.of(file).file());
+    return Stream.concat(given, referred).distinct().toList();
+  }
+
   /** The contracts inside of each chain: nothing is known of the vehicle around it. */
   private Validation contracts(MessageCatalog messages) {
     ChainAnalysis analysis = ChainAnalysis.of(messages, Optional.empty());
     Coverage coverage = Coverage.NONE;
     List<Diagnostic> found = new ArrayList<>();
-    for (EObject root : roots) {
+    for (EObject root : roots(all)) {
       if (root instanceof EventChain chain) {
         AnalysisResult result = analysis.check(chain, origins::locate);
         coverage = coverage.and(new Coverage(List.of(), 0, result.checks()));
@@ -125,7 +153,9 @@ public final class AnyModel {
    *     to in other files
    * @param overwrite whether files that a person has edited are replaced
    * @param trace whether {@code trace.json} is written, too, which says where each line comes from
-   * @return what was found, and nothing written if one of it is an error
+   * @param suppressions what is wrong with the models and is not to count
+   * @return what was found, and nothing written if one of it is an error: also where a model is no
+   *     instance of its metamodel
    * @throws DiagnosticException INPUT if a file cannot be read, or the output not written
    */
   public static WrittenFiles generate(
@@ -135,34 +165,40 @@ public final class AnyModel {
       List<Path> models,
       Path folder,
       boolean overwrite,
-      boolean trace) {
+      boolean trace,
+      Suppressions suppressions) {
     AnyModel any = new AnyModel(metamodels, models);
     try (JavaServices classes = JavaServices.of(services)) {
       TemplateModule module = TemplateModule.compile(template, any.packages, classes.loader());
-      return any.generate(module, folder, overwrite, trace);
+      WrittenFiles files = new WrittenFiles(folder);
+      files.found(any.ecore.diagnostics());
+      if (!Diagnostic.anyError(suppressions.part(files.diagnostics()).remaining())) {
+        any.generate(module, files, folder, overwrite, trace);
+      }
+      return files;
     }
   }
 
-  private WrittenFiles generate(
-      TemplateModule module, Path folder, boolean overwrite, boolean trace) {
-    WrittenFiles files = new WrittenFiles(folder);
+  private void generate(
+      TemplateModule module, WrittenFiles files, Path folder, boolean overwrite, boolean trace) {
     try (OutputFolder output = OutputFolder.open(folder)) {
       GenerationContext context = GenerationContext.of(origins::locate).withEarlier(output::read);
-      GenerationResult result = module.generate(roots, trace ? context.withTrace() : context);
+      GenerationResult result =
+          module.generate(roots(models), trace ? context.withTrace() : context);
+      int known = files.diagnostics().size(); // what is wrong with the model, and was suppressed
       files.found(module.warnings());
       files.found(result.diagnostics());
       if (trace && result.files().containsKey(TraceFile.NAME)) {
         files.found(List.of(traceTaken()));
       }
-      if (Diagnostic.anyError(files.diagnostics())) {
-        return files;
+      if (Diagnostic.anyError(files.diagnostics().subList(known, files.diagnostics().size()))) {
+        return;
       }
       files.write(output, result.files(), overwrite ? OnEdit.OVERWRITE : OnEdit.KEEP);
       if (trace) {
         byte[] content = TraceFile.content(result.trace(), "", List.of());
         files.write(output, Map.of(TraceFile.NAME, content), OnEdit.OVERWRITE);
       }
-      return files;
     }
   }
 

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Suppressions;
 import java.io.File;
 import java.io.IOException;
 import java.net.URI;
@@ -116,7 +117,8 @@ class JavaServicesTest {
             List.of(folder.resolve("model.xmi")),
             folder.resolve("out"),
             false,
-            false)
+            false,
+            Suppressions.NONE)
         .diagnostics();
   }
 

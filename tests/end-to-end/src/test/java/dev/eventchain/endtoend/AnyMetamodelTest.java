@@ -85,6 +85,38 @@ class AnyMetamodelTest {
   }
 
   @Test
+  void whatTheMetamodelDemandsIsCheckedAndMayBeSuppressed() throws IOException {
+    Files.writeString(
+        ecore,
+        ECORE.replace("name=\"pages\"", "lowerBound=\"1\" unsettable=\"true\" name=\"pages\""));
+    Files.writeString(model, MODEL.replace("pages=\"-1\"", ""));
+    new Program()
+        .run("validate", "--metamodel", ecore, model)
+        .expect(1)
+        .says("model.xmi:4:3: error: `pages` has no value, and needs one. [ecore.required]")
+        .says("0 constraints evaluated 0 times, 2 metamodel checks");
+    Path template = Files.writeString(folder.resolve("main.mtl"), TEMPLATE);
+    Path out = folder.resolve("made");
+    Path decided =
+        Files.writeString(
+            folder.resolve("decided.yaml"),
+            """
+            suppressions:
+              - id: ecore.required
+                reason: The pages are counted later.
+                expires: 2999-01-01
+            """);
+    Object[] command = {"generate", "--metamodel", ecore, "--template", template, model, "-o", out};
+    new Program().run(command).expect(1).says("[ecore.required]");
+    assertTrue(Files.notExists(out));
+    Object[] suppressed = Arrays.copyOf(command, command.length + 2);
+    suppressed[command.length] = "--suppressions";
+    suppressed[command.length + 1] = decided;
+    new Program().run(suppressed).expect(0);
+    assertTrue(Files.exists(out.resolve("good.txt")));
+  }
+
+  @Test
   void nothingEvaluatedIsNoPass() throws IOException {
     new Program()
         .run("validate", "--metamodel", ecore, "--ocl", ocl("-- nothing\n"), model)

@@ -1,0 +1,230 @@
+package dev.eventchain.metamodel;
+
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.SourceLocation;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.eclipse.emf.ecore.EAttribute;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EDataType;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EReference;
+import org.eclipse.emf.ecore.EStructuralFeature;
+import org.eclipse.emf.ecore.util.EcoreUtil;
+import org.eclipse.emf.ecore.util.FeatureMap;
+import org.eclipse.emf.ecore.util.FeatureMapUtil;
+
+/**
+ * Whether models are instances of their metamodels: what EMF's own validator checks of any object.
+ * The findings are {@code ecore.required} and {@code ecore.bound} for multiplicities, {@code
+ * ecore.opposite}, {@code ecore.unique}, {@code ecore.value} for what a data type does not allow,
+ * {@code ecore.key} and {@code ecore.map}. Ids and references that lead nowhere are found when
+ * files are read.
+ */
+public final class EcoreChecks {
+
+  private static final List<String> IDS =
+      List.of(
+          "ecore.required",
+          "ecore.bound",
+          "ecore.opposite",
+          "ecore.unique",
+          "ecore.value",
+          "ecore.key",
+          "ecore.map");
+
+  private final Origins origins;
+  private final Map<EClass, EcorePlan> plans = new HashMap<>();
+  private final Map<String, Long> evaluations = new LinkedHashMap<>();
+  private final List<Diagnostic> found = new ArrayList<>();
+  private final DataTypeLimits limits = new DataTypeLimits();
+
+  private EcoreChecks(Origins origins) {
+    this.origins = origins;
+    IDS.forEach(id -> evaluations.put(id, 0L));
+  }
+
+  /**
+   * Checks models that were loaded together.
+   *
+   * @param models at least one, all of one {@link XmiStore#loadAll}
+   */
+  public static EcoreChecks of(List<LoadedModel> models) {
+    EcoreChecks checks = new EcoreChecks(models.get(0).origins());
+    for (LoadedModel model : models) {
+      EcoreUtil.getAllProperContents(model.resource(), false)
+          .forEachRemaining(element -> checks.check((EObject) element));
+    }
+    ProjectResources resources = (ProjectResources) models.get(0).resource().getResourceSet();
+    checks.found.addAll(new Faults(resources).find());
+    checks.found.sort(null);
+    return checks;
+  }
+
+  /** What was found, in the order of files and lines. */
+  public List<Diagnostic> diagnostics() {
+    return List.copyOf(found);
+  }
+
+  /** How often each check had something to look at; names neither files nor elements. */
+  public Coverage coverage() {
+    List<Coverage.Check> checks = new ArrayList<>();
+    evaluations.forEach(
+        (id, times) ->
+            checks.add(
+                new Coverage.Check(
+                    Coverage.Kind.METAMODEL,
+                    id,
+                    "",
+                    Severity.ERROR,
+                    SourceLocation.NONE,
+                    "",
+                    times)));
+    return new Coverage(List.of(), 0, checks);
+  }
+
+  private void check(EObject element) {
+    EcorePlan plan = plans.computeIfAbsent(element.eClass(), EcorePlan::of);
+    plan.required().forEach(feature -> checkRequired(element, feature));
+    plan.bounded().forEach(feature -> checkBound(element, feature));
+    plan.values().forEach(attribute -> checkValues(element, attribute));
+    plan.keyed().forEach(reference -> checkKeys(element, reference));
+    plan.maps().forEach(reference -> checkMap(element, reference));
+    count("ecore.unique", plan.unique().size());
+    count("ecore.opposite", plan.paired().size());
+  }
+
+  private void count(String id, long times) {
+    evaluations.merge(id, times, Long::sum);
+  }
+
+  private void report(String id, EObject element, String message, String hint) {
+    found.add(Diagnostic.error(id, message, origins.locate(element)).withHint(hint));
+  }
+
+  /** As EMF: a default value is a value, unless the feature can be told to have none. */
+  private void checkRequired(EObject element, EStructuralFeature feature) {
+    count("ecore.required", 1);
+    if (feature.isMany()) {
+      int size = ((List<?>) element.eGet(feature, false)).size();
+      if (size < feature.getLowerBound()) {
+        report(
+            "ecore.required",
+            element,
+            "`%s` has %s, and needs %d."
+                .formatted(
+                    feature.getName(), Coverage.counted(size, "value"), feature.getLowerBound()),
+            "Add what is missing, or lower the feature's lowerBound.");
+      }
+    } else if (feature.isUnsettable()
+        ? !element.eIsSet(feature)
+        : element.eGet(feature, false) == null) {
+      report(
+          "ecore.required",
+          element,
+          isContainer(feature)
+              ? "The element is no part of a `%s`, and must be one."
+                  .formatted(feature.getEType().getName())
+              : "`%s` has no value, and needs one.".formatted(feature.getName()),
+          "Add what is missing, or declare the feature with lowerBound=\"0\".");
+    }
+  }
+
+  private static boolean isContainer(EStructuralFeature feature) {
+    return feature instanceof EReference reference && reference.isContainer();
+  }
+
+  private void checkBound(EObject element, EStructuralFeature feature) {
+    count("ecore.bound", 1);
+    int size = ((List<?>) element.eGet(feature, false)).size();
+    if (size > feature.getUpperBound()) {
+      report(
+          "ecore.bound",
+          element,
+          "`%s` has %s, and holds %d at most."
+              .formatted(
+                  feature.getName(), Coverage.counted(size, "value"), feature.getUpperBound()),
+          "Take some out, or raise the feature's upperBound.");
+    }
+  }
+
+  private void checkValues(EObject element, EAttribute attribute) {
+    if (!element.eIsSet(attribute)) {
+      return;
+    }
+    Object value = element.eGet(attribute, false);
+    if (FeatureMapUtil.isFeatureMap(attribute)) {
+      for (FeatureMap.Entry entry : ((FeatureMap.Internal) value).basicList()) {
+        if (entry.getEStructuralFeature() instanceof EAttribute inner) {
+          checkValue(element, inner, entry.getValue());
+        }
+      }
+    } else if (attribute.isMany()) {
+      ((List<?>) value).forEach(each -> checkValue(element, attribute, each));
+    } else {
+      checkValue(element, attribute, value);
+    }
+  }
+
+  private void checkValue(EObject element, EAttribute attribute, Object value) {
+    EDataType type = attribute.getEAttributeType();
+    if (value == null || !EcorePlan.isLimited(type)) {
+      return;
+    }
+    count("ecore.value", 1);
+    Optional<String> fault = limits.fault(type, value);
+    if (fault.isPresent()) {
+      report(
+          "ecore.value",
+          element,
+          "`%s` of `%s` %s.".formatted(value, attribute.getName(), fault.get()),
+          "The type `%s` of the metamodel says what is allowed.".formatted(type.getName()));
+    }
+  }
+
+  private void checkKeys(EObject element, EReference reference) {
+    Map<List<Object>, EObject> known = new HashMap<>();
+    for (Object value : (List<?>) element.eGet(reference, true)) {
+      EObject target = (EObject) value;
+      List<Object> key = new ArrayList<>();
+      reference.getEKeys().forEach(attribute -> key.add(target.eGet(attribute)));
+      count("ecore.key", 1);
+      EObject first = known.putIfAbsent(key, target);
+      if (first != null && first != target) {
+        found.add(
+            Diagnostic.error(
+                    "ecore.key",
+                    "Two elements of `%s` have the same key %s."
+                        .formatted(reference.getName(), key),
+                    origins.locate(target))
+                .withRelated(origins.locate(first))
+                .withHint("Give one of them another key: the metamodel tells them apart by it."));
+      }
+    }
+  }
+
+  private void checkMap(EObject element, EReference reference) {
+    Map<Object, EObject> known = new HashMap<>();
+    for (Object value : (List<?>) element.eGet(reference, true)) {
+      EObject entry = (EObject) value;
+      Object key = entry.eGet(entry.eClass().getEStructuralFeature("key"));
+      count("ecore.map", 1);
+      EObject first = known.putIfAbsent(key, entry);
+      if (first != null) {
+        found.add(
+            Diagnostic.error(
+                    "ecore.map",
+                    "The map `%s` has the key `%s` twice.".formatted(reference.getName(), key),
+                    origins.locate(entry))
+                .withRelated(origins.locate(first))
+                .withHint("Leave one of the entries: a map finds one value for a key."));
+      }
+    }
+  }
+}

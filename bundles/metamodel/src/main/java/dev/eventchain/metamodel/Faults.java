@@ -1,0 +1,143 @@
+package dev.eventchain.metamodel;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.Iterator;
+import java.util.List;
+import java.util.Set;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EReference;
+import org.eclipse.emf.ecore.EStructuralFeature;
+import org.eclipse.emf.ecore.InternalEObject;
+import org.eclipse.emf.ecore.resource.Resource;
+import org.eclipse.emf.ecore.util.EcoreUtil;
+import org.eclipse.emf.ecore.util.InternalEList;
+
+/**
+ * Finds where models are not what their files say: one end of a reference with two, and a value
+ * that stands twice where each may stand once. Looks at files whose references are resolved.
+ */
+final class Faults {
+
+  private record Link(EObject from, EReference feature, EObject to) {}
+
+  private final ProjectResources resources;
+  private final Set<Link> links = new HashSet<>();
+  private final List<Diagnostic> found = new ArrayList<>();
+
+  Faults(ProjectResources resources) {
+    this.resources = resources;
+  }
+
+  /** What is found, in the order of files and lines; values that stand twice are taken out. */
+  List<Diagnostic> find() {
+    List<XmiResource> files = resources.loaded();
+    for (XmiResource file : files) {
+      found.addAll(file.statements().faults());
+      for (Statements.End end : file.statements().ends()) {
+        links.add(linkOf(file, end));
+      }
+    }
+    files.forEach(this::findSingleEnds);
+    files.forEach(this::findDuplicates);
+    return found.stream().distinct().sorted().toList();
+  }
+
+  private Link linkOf(XmiResource file, Statements.End end) {
+    Object target = end.target();
+    if (target instanceof String id) {
+      target = file.getEObject(id);
+    } else if (target instanceof InternalEObject proxy && proxy.eIsProxy()) {
+      target = resources.getEObject(proxy.eProxyURI(), false);
+    }
+    return new Link(end.element(), end.feature(), (EObject) target);
+  }
+
+  private void findSingleEnds(XmiResource file) {
+    for (Statements.End end : file.statements().ends()) {
+      Link link = linkOf(file, end);
+      EReference opposite = end.feature().getEOpposite();
+      if (link.to != null && !links.contains(new Link(link.to, opposite, link.from))) {
+        String message =
+            "`%s` of %s names %s, but `%s` there does not name it back."
+                .formatted(
+                    end.feature().getName(),
+                    ModelPath.of(link.from),
+                    ModelPath.of(link.to),
+                    opposite.getName());
+        found.add(
+            Diagnostic.error("ecore.opposite", message, place(file, end.tag(), end.feature()))
+                .withRelated(resources.origins().locate(link.to))
+                .withHint(
+                    "Write both ends, or neither: which of them a reader keeps depends on the order"
+                        + " of the elements."));
+      }
+    }
+  }
+
+  private static SourceLocation place(XmiResource file, int tag, EStructuralFeature feature) {
+    return file.problems().text().at(file.problems().attributeIn(tag, feature.getName()));
+  }
+
+  private void findDuplicates(XmiResource file) {
+    Iterator<EObject> all = EcoreUtil.getAllProperContents((Resource) file, false);
+    while (all.hasNext()) {
+      EObject element = all.next();
+      for (EStructuralFeature feature : element.eClass().getEAllStructuralFeatures()) {
+        if (holdsEachOnce(feature) && element.eIsSet(feature)) {
+          findDuplicates(file, element, feature);
+        }
+      }
+    }
+  }
+
+  /** Whether a feature is a list that the file gives, in which no value may stand twice. */
+  static boolean holdsEachOnce(EStructuralFeature feature) {
+    return feature.isMany()
+        && feature.isUnique()
+        && !feature.isDerived()
+        && !feature.isVolatile()
+        && !(feature instanceof EReference reference && reference.isContainment());
+  }
+
+  private void findDuplicates(XmiResource file, EObject element, EStructuralFeature feature) {
+    List<?> values = (List<?>) element.eGet(feature, false);
+    List<?> basic = values instanceof InternalEList<?> list ? list.basicList() : values;
+    if (basic.size() < 2) {
+      return;
+    }
+    Set<Object> seen = new HashSet<>();
+    List<Integer> again = new ArrayList<>();
+    for (int i = 0; i < basic.size(); i++) {
+      if (!seen.add(basic.get(i))) {
+        again.add(i);
+      }
+    }
+    for (int i = again.size() - 1; i >= 0; i--) {
+      int index = again.get(i);
+      report(file, element, feature, basic.get(index));
+      boolean inverse = feature instanceof EReference r && r.getEOpposite() != null;
+      if (!inverse) { // the other end may name this one once
+        values.remove(index);
+      }
+    }
+  }
+
+  private void report(XmiResource file, EObject element, EStructuralFeature feature, Object value) {
+    String shown = value instanceof EObject object ? ModelPath.of(object) : "`" + value + "`";
+    found.add(duplicate(file, element, feature, shown));
+  }
+
+  /** The finding that a value stands twice in a feature whose values are unique. */
+  static Diagnostic duplicate(
+      XmiResource file, EObject element, EStructuralFeature feature, String value) {
+    return Diagnostic.error(
+            "ecore.unique",
+            "`%s` of %s holds %s twice, and its values are unique."
+                .formatted(feature.getName(), ModelPath.of(element), value),
+            place(file, file.offsetOf(element, 0), feature))
+        .withHint("Name it once, or declare the feature with unique=\"false\".");
+  }
+}
