@@ -2,7 +2,6 @@ package dev.eventchain.ocl;
 
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.LinkedHashSet;
 import java.util.List;
 import org.eclipse.emf.common.util.EList;
 import org.eclipse.ocl.expressions.CollectionKind;
@@ -82,7 +81,7 @@ final class CollectionNodes {
         return INVALID;
       }
       Object value = element.evaluate(frame);
-      return value == INVALID ? INVALID : (Object) (elements.contains(value) == wanted);
+      return value == INVALID ? INVALID : (Object) (Values.contains(elements, value) == wanted);
     }
   }
 
@@ -124,10 +123,21 @@ final class CollectionNodes {
       return switch (code) {
         case PredefinedType.FIRST -> elements.isEmpty() ? INVALID : elements.iterator().next();
         case PredefinedType.LAST -> elements.isEmpty() ? INVALID : last(elements);
-        case PredefinedType.MAX -> CollectionUtil.max(elements);
-        case PredefinedType.MIN -> CollectionUtil.min(elements);
-        default -> elements.isEmpty() ? emptySum : CollectionUtil.sum(elements);
+        case PredefinedType.MAX, PredefinedType.MIN ->
+            elements.isEmpty() ? null : combined(elements, code);
+        default -> elements.isEmpty() ? emptySum : combined(elements, PredefinedType.PLUS);
       };
+    }
+
+    private static Object combined(Collection<?> elements, int operation) {
+      Object result = null;
+      for (Object element : elements) {
+        if (!Numbers.isNumber(element)) {
+          return INVALID;
+        }
+        result = result == null ? element : NumberNodes.binary(operation, result, element);
+      }
+      return result;
     }
 
     private static Object last(Collection<?> elements) {
@@ -172,7 +182,7 @@ final class CollectionNodes {
                 ? elements
                 : new ArrayList<>(elements);
         case PredefinedType.AS_ORDERED_SET ->
-            elements instanceof LinkedHashSet<?> ? elements : new LinkedHashSet<>(elements);
+            elements instanceof ValueSet<?> ? elements : new ValueSet<>(elements);
         default -> CollectionCalls.unary(code, elements);
       };
     }
@@ -217,8 +227,8 @@ final class CollectionNodes {
         return INVALID;
       }
       return switch (code) {
-        case PredefinedType.INCLUDES_ALL -> CollectionUtil.includesAll(elements, others);
-        case PredefinedType.EXCLUDES_ALL -> CollectionUtil.excludesAll(elements, others);
+        case PredefinedType.INCLUDES_ALL -> Values.containsAll(elements, others);
+        case PredefinedType.EXCLUDES_ALL -> Values.containsNone(elements, others);
         default -> CollectionCalls.binary(code, elements, others);
       };
     }
@@ -265,31 +275,25 @@ final class CollectionNodes {
     @SuppressWarnings("unchecked") // Eclipse OCL copies the collection before it adds an element
     private Object compute(Collection<?> elements, Object value) {
       return switch (code) {
-        case PredefinedType.COUNT -> CollectionUtil.count(elements, value);
+        case PredefinedType.COUNT -> Values.count(elements, value);
         case PredefinedType.INCLUDING -> CollectionOperations.including(elements, value);
         case PredefinedType.EXCLUDING -> CollectionOperations.excluding(elements, value);
         case PredefinedType.AT ->
             value instanceof Integer index ? CollectionUtil.at(elements, index) : INVALID;
         case PredefinedType.INDEX_OF -> indexOf(elements, value);
-        case PredefinedType.PREPEND -> CollectionUtil.prepend((Collection<Object>) elements, value);
-        default -> CollectionUtil.append((Collection<Object>) elements, value);
+        case PredefinedType.PREPEND ->
+            CollectionOperations.distinct(
+                CollectionUtil.prepend((Collection<Object>) elements, value));
+        default ->
+            CollectionOperations.distinct(
+                CollectionUtil.append((Collection<Object>) elements, value));
       };
     }
   }
 
   private static Object indexOf(Collection<?> elements, Object value) {
-    if (LogicNodes.Equality.isPlainObject(value)) {
-      int index = 1;
-      for (Object element : elements) {
-        if (element == value) {
-          return index;
-        }
-        index++;
-      }
-      return Node.INVALID;
-    }
-    Object index = CollectionUtil.indexOf(elements, value);
-    return index == null ? Node.INVALID : index;
+    int index = Values.indexOf(elements, value);
+    return index == 0 ? Node.INVALID : (Object) index;
   }
 
   /** An operation with two arguments: {@code insertAt}, {@code subSequence} and its like. */
@@ -323,13 +327,14 @@ final class CollectionNodes {
       if (!(one instanceof Integer index) || two == INVALID) {
         return INVALID;
       } else if (code == PredefinedType.INSERT_AT) {
-        return CollectionUtil.insertAt((Collection<Object>) elements, index, two);
+        return CollectionOperations.distinct(
+            CollectionUtil.insertAt((Collection<Object>) elements, index, two));
       } else if (!(two instanceof Integer end)) {
         return INVALID;
       } else {
         return code == PredefinedType.SUB_SEQUENCE
             ? CollectionUtil.subSequence(elements, index, end)
-            : CollectionUtil.subOrderedSet(elements, index, end);
+            : CollectionOperations.distinct(CollectionUtil.subOrderedSet(elements, index, end));
       }
     }
   }

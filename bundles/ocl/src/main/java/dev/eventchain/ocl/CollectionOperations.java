@@ -27,7 +27,7 @@ final class CollectionOperations {
   static Collection<Object> create(CollectionKind kind) {
     return switch (kind) {
       case SET_LITERAL -> new InsertionOrderedSet<>();
-      case ORDERED_SET_LITERAL -> new LinkedHashSet<>();
+      case ORDERED_SET_LITERAL -> new ValueSet<>();
       case BAG_LITERAL -> new InsertionOrderedBag<>();
       case SEQUENCE_LITERAL, COLLECTION_LITERAL -> new ArrayList<>();
     };
@@ -37,7 +37,7 @@ final class CollectionOperations {
   static Collection<Object> create(CollectionKind kind, Collection<?> elements) {
     return switch (kind) {
       case SET_LITERAL -> new InsertionOrderedSet<>(elements);
-      case ORDERED_SET_LITERAL -> new LinkedHashSet<>(elements);
+      case ORDERED_SET_LITERAL -> new ValueSet<>(elements);
       case BAG_LITERAL -> new InsertionOrderedBag<>(elements);
       case SEQUENCE_LITERAL, COLLECTION_LITERAL -> new ArrayList<>(elements);
     };
@@ -53,6 +53,13 @@ final class CollectionOperations {
     Collection<Object> single = create(kind);
     single.add(value);
     return single;
+  }
+
+  /** What Eclipse OCL made, but an ordered set without values that are equal in OCL. */
+  static Object distinct(Object made) {
+    return made instanceof LinkedHashSet<?> set && !(made instanceof ValueSet<?>)
+        ? new ValueSet<>(set)
+        : made;
   }
 
   /** What {@code select} and {@code reject} make of a source of this static type. */
@@ -83,8 +90,8 @@ final class CollectionOperations {
     boolean conforms =
         switch (kind) {
           case SET_LITERAL -> elements instanceof InsertionOrderedSet<?>;
-          case ORDERED_SET_LITERAL -> elements instanceof LinkedHashSet<?>;
-          case BAG_LITERAL -> elements instanceof Bag<?>;
+          case ORDERED_SET_LITERAL -> elements instanceof ValueSet<?>;
+          case BAG_LITERAL -> elements instanceof InsertionOrderedBag<?>;
           case SEQUENCE_LITERAL -> elements instanceof List<?>;
           case COLLECTION_LITERAL -> true;
         };
@@ -133,7 +140,7 @@ final class CollectionOperations {
 
   private static void addNew(Collection<?> elements, List<Object> all) {
     for (Object element : elements) {
-      if (!all.contains(element)) {
+      if (!Values.contains(all, element)) {
         all.add(element);
       }
     }
@@ -146,7 +153,7 @@ final class CollectionOperations {
     boolean firstIsLarger = first.size() > second.size();
     Collection<?> larger = firstIsLarger ? first : second;
     for (Object element : firstIsLarger ? second : first) {
-      if (larger.contains(element)) {
+      if (Values.contains(larger, element)) {
         result.add(element);
       }
     }
@@ -156,7 +163,7 @@ final class CollectionOperations {
   static Collection<Object> minus(Collection<?> first, Collection<?> second) {
     Collection<Object> result = new InsertionOrderedSet<>();
     for (Object element : first) {
-      if (!second.contains(element)) {
+      if (!Values.contains(second, element)) {
         result.add(element);
       }
     }
@@ -178,7 +185,7 @@ final class CollectionOperations {
   static Collection<Object> excluding(Collection<?> source, Object element) {
     Collection<Object> result = create(kindOf(source), source);
     if (result instanceof List<?>) {
-      result.removeIf(each -> java.util.Objects.equals(each, element));
+      result.removeIf(each -> Values.equal(each, element));
     } else {
       result.remove(element);
     }

@@ -1,7 +1,9 @@
 package dev.eventchain.ocl;
 
 import java.util.Arrays;
+import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.ocl.EvaluationHaltedException;
+import org.eclipse.ocl.types.AnyType;
 import org.eclipse.ocl.types.CollectionType;
 
 /** Calls of definitions and of libraries. */
@@ -66,6 +68,7 @@ final class DefinitionNodes {
     private final Object call;
     private final Object type;
     private final boolean givesCollection;
+    private final boolean foreign;
     private final OperationLibrary.Implementation implementation;
     private final Node source;
     private final Node[] arguments;
@@ -85,6 +88,10 @@ final class DefinitionNodes {
       this.call = call;
       this.type = type;
       this.givesCollection = type instanceof CollectionType<?, ?>;
+      this.foreign =
+          type instanceof CollectionType<?, ?> several
+              && (several.getElementType() instanceof AnyType<?>
+                  || Numbers.isForeign((EClassifier) several.getElementType()));
       this.implementation = implementation;
       this.source = source;
       this.arguments = arguments;
@@ -104,7 +111,9 @@ final class DefinitionNodes {
       if (result instanceof Invalid) {
         return INVALID;
       }
-      return givesCollection ? CollectionOperations.conform(result, type) : result;
+      return givesCollection
+          ? CollectionOperations.conform(foreign ? Values.normal(result) : result, type)
+          : Numbers.normal(result);
     }
 
     /** Calls a receiver in place of the library; null, or invalid. */

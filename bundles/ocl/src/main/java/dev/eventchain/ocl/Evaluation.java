@@ -66,7 +66,7 @@ public final class Evaluation {
 
   /** Gives a variable a value until {@link #unbind}; hides any earlier value. */
   public void bind(String name, Object value) {
-    values.push(name, value);
+    values.push(name, Numbers.normal(value));
   }
 
   /** Takes back the latest value of a variable. */
@@ -85,7 +85,7 @@ public final class Evaluation {
    * @param binding what {@link #bindings} was before {@link #bind}
    */
   public void rebind(int binding, Object value) {
-    values.set(binding, value);
+    values.set(binding, Numbers.normal(value));
   }
 
   /** Takes back all values that variables were given since {@link #bindings} was so many. */

@@ -24,6 +24,7 @@ import org.eclipse.ocl.expressions.CollectionLiteralExp;
 import org.eclipse.ocl.expressions.CollectionLiteralPart;
 import org.eclipse.ocl.expressions.CollectionRange;
 import org.eclipse.ocl.expressions.IfExp;
+import org.eclipse.ocl.expressions.IntegerLiteralExp;
 import org.eclipse.ocl.expressions.InvalidLiteralExp;
 import org.eclipse.ocl.expressions.IterateExp;
 import org.eclipse.ocl.expressions.IteratorExp;
@@ -139,6 +140,11 @@ final class Evaluator extends EvaluationVisitorImpl {
   }
 
   @Override
+  public Object visitIntegerLiteralExp(IntegerLiteralExp<EClassifier> literal) {
+    return BigLiterals.valueOf(literal);
+  }
+
+  @Override
   public Object visitInvalidLiteralExp(InvalidLiteralExp<EClassifier> literal) {
     return tracked(literal, () -> super.visitInvalidLiteralExp(literal), null);
   }
@@ -157,7 +163,34 @@ final class Evaluator extends EvaluationVisitorImpl {
         && CollectionCalls.makesCollection(code)) {
       return collectionOperation(call, code);
     }
+    return CollectionOperations.distinct(
+        StandardOperations.differs(code) ? asStandard(call) : byValue(call, code));
+  }
+
+  /** What Eclipse OCL has no other value for. */
+  private Object byValue(OperationCallExp<EClassifier, EOperation> call, int code) {
+    if (code == PredefinedType.TO_INTEGER) {
+      return safeVisitExpression(call.getSource()) instanceof String text
+          ? Numbers.integer(text)
+          : getInvalid();
+    }
     return super.visitOperationCallExp(call);
+  }
+
+  /** A node of the value that an expression has now. */
+  private Node constant(OCLExpression<EClassifier> expression) {
+    return new ValueNodes.Constant(safeVisitExpression(expression));
+  }
+
+  /** As the same operation has it in lowered expressions. */
+  private Object asStandard(OperationCallExp<EClassifier, EOperation> call) {
+    Node source = constant(call.getSource());
+    Node[] arguments = call.getArgument().stream().map(this::constant).toArray(Node[]::new);
+    Node node =
+        new StandardOperations(
+                (OclEnvironment) getEnvironment(), (ValueEnvironment) getEvaluationEnvironment())
+            .node(call, source, arguments);
+    return node == null ? super.visitOperationCallExp(call) : node.evaluate(new Frame(run, 0));
   }
 
   private Object asSet(Object source) {
@@ -192,7 +225,7 @@ final class Evaluator extends EvaluationVisitorImpl {
       run.setOrigin(new InvalidOrigin(call, source, invalid.reason(), invalid.cause()));
       return getInvalid();
     }
-    return CollectionOperations.conform(result, call.getType());
+    return CollectionOperations.conform(Values.normal(result), call.getType());
   }
 
   private Object collectionOperation(OperationCallExp<EClassifier, EOperation> call, int code) {
@@ -244,7 +277,10 @@ final class Evaluator extends EvaluationVisitorImpl {
 
   private Object iterator(IteratorExp<EClassifier, EParameter> loop) {
     int code = OCLStandardLibraryUtil.getOperationCode(loop.getName());
-    if (!CollectionCalls.makesCollectionByIterating(code) || loop.getIterator().size() != 1) {
+    boolean unlimited =
+        code == PredefinedType.SORTED_BY
+            && StandardOperations.isUnlimited(loop.getBody().getType());
+    if (!LoopEvaluator.has(code) || loop.getIterator().size() != 1 || unlimited) {
       return super.visitIteratorExp(loop);
     }
     Object source = loop.getSource().accept(getVisitor());
@@ -261,8 +297,10 @@ final class Evaluator extends EvaluationVisitorImpl {
   @Override
   public Object visitCollectionLiteralExp(CollectionLiteralExp<EClassifier> literal) {
     CollectionKind kind = literal.getKind();
-    if (kind != CollectionKind.SET_LITERAL && kind != CollectionKind.BAG_LITERAL) {
-      return Limits.require(super.visitCollectionLiteralExp(literal));
+    if (kind == CollectionKind.SEQUENCE_LITERAL && literal.isSimpleRange()) {
+      CollectionRange<EClassifier> range = (CollectionRange<EClassifier>) literal.getPart().get(0);
+      return new ValueNodes.SequenceRange(constant(range.getFirst()), constant(range.getLast()))
+          .evaluate(new Frame(run, 0));
     }
     Collection<Object> result = CollectionOperations.create(kind);
     for (CollectionLiteralPart<EClassifier> part : literal.getPart()) {
@@ -275,22 +313,18 @@ final class Evaluator extends EvaluationVisitorImpl {
           result.add(value);
         }
       } else {
-        addRange((CollectionRange<EClassifier>) part, result);
+        CollectionRange<EClassifier> range = (CollectionRange<EClassifier>) part;
+        if (!addRange(range, result)) {
+          return getInvalid();
+        }
       }
     }
     return result;
   }
 
-  private void addRange(CollectionRange<EClassifier> range, Collection<Object> result) {
-    Integer first = (Integer) range.getFirst().accept(getVisitor());
-    Integer last = (Integer) range.getLast().accept(getVisitor());
-    if (first != null && last != null) {
-      Limits.requireElements((long) last - first + 1);
-      for (long i = first; i <= last; i++) {
-        run.step();
-        result.add((int) i);
-      }
-    }
+  private boolean addRange(CollectionRange<EClassifier> range, Collection<Object> result) {
+    return new ValueNodes.Range(constant(range.getFirst()), constant(range.getLast()))
+        .addTo(result, new Frame(run, 0));
   }
 
   /** Whether the set was made because an arrow follows a single value. */

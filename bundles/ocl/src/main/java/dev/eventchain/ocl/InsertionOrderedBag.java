@@ -7,7 +7,6 @@ import java.util.HashMap;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import org.eclipse.ocl.util.Bag;
 
 /** An OCL Bag that is walked in the order in which its elements came. */
@@ -34,19 +33,19 @@ final class InsertionOrderedBag<E> extends AbstractCollection<E> implements Bag<
 
   @Override
   public int count(Object element) {
-    return counts().getOrDefault(element, 0);
+    return counts().getOrDefault(Values.key(element), 0);
   }
 
   @Override
   public boolean contains(Object element) {
-    return counts().containsKey(element);
+    return counts().containsKey(Values.key(element));
   }
 
   /** Removes every occurrence, as OCL's {@code excluding} expects of a bag. */
   @Override
   public boolean remove(Object element) {
     counts = null;
-    return elements.removeIf(each -> Objects.equals(each, element));
+    return elements.removeIf(each -> Values.equal(each, element));
   }
 
   @Override
@@ -81,7 +80,7 @@ final class InsertionOrderedBag<E> extends AbstractCollection<E> implements Bag<
     if (known == null) {
       known = new HashMap<>();
       for (E element : elements) {
-        known.merge(element, 1, Integer::sum);
+        known.merge(Values.key(element), 1, Integer::sum);
       }
       counts = known;
     }

@@ -4,12 +4,11 @@ import java.util.AbstractSet;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.Iterator;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 
 /**
- * An OCL Set that is walked in the order in which its elements came. It is no {@link
+ * An OCL Set that is walked in the order in which its elements came. It is no {@code
  * LinkedHashSet}, because Eclipse OCL takes that for an OrderedSet, whose equality heeds the order.
  */
 final class InsertionOrderedSet<E> extends AbstractSet<E> {
@@ -21,11 +20,11 @@ final class InsertionOrderedSet<E> extends AbstractSet<E> {
   private volatile Set<E> elements;
 
   InsertionOrderedSet() {
-    elements = new LinkedHashSet<>();
+    elements = new ValueSet<>();
   }
 
   InsertionOrderedSet(Collection<? extends E> source) {
-    elements = new LinkedHashSet<>(source);
+    elements = new ValueSet<>(source);
   }
 
   /** A set of the elements of a list which has none twice and must not change from now on. */
@@ -40,7 +39,7 @@ final class InsertionOrderedSet<E> extends AbstractSet<E> {
     Set<E> known = elements;
     if (known == null) {
       // Threads may do so at once; they come to the same.
-      known = new LinkedHashSet<>(distinct);
+      known = new ValueSet<>(distinct);
       elements = known;
     }
     return known;
@@ -80,5 +79,15 @@ final class InsertionOrderedSet<E> extends AbstractSet<E> {
   @Override
   public void clear() {
     changed().clear();
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return super.equals(other);
+  }
+
+  @Override
+  public int hashCode() {
+    return hashed().hashCode();
   }
 }

@@ -11,6 +11,7 @@ final class Limits {
 
   private static final int MOST_ELEMENTS = 4_000_000;
   static final int MOST_CHARACTERS = 16_000_000;
+  static final int MOST_BITS = 100_000;
 
   /** Regular expressions that never seem to end need a text of some length for that. */
   private static final int SHORT_TEXT = 20;
@@ -22,6 +23,13 @@ final class Limits {
     if (elements > MOST_ELEMENTS) {
       throw new EvaluationHaltedException(
           "it makes a collection of more than " + MOST_ELEMENTS + " elements");
+    }
+  }
+
+  /** Halts what makes an Integer that is too large. */
+  static void requireBits(long bits) {
+    if (bits > MOST_BITS) {
+      throw new EvaluationHaltedException("it makes a number of more than " + MOST_BITS + " bits");
     }
   }
 

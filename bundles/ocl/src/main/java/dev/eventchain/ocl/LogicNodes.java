@@ -1,11 +1,5 @@
 package dev.eventchain.ocl;
 
-import org.eclipse.emf.ecore.EEnumLiteral;
-import org.eclipse.emf.ecore.EObject;
-import org.eclipse.emf.ecore.impl.BasicEObjectImpl;
-import org.eclipse.emf.ecore.impl.EEnumLiteralImpl;
-import org.eclipse.ocl.util.ObjectUtil;
-
 /** Logic with null and invalid, equality, and the tests for null and invalid. */
 final class LogicNodes {
 
@@ -115,12 +109,10 @@ final class LogicNodes {
   /** {@code =} and {@code <>}: null equals null, and invalid makes the result invalid. */
   static final class Equality extends Binary {
     private final boolean wanted;
-    private final StockOperation stock;
 
-    Equality(Node left, Node right, boolean wanted, StockOperation stock) {
+    Equality(Node left, Node right, boolean wanted) {
       super(left, right);
       this.wanted = wanted;
-      this.stock = stock;
     }
 
     @Override
@@ -132,29 +124,8 @@ final class LogicNodes {
       Object second = right.evaluate(frame);
       if (second == INVALID) {
         return INVALID;
-      } else if (first == null || second == null) {
-        return (first == second) == wanted;
-      } else if (first instanceof String || isPlainObject(first)) {
-        return first.equals(second) == wanted;
-      } else if (first instanceof Integer one && second instanceof Integer other) {
-        return (one.intValue() == other.intValue()) == wanted;
-      } else if (isRareNumber(first) || isRareNumber(second)) {
-        return stock.apply(frame, first, second);
       }
-      return ObjectUtil.equal(first, second) == wanted;
-    }
-
-    /** An object is equal to itself only; a literal of an enumeration also to its Java value. */
-    static boolean isPlainObject(Object value) {
-      return value instanceof BasicEObjectImpl
-          ? !(value instanceof EEnumLiteralImpl)
-          : value instanceof EObject && !(value instanceof EEnumLiteral);
-    }
-
-    /** A number of a Java type that Eclipse OCL converts before it compares. */
-    private static boolean isRareNumber(Object value) {
-      return value instanceof Number
-          && !(value instanceof Integer || value instanceof Double || value instanceof Long);
+      return Values.equal(first, second) == wanted;
     }
   }
 

@@ -1,10 +1,13 @@
 package dev.eventchain.ocl;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Deque;
+import java.util.HashSet;
 import java.util.Iterator;
-import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
 import java.util.function.UnaryOperator;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
@@ -16,9 +19,13 @@ import org.eclipse.ocl.EvaluationEnvironment;
 import org.eclipse.ocl.expressions.CollectionKind;
 import org.eclipse.ocl.expressions.IteratorExp;
 import org.eclipse.ocl.types.OrderedSetType;
+import org.eclipse.ocl.types.SetType;
 import org.eclipse.ocl.utilities.PredefinedType;
 
-/** Evaluates the iterators that make collections, keeping the order of sets and bags. */
+/**
+ * Evaluates the iterators that make collections, keeping the order of sets and bags, and those that
+ * compare values.
+ */
 final class LoopEvaluator {
 
   private final Evaluator evaluator;
@@ -45,8 +52,49 @@ final class LoopEvaluator {
       case PredefinedType.REJECT -> select(elements, selected, false);
       case PredefinedType.COLLECT -> collect(elements, collected, true);
       case PredefinedType.COLLECT_NESTED -> collect(elements, collected, false);
+      case PredefinedType.IS_UNIQUE -> isUnique(elements);
+      case PredefinedType.SORTED_BY -> sortedBy(elements, sourceType);
       default -> closure(elements);
     };
+  }
+
+  /** Whether this iterator is evaluated here. */
+  static boolean has(int code) {
+    return CollectionCalls.makesCollectionByIterating(code)
+        || code == PredefinedType.IS_UNIQUE
+        || code == PredefinedType.SORTED_BY;
+  }
+
+  private Object isUnique(Collection<?> elements) {
+    Set<Object> seen = new HashSet<>();
+    boolean unique = true;
+    values.add(variable, null);
+    try {
+      for (Object element : elements) {
+        Object value = body(element);
+        if (value == invalid) {
+          return invalid;
+        }
+        unique &= seen.add(Values.key(value));
+      }
+    } finally {
+      values.remove(variable);
+    }
+    return unique;
+  }
+
+  private Object sortedBy(Collection<?> elements, Object type) {
+    List<LoopNodes.SortedBy.Keyed> keyed = new ArrayList<>();
+    values.add(variable, null);
+    try {
+      for (Object element : elements) {
+        keyed.add(new LoopNodes.SortedBy.Keyed(element, body(element)));
+      }
+    } finally {
+      values.remove(variable);
+    }
+    boolean distinct = type instanceof SetType<?, ?> || type instanceof OrderedSetType<?, ?>;
+    return LoopNodes.SortedBy.sorted(keyed, distinct);
   }
 
   private Object select(Collection<?> elements, CollectionKind kind, boolean wanted) {
@@ -111,7 +159,7 @@ final class LoopEvaluator {
    */
   static Collection<Object> closure(
       Collection<?> sources, boolean ordered, UnaryOperator<Object> step) {
-    Collection<Object> result = ordered ? new LinkedHashSet<>() : new InsertionOrderedSet<>();
+    Collection<Object> result = ordered ? new ValueSet<>() : new InsertionOrderedSet<>();
     for (Object source : sources) {
       Object next = step.apply(source);
       if (next == Node.INVALID || !addReachable(next, result, step)) {

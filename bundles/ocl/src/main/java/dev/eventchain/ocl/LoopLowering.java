@@ -46,7 +46,7 @@ final class LoopLowering {
 
   /** Eclipse OCL sorts unlimited naturals differently. */
   private static boolean isSortable(IteratorExp<EClassifier, EParameter> loop) {
-    return !OperationLowering.isUnlimited(loop.getBody().getType());
+    return !StandardOperations.isUnlimited(loop.getBody().getType());
   }
 
   private Map<String, Integer> variables(LoopExp<EClassifier, EParameter> loop) {

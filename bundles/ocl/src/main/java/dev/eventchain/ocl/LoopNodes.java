@@ -3,7 +3,6 @@ package dev.eventchain.ocl;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashSet;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import org.eclipse.ocl.expressions.CollectionKind;
@@ -177,7 +176,7 @@ final class LoopNodes {
     }
   }
 
-  /** {@code isUnique}; null and invalid count as values, as in Eclipse OCL. */
+  /** {@code isUnique}; null counts as a value. */
   static final class IsUnique extends Loop {
     IsUnique(Node source, int slot, Node body) {
       super(source, slot, body);
@@ -186,12 +185,15 @@ final class LoopNodes {
     @Override
     Object loop(Collection<?> elements, Frame frame) {
       Set<Object> seen = new HashSet<>();
+      boolean unique = true;
       for (Object element : elements) {
-        if (!seen.add(body(element, frame))) {
-          return false;
+        Object value = body(element, frame);
+        if (value == INVALID) {
+          return INVALID; // also after two that are equal
         }
+        unique &= seen.add(Values.key(value));
       }
-      return true;
+      return unique;
     }
   }
 
@@ -253,7 +255,8 @@ final class LoopNodes {
   static final class SortedBy extends Loop {
     private final boolean distinct;
 
-    private record Keyed(Object element, Comparable<Object> key) {}
+    /** An element and what it is sorted by. */
+    record Keyed(Object element, Object key) {}
 
     SortedBy(Node source, int slot, Node body, boolean distinct) {
       super(source, slot, body);
@@ -261,24 +264,36 @@ final class LoopNodes {
     }
 
     @Override
-    @SuppressWarnings("unchecked") // checked by the comparison itself, whose exception is caught
     Object loop(Collection<?> elements, Frame frame) {
       List<Keyed> keyed = new ArrayList<>(elements.size());
       for (Object element : elements) {
-        Object key = body(element, frame);
-        if (key == INVALID || !(key instanceof Comparable<?>)) {
+        keyed.add(new Keyed(element, body(element, frame)));
+      }
+      return sorted(keyed, distinct);
+    }
+
+    /** The elements in the order of their keys, or invalid. */
+    static Object sorted(List<Keyed> keyed, boolean distinct) {
+      for (Keyed each : keyed) {
+        if (each.key() == INVALID || !(each.key() instanceof Comparable<?>)) {
           return INVALID;
         }
-        keyed.add(new Keyed(element, (Comparable<Object>) key));
       }
       try {
-        keyed.sort((one, other) -> one.key().compareTo(other.key()));
+        keyed.sort((one, other) -> compare(one.key(), other.key()));
       } catch (RuntimeException e) {
         return INVALID;
       }
-      Collection<Object> result = distinct ? new LinkedHashSet<>() : new ArrayList<>();
+      Collection<Object> result = distinct ? new ValueSet<>() : new ArrayList<>();
       keyed.forEach(each -> result.add(each.element()));
       return result;
+    }
+
+    @SuppressWarnings("unchecked") // checked by the comparison itself, whose exception is caught
+    private static int compare(Object one, Object other) {
+      return Numbers.isNumber(one) && Numbers.isNumber(other)
+          ? Numbers.compare(one, other)
+          : ((Comparable<Object>) one).compareTo(other);
     }
   }
 

@@ -38,9 +38,10 @@ final class NavigationNodes {
     }
 
     static Feature of(Node source, EStructuralFeature feature, CollectionKind kind) {
+      boolean foreign = Numbers.isForeign(feature.getEType());
       return kind == null
-          ? new SingleFeature(source, feature)
-          : new ManyFeature(source, feature, kind);
+          ? new SingleFeature(source, feature, foreign)
+          : new ManyFeature(source, feature, kind, foreign);
     }
 
     /**
@@ -94,16 +95,20 @@ final class NavigationNodes {
   }
 
   private static final class SingleFeature extends Feature {
-    SingleFeature(Node source, EStructuralFeature feature) {
+    private final boolean foreign;
+
+    SingleFeature(Node source, EStructuralFeature feature, boolean foreign) {
       super(source, feature);
+      this.foreign = foreign;
     }
 
     @Override
     Object valueOf(Object object, boolean read) {
       Object value = get(object);
-      return isCollection(value) && !(value instanceof Iterator<?>)
-          ? first((Collection<?>) value)
-          : value;
+      if (isCollection(value) && !(value instanceof Iterator<?>)) {
+        value = first((Collection<?>) value);
+      }
+      return foreign ? Numbers.normal(value) : value;
     }
 
     private static Object first(Collection<?> several) {
@@ -113,10 +118,19 @@ final class NavigationNodes {
 
   private static final class ManyFeature extends Feature {
     private final CollectionKind kind;
+    private final boolean foreign;
 
-    ManyFeature(Node source, EStructuralFeature feature, CollectionKind kind) {
+    /** Whether the model's own list will do for a caller of {@link #read}. */
+    private final boolean direct;
+
+    ManyFeature(Node source, EStructuralFeature feature, CollectionKind kind, boolean foreign) {
       super(source, feature);
       this.kind = kind;
+      this.foreign = foreign;
+      boolean distinct =
+          kind == CollectionKind.SET_LITERAL || kind == CollectionKind.ORDERED_SET_LITERAL;
+      // A list of EMF may hold both 0.0 and -0.0.
+      this.direct = !foreign && !(distinct && Numbers.isDouble(feature.getEType()));
     }
 
     @Override
@@ -125,14 +139,17 @@ final class NavigationNodes {
     }
 
     private Object collect(Object value) {
-      return value == INVALID ? value : CollectionOperations.asCollection(kind, value);
+      if (value == INVALID) {
+        return value;
+      }
+      return CollectionOperations.asCollection(kind, foreign ? Values.normal(value) : value);
     }
 
     /** EMF's lists of a unique feature hold no element twice. */
     @Override
     Object valueOf(Object object, boolean read) {
       Object value = get(object);
-      if (!read) {
+      if (!read || !direct) {
         return collect(value);
       }
       return value instanceof AbstractEList<?> || value instanceof EList<?>
@@ -219,7 +236,7 @@ final class NavigationNodes {
     }
   }
 
-  /** {@code oclIsKindOf} and {@code oclIsTypeOf}. */
+  /** {@code oclIsKindOf} and {@code oclIsTypeOf}, which nothing undefined answers. */
   static final class IsOfType extends GuardedNode {
     private final Node source;
     private final TypeTest test;
@@ -231,11 +248,12 @@ final class NavigationNodes {
 
     @Override
     Object compute(Frame frame) {
-      return test.holds(source.evaluate(frame));
+      Object value = source.evaluate(frame);
+      return isUndefined(value) ? INVALID : (Object) test.holds(value);
     }
   }
 
-  /** {@code oclAsType} of an object. */
+  /** {@code oclAsType} of an object; that of null is null, as in Eclipse OCL. */
   static final class AsType extends GuardedNode {
     private final Node source;
     private final TypeTest test;
@@ -248,7 +266,7 @@ final class NavigationNodes {
     @Override
     Object compute(Frame frame) {
       Object value = source.evaluate(frame);
-      return test.holds(value) ? value : INVALID;
+      return value == null || (value != INVALID && test.holds(value)) ? value : INVALID;
     }
   }
 }

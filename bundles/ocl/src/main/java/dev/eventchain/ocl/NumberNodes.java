@@ -3,30 +3,28 @@ package dev.eventchain.ocl;
 import org.eclipse.ocl.utilities.PredefinedType;
 
 /**
- * Arithmetic and comparison. Integers are computed as long and doubles as double, as Eclipse OCL
- * does; what is neither goes to its evaluator.
+ * Arithmetic and comparison. Small Integers are computed as long and doubles as double; see {@link
+ * ExactNumbers} for all others.
  */
 final class NumberNodes {
 
   private NumberNodes() {}
 
-  /** The number as OCL holds it: an Integer if it fits. */
-  private static Object integer(long value) {
-    int small = (int) value;
-    return small == value ? (Object) small : (Object) value;
-  }
-
-  private static boolean isInteger(Object value) {
-    return value instanceof Integer || value instanceof Long;
+  /** The result for two numbers of any Java types, which may be invalid. */
+  static Object binary(int code, Object first, Object second) {
+    if (first instanceof Integer one && second instanceof Integer other) {
+      return Arithmetic.integers(code, one, other);
+    } else if (first instanceof Double one && second instanceof Double other) {
+      return Arithmetic.reals(code, one, other);
+    }
+    return ExactNumbers.binary(code, first, second);
   }
 
   /** An operation with two operands. */
   private abstract static class Operation extends LogicNodes.Binary {
-    private final StockOperation stock;
 
-    Operation(Node left, Node right, StockOperation stock) {
+    Operation(Node left, Node right) {
       super(left, right);
-      this.stock = stock;
     }
 
     @Override
@@ -42,24 +40,22 @@ final class NumberNodes {
         return integers(one, other);
       } else if (first instanceof Double one && second instanceof Double other) {
         return reals(one, other);
-      } else if (isInteger(first) && isInteger(second)) {
-        return integers(((Number) first).longValue(), ((Number) second).longValue());
-      } else if (isNumber(first) && isNumber(second)) {
-        return reals(((Number) first).doubleValue(), ((Number) second).doubleValue());
+      } else if (Numbers.isNumber(first) && Numbers.isNumber(second)) {
+        return mixed(first, second);
       }
-      return other(frame, first, second);
+      return other(first, second);
     }
 
-    private static boolean isNumber(Object value) {
-      return value instanceof Double || isInteger(value);
-    }
-
+    /** For 32-bit numbers, with which nothing overflows. */
     abstract Object integers(long first, long second);
 
     abstract Object reals(double first, double second);
 
-    Object other(Frame frame, Object first, Object second) {
-      return stock.apply(frame, first, second);
+    /** For numbers of any two Java types. */
+    abstract Object mixed(Object first, Object second);
+
+    Object other(Object first, Object second) {
+      return INVALID;
     }
   }
 
@@ -67,8 +63,8 @@ final class NumberNodes {
   static final class Arithmetic extends Operation {
     private final int code;
 
-    Arithmetic(int code, Node left, Node right, StockOperation stock) {
-      super(left, right, stock);
+    Arithmetic(int code, Node left, Node right) {
+      super(left, right);
       this.code = code;
     }
 
@@ -89,20 +85,28 @@ final class NumberNodes {
 
     @Override
     Object integers(long first, long second) {
-      return switch (code) {
-        case PredefinedType.PLUS -> integer(first + second);
-        case PredefinedType.MINUS -> integer(first - second);
-        case PredefinedType.TIMES -> integer(first * second);
-        case PredefinedType.DIVIDE -> second == 0 ? INVALID : (Object) ((double) first / second);
-        case PredefinedType.DIV -> second == 0 ? INVALID : integer(first / second);
-        case PredefinedType.MOD -> second == 0 ? INVALID : integer(first % second);
-        case PredefinedType.MAX -> integer(Math.max(first, second));
-        default -> integer(Math.min(first, second));
-      };
+      return integers(code, first, second);
     }
 
     @Override
     Object reals(double first, double second) {
+      return reals(code, first, second);
+    }
+
+    private static Object integers(int code, long first, long second) {
+      return switch (code) {
+        case PredefinedType.PLUS -> Numbers.integer(first + second);
+        case PredefinedType.MINUS -> Numbers.integer(first - second);
+        case PredefinedType.TIMES -> Numbers.integer(first * second);
+        case PredefinedType.DIVIDE -> second == 0 ? INVALID : (Object) ((double) first / second);
+        case PredefinedType.DIV -> second == 0 ? INVALID : Numbers.integer(first / second);
+        case PredefinedType.MOD -> second == 0 ? INVALID : Numbers.integer(first % second);
+        case PredefinedType.MAX -> Numbers.integer(Math.max(first, second));
+        default -> Numbers.integer(Math.min(first, second));
+      };
+    }
+
+    private static Object reals(int code, double first, double second) {
       return switch (code) {
         case PredefinedType.PLUS -> first + second;
         case PredefinedType.MINUS -> first - second;
@@ -113,21 +117,26 @@ final class NumberNodes {
         default -> INVALID; // div and mod of reals
       };
     }
+
+    @Override
+    Object mixed(Object first, Object second) {
+      return ExactNumbers.binary(code, first, second);
+    }
   }
 
   /** A comparison. */
   abstract static class Comparison extends Operation {
 
-    private Comparison(Node left, Node right, StockOperation stock) {
-      super(left, right, stock);
+    private Comparison(Node left, Node right) {
+      super(left, right);
     }
 
-    static Comparison of(int code, Node left, Node right, StockOperation stock) {
+    static Comparison of(int code, Node left, Node right) {
       return switch (code) {
-        case PredefinedType.LESS_THAN -> new Less(left, right, stock);
-        case PredefinedType.LESS_THAN_EQUAL -> new LessOrEqual(left, right, stock);
-        case PredefinedType.GREATER_THAN -> new Greater(left, right, stock);
-        default -> new GreaterOrEqual(left, right, stock);
+        case PredefinedType.LESS_THAN -> new Less(left, right);
+        case PredefinedType.LESS_THAN_EQUAL -> new LessOrEqual(left, right);
+        case PredefinedType.GREATER_THAN -> new Greater(left, right);
+        default -> new GreaterOrEqual(left, right);
       };
     }
 
@@ -136,16 +145,24 @@ final class NumberNodes {
     }
 
     @Override
-    final Object other(Frame frame, Object first, Object second) {
+    final Object mixed(Object first, Object second) {
+      if (!Numbers.isFinite(first) || !Numbers.isFinite(second)) {
+        return reals(((Number) first).doubleValue(), ((Number) second).doubleValue());
+      }
+      return integers(Numbers.compare(first, second), 0);
+    }
+
+    @Override
+    final Object other(Object first, Object second) {
       return first instanceof String one && second instanceof String other
           ? integers(one.compareTo(other), 0)
-          : super.other(frame, first, second);
+          : INVALID;
     }
   }
 
   private static final class Less extends Comparison {
-    Less(Node left, Node right, StockOperation stock) {
-      super(left, right, stock);
+    Less(Node left, Node right) {
+      super(left, right);
     }
 
     @Override
@@ -160,8 +177,8 @@ final class NumberNodes {
   }
 
   private static final class LessOrEqual extends Comparison {
-    LessOrEqual(Node left, Node right, StockOperation stock) {
-      super(left, right, stock);
+    LessOrEqual(Node left, Node right) {
+      super(left, right);
     }
 
     @Override
@@ -176,8 +193,8 @@ final class NumberNodes {
   }
 
   private static final class Greater extends Comparison {
-    Greater(Node left, Node right, StockOperation stock) {
-      super(left, right, stock);
+    Greater(Node left, Node right) {
+      super(left, right);
     }
 
     @Override
@@ -192,8 +209,8 @@ final class NumberNodes {
   }
 
   private static final class GreaterOrEqual extends Comparison {
-    GreaterOrEqual(Node left, Node right, StockOperation stock) {
-      super(left, right, stock);
+    GreaterOrEqual(Node left, Node right) {
+      super(left, right);
     }
 
     @Override
@@ -227,33 +244,7 @@ final class NumberNodes {
     @Override
     Object evaluate(Frame frame) {
       Object value = operand.evaluate(frame);
-      if (value instanceof Double real) {
-        return ofReal(real);
-      } else if (isUndefined(value)) {
-        return INVALID;
-      } else if (code == PredefinedType.FLOOR || code == PredefinedType.ROUND) {
-        return value; // also of Java's other numbers with a fraction, as in Eclipse OCL
-      }
-      return isInteger(value) ? ofInteger((Number) value) : INVALID;
-    }
-
-    private Object ofReal(double value) {
-      return switch (code) {
-        case PredefinedType.MINUS -> (Object) (-value);
-        case PredefinedType.ABS -> (Object) Math.abs(value);
-        case PredefinedType.FLOOR -> (Object) (int) Math.floor(value);
-        default -> (Object) (int) Math.round(value);
-      };
-    }
-
-    /** Eclipse OCL makes an Integer of a Long only where the sign brings it back into range. */
-    private Object ofInteger(Number value) {
-      long number = value.longValue();
-      if (code == PredefinedType.ABS) {
-        return value instanceof Integer ? integer(Math.abs(number)) : (Object) Math.abs(number);
-      }
-      boolean small = value instanceof Integer || number == -(long) Integer.MIN_VALUE;
-      return small ? integer(-number) : (Object) (-number);
+      return Numbers.isNumber(value) ? ExactNumbers.unary(code, value) : INVALID;
     }
   }
 }

@@ -12,14 +12,17 @@ import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.ocl.Environment;
 import org.eclipse.ocl.cst.CSTNode;
 import org.eclipse.ocl.cst.ClassifierContextDeclCS;
+import org.eclipse.ocl.cst.IntegerLiteralExpCS;
 import org.eclipse.ocl.cst.OperationCallExpCS;
 import org.eclipse.ocl.cst.SimpleNameCS;
 import org.eclipse.ocl.ecore.CallOperationAction;
 import org.eclipse.ocl.ecore.Constraint;
 import org.eclipse.ocl.ecore.SendSignalAction;
 import org.eclipse.ocl.ecore.parser.OCLAnalyzer;
+import org.eclipse.ocl.expressions.IntegerLiteralExp;
 import org.eclipse.ocl.expressions.OCLExpression;
 import org.eclipse.ocl.expressions.OperationCallExp;
+import org.eclipse.ocl.parser.OCLLexer;
 import org.eclipse.ocl.utilities.TypedElement;
 
 /** Turns text into a checked expression. */
@@ -34,7 +37,30 @@ final class OclAnalyzer extends OCLAnalyzer {
   private MissingOperation missing;
 
   OclAnalyzer(OclEnvironment environment, String input) {
-    super(environment, input);
+    super(new BigLiterals.Parser(new OCLLexer(environment, input.toCharArray())));
+    getLexer().lexer(getAbstractParser().getIPrsStream());
+  }
+
+  @Override
+  protected IntegerLiteralExp<EClassifier> integerLiteralExpCS(
+      IntegerLiteralExpCS node,
+      Environment<
+              EPackage,
+              EClassifier,
+              EOperation,
+              EStructuralFeature,
+              EEnumLiteral,
+              EParameter,
+              EObject,
+              CallOperationAction,
+              SendSignalAction,
+              Constraint,
+              EClass,
+              EObject>
+          environment) {
+    IntegerLiteralExp<EClassifier> literal = super.integerLiteralExpCS(node, environment);
+    BigLiterals.complete(literal, node.getSymbol());
+    return literal;
   }
 
   /** Our environments have their {@code self} already, or are meant to have none. */

@@ -33,6 +33,7 @@ final class OclEnvironment extends EcoreEnvironment {
     super(factory, null);
     this.factory = factory;
     setOption(ParsingOptions.implicitRootClass(this), EcorePackage.Literals.EOBJECT);
+    setOption(ParsingOptions.USE_LONG_INTEGERS, true);
     // toUpper and toUpperCase were both standard at some time, and are the same.
     setOption(ProblemOption.STRING_CASE_CONVERSION, ProblemHandler.Severity.OK);
   }

@@ -83,6 +83,11 @@ final class OclEnvironmentFactory extends EcoreEnvironmentFactory {
     return failedNames;
   }
 
+  /** The type under which OCL knows a classifier. */
+  EClassifier oclType(EClassifier classifier) {
+    return root.getUMLReflection().asOCLType(classifier);
+  }
+
   CollectionKind kindOf(ETypedElement element) {
     return kinds.of(element);
   }

@@ -66,7 +66,7 @@ final class TextNodes {
     private Object unary(String text) {
       return switch (code) {
         case PredefinedType.SIZE -> text.length();
-        case PredefinedType.TO_INTEGER -> Integer.valueOf(text);
+        case PredefinedType.TO_INTEGER -> Numbers.integer(text);
         case PredefinedType.TO_REAL -> Double.valueOf(text);
         case PredefinedType.TO_BOOLEAN -> "true".equals(text);
         case PredefinedType.TO_LOWER, PredefinedType.TO_LOWER_CASE ->

@@ -7,15 +7,19 @@ import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.eclipse.emf.common.util.ECollections;
+import org.eclipse.emf.common.util.Enumerator;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EEnum;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EOperation;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.ETypedElement;
 import org.eclipse.ocl.EvaluationEnvironment;
+import org.eclipse.ocl.ecore.AnyType;
 import org.eclipse.ocl.ecore.CollectionType;
 import org.eclipse.ocl.ecore.EcoreEvaluationEnvironment;
+import org.eclipse.ocl.ecore.PrimitiveType;
 import org.eclipse.ocl.expressions.CollectionKind;
 
 /**
@@ -114,12 +118,40 @@ final class ValueEnvironment extends EcoreEvaluationEnvironment {
   protected Object coerceValue(ETypedElement element, Object value, boolean copy) {
     CollectionKind kind = factory.kindOf(element);
     if (kind != null) {
-      return CollectionOperations.asCollection(kind, value);
+      boolean foreign = Numbers.isForeign(element.getEType());
+      return CollectionOperations.asCollection(kind, foreign ? Values.normal(value) : value);
     }
     if (value instanceof Iterator<?> || !(value instanceof Collection<?> collection)) {
-      return value;
+      return Numbers.normal(value);
     }
-    return collection.isEmpty() ? null : collection.iterator().next();
+    return collection.isEmpty() ? null : Numbers.normal(collection.iterator().next());
+  }
+
+  @Override
+  public boolean isKindOf(Object value, EClassifier type) {
+    return isInstance(value, type, false);
+  }
+
+  @Override
+  public boolean isTypeOf(Object value, EClassifier type) {
+    return isInstance(value, type, true);
+  }
+
+  /** Eclipse OCL goes by the Java class, which one type of OCL has several of. */
+  private boolean isInstance(Object value, EClassifier type, boolean exactly) {
+    if (Numbers.isNumber(value)) {
+      EClassifier known = factory.oclType(type);
+      String name = known instanceof PrimitiveType primitive ? primitive.getName() : "";
+      return switch (name) {
+        case PrimitiveType.INTEGER_NAME -> Numbers.isInteger(value);
+        case PrimitiveType.REAL_NAME -> !exactly || !Numbers.isInteger(value);
+        default -> !exactly && known instanceof AnyType;
+      };
+    } else if (value instanceof Enumerator && type instanceof EEnum enumeration) {
+      return enumeration.getELiterals().stream()
+          .anyMatch(literal -> literal == value || literal.getInstance() == value);
+    }
+    return exactly ? super.isTypeOf(value, type) : super.isKindOf(value, type);
   }
 
   /** Calls an operation of the metamodel. */

@@ -175,18 +175,22 @@ final class ValueNodes {
         return false;
       }
       if (from != null && to != null) {
-        int end = (Integer) to;
-        Limits.requireElements((long) end - (Integer) from + 1);
-        for (long i = (Integer) from; i <= end; i++) {
-          frame.run.step();
-          result.add((int) i);
-        }
+        addRange(((Number) from).longValue(), ((Number) to).longValue(), result, frame.run);
       }
       return true;
     }
 
-    private static boolean isBound(Object value) {
-      return value == null || value instanceof Integer;
+    static boolean isBound(Object value) {
+      return value == null || value instanceof Integer || value instanceof Long;
+    }
+
+    /** Adds the integers from one to another. */
+    static void addRange(long from, long to, Collection<Object> result, Evaluation run) {
+      Integers range = Integers.between(from, to);
+      for (Object each : range) {
+        run.step();
+        result.add(each);
+      }
     }
   }
 
@@ -205,18 +209,16 @@ final class ValueNodes {
       Object from = first.evaluate(frame);
       if (from == null) {
         return listOfNull();
-      } else if (!(from instanceof Integer start)) {
+      } else if (!Range.isBound(from)) {
         return INVALID;
       } else {
         Object to = last.evaluate(frame);
         if (to == null) {
           return listOfNull();
         }
-        if (!(to instanceof Integer end)) {
-          return INVALID;
-        }
-        Limits.requireElements((long) end - start + 1);
-        return new Integers(start, end);
+        return Range.isBound(to)
+            ? Integers.between(((Number) from).longValue(), ((Number) to).longValue())
+            : INVALID;
       }
     }
 
@@ -228,18 +230,27 @@ final class ValueNodes {
   }
 
   /** The integers from one to another, which take no room. */
-  private static final class Integers extends AbstractList<Object> implements RandomAccess {
-    private final int first;
+  static final class Integers extends AbstractList<Object> implements RandomAccess {
+    private final long first;
     private final int size;
 
-    Integers(int first, int last) {
+    private Integers(long first, int size) {
       this.first = first;
-      this.size = (int) Math.max(0, Math.min(Integer.MAX_VALUE, (long) last - first + 1));
+      this.size = size;
+    }
+
+    static Integers between(long first, long last) {
+      if (last < first) {
+        return new Integers(first, 0);
+      }
+      long more = last - first; // negative if a long cannot hold it
+      Limits.requireElements(more < 0 || more == Long.MAX_VALUE ? Long.MAX_VALUE : more + 1);
+      return new Integers(first, (int) more + 1);
     }
 
     @Override
     public Object get(int index) {
-      return first + java.util.Objects.checkIndex(index, size);
+      return Numbers.integer(first + java.util.Objects.checkIndex(index, size));
     }
 
     @Override
@@ -250,7 +261,11 @@ final class ValueNodes {
     /** Without a walk, which nothing could stop. */
     @Override
     public boolean contains(Object value) {
-      return value instanceof Integer number && number >= first && (long) number - first < size;
+      if (!Numbers.areLong(value, value)) {
+        return false;
+      }
+      long number = ((Number) value).longValue();
+      return number >= first && number < first + size;
     }
   }
 

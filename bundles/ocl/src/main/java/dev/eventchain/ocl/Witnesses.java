@@ -96,7 +96,8 @@ final class Witnesses {
         return false;
       }
       Object value = valueFor(element);
-      if (first.containsKey(value) && !(value instanceof Invalid)) {
+      Object key = Values.key(value);
+      if (first.containsKey(key) && !(value instanceof Invalid)) {
         probe
             .facts()
             .add(
@@ -104,12 +105,12 @@ final class Witnesses {
                     + " "
                     + ValueTexts.predicate(value)
                     + " for "
-                    + ValueTexts.of(first.get(value))
+                    + ValueTexts.of(first.get(key))
                     + " and for "
                     + ValueTexts.of(element));
         return true;
       }
-      first.put(value, element);
+      first.put(key, element);
     }
     return false;
   }

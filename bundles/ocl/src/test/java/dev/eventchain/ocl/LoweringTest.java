@@ -31,7 +31,8 @@ import org.eclipse.ocl.util.Tuple;
  * Eclipse OCL gives. Takes about 25 s.
  *
  * <p>Left out of the comparison with Eclipse OCL, which it cannot answer in one way only or answers
- * otherwise on purpose: expressions whose value depends on the order of a set or a bag.
+ * otherwise on purpose: expressions whose value depends on the order of a set or a bag, and those
+ * that meet one of the {@link StockDifferences}.
  */
 class LoweringTest {
 
@@ -88,7 +89,9 @@ class LoweringTest {
         normal(expected, true), normal(expression.evaluate(run), true), () -> text(expression));
     if (!generator.doesOrderMatter()) {
       Object original = stock.evaluate(expression.ast(), self);
-      assertEquals(normal(original, false), normal(expected, false), () -> text(expression));
+      if (stock.differences().isEmpty()) {
+        assertEquals(normal(original, false), normal(expected, false), () -> text(expression));
+      }
     }
   }
 
@@ -125,7 +128,11 @@ class LoweringTest {
       }
       return kind(elements) + texts;
     }
-    return value == null ? null : value.getClass().getSimpleName() + " " + value;
+    if (value == null) {
+      return null;
+    }
+    String type = Numbers.isInteger(value) ? "Integer" : value.getClass().getSimpleName();
+    return type + " " + value;
   }
 
   private static String kind(Collection<?> elements) {
@@ -143,6 +150,7 @@ class LoweringTest {
     Map<String, Integer> used = new TreeMap<>();
     int defined = 0;
     int comparable = 0;
+    Map<String, Integer> differences = new TreeMap<>();
     int lowered = 0;
     int count = 2000;
     for (int i = 0; i < count; i++) {
@@ -151,7 +159,9 @@ class LoweringTest {
       EObject self = GeneratedModels.things(metamodel, i % MODELS).get(0);
       Object value = evaluate(expression, self);
       defined += value == null || value == Node.INVALID ? 0 : 1;
-      comparable += generator.doesOrderMatter() ? 0 : 1;
+      stock.evaluate(expression.ast(), self);
+      stock.differences().forEach(each -> differences.merge(each, 1, Integer::sum));
+      comparable += generator.doesOrderMatter() || !stock.differences().isEmpty() ? 0 : 1;
       lowered += expression.isLowered() ? 1 : 0;
       generator.used().forEach((name, times) -> used.merge(name, times, Integer::sum));
     }
@@ -159,6 +169,8 @@ class LoweringTest {
     assertTrue(used.values().stream().allMatch(times -> times >= 5), used::toString);
     assertEquals(count, lowered);
     assertTrue(defined > count / 3, defined + " values are defined");
-    assertTrue(comparable > count / 3, comparable + " values are comparable");
+    assertTrue(comparable > count / 3, comparable + " values are comparable, " + differences);
+    assertTrue(
+        differences.values().stream().allMatch(each -> each < count / 10), differences::toString);
   }
 }

@@ -1,6 +1,7 @@
 package dev.eventchain.ocl;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
@@ -12,6 +13,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
@@ -27,7 +29,10 @@ import org.eclipse.ocl.util.Bag;
 import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.TestFactory;
 
-/** Our evaluation gives the values of Eclipse OCL's own, but for the order of sets and bags. */
+/**
+ * Our evaluation gives the values of Eclipse OCL's own, but for the order of sets and bags and for
+ * known differences.
+ */
 class StockComparisonTest {
 
   private final TestModels models = new TestModels("library");
@@ -47,6 +52,9 @@ class StockComparisonTest {
     return ocl;
   }
 
+  /** Where Eclipse OCL leaves the standard, and what the standard has. */
+  private static final Map<String, Object> DIFFERENCES = Map.of("Set{1, 1.0}->size()", 1);
+
   @TestFactory
   Stream<DynamicTest> valuesAreThoseOfEclipseOcl() throws IOException {
     return Files.readAllLines(Path.of("src", "test", "resources", "expressions.txt")).stream()
@@ -58,6 +66,10 @@ class StockComparisonTest {
     helper.setContext(library.eClass());
     String qualified = text.replace("Member.all", "people::Member.all");
     Object expected = stock.evaluate(library, helper.createQuery(qualified));
+    if (DIFFERENCES.containsKey(text)) {
+      assertNotEquals(DIFFERENCES.get(text), normal(expected));
+      expected = DIFFERENCES.get(text);
+    }
     assertEquals(normal(expected), normal(ours(text)));
   }
 

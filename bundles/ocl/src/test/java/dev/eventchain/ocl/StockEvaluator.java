@@ -1,8 +1,12 @@
 package dev.eventchain.ocl;
 
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.IdentityHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeSet;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EObject;
@@ -12,27 +16,59 @@ import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.ocl.ecore.EcoreEnvironmentFactory;
 import org.eclipse.ocl.ecore.EcoreEvaluationEnvironment;
 import org.eclipse.ocl.ecore.EvaluationVisitorImpl;
+import org.eclipse.ocl.expressions.IteratorExp;
 import org.eclipse.ocl.expressions.OCLExpression;
+import org.eclipse.ocl.expressions.OperationCallExp;
 
-/** Eclipse OCL's own evaluator, with its own environments, on expressions that we have parsed. */
+/**
+ * Eclipse OCL's own evaluator, with its own environments, on expressions that we have parsed. It is
+ * given the numbers of a model as OCL's, whatever Java types they have there, and notes where it
+ * leaves the standard, as {@link StockDifferences} has it.
+ */
 final class StockEvaluator {
 
   private final OclEnvironment environment;
+  private final Set<String> differences = new TreeSet<>();
 
   StockEvaluator(OclEnvironment environment) {
     this.environment = environment;
   }
 
+  /** What the latest evaluation met that Eclipse OCL has otherwise than the standard. */
+  Set<String> differences() {
+    return differences;
+  }
+
   Object evaluate(OCLExpression<EClassifier> expression, EObject self) {
+    differences.clear();
     EcoreEvaluationEnvironment values =
-        new EcoreEvaluationEnvironment((EcoreEnvironmentFactory) environment.getFactory());
+        new Environment((EcoreEnvironmentFactory) environment.getFactory());
     values.add("self", self);
     return new Visitor(values, values.createExtentMap(self)).visitExpression(expression);
+  }
+
+  private static final class Environment extends EcoreEvaluationEnvironment {
+    Environment(EcoreEnvironmentFactory factory) {
+      super(factory);
+    }
+
+    Environment(EcoreEvaluationEnvironment parent) {
+      super(parent);
+    }
+
+    @Override
+    public Object navigateProperty(EStructuralFeature property, List<?> qualifiers, Object target) {
+      return StockDifferences.asNumberOfOcl(super.navigateProperty(property, qualifiers, target));
+    }
   }
 
   private final class Visitor extends EvaluationVisitorImpl {
     private final EcoreEvaluationEnvironment values;
     private final Map<EClass, Set<EObject>> extents;
+
+    /** The values of the parts of each call or loop that is being evaluated. */
+    private final Deque<Map<Object, Object>> parts =
+        new ArrayDeque<>(List.of(new IdentityHashMap<>()));
 
     Visitor(EcoreEvaluationEnvironment values, Map<EClass, Set<EObject>> extents) {
       super(environment, values, extents);
@@ -40,11 +76,54 @@ final class StockEvaluator {
       this.extents = extents;
     }
 
+    @Override
+    protected Object safeVisitExpression(OCLExpression<EClassifier> expression) {
+      return noted(expression, super.safeVisitExpression(expression));
+    }
+
+    @Override
+    public Object visitExpression(OCLExpression<EClassifier> expression) {
+      return noted(expression, super.visitExpression(expression));
+    }
+
+    private Object noted(OCLExpression<EClassifier> expression, Object value) {
+      StockDifferences.ofValue(value).ifPresent(differences::add);
+      // Each element of a loop has a value of the body.
+      boolean first = !parts.element().containsKey(expression);
+      parts.element().put(first ? expression : new Object(), value);
+      return value;
+    }
+
+    @Override
+    public Object visitOperationCallExp(OperationCallExp<EClassifier, EOperation> call) {
+      parts.push(new IdentityHashMap<>());
+      try {
+        return super.visitOperationCallExp(call);
+      } finally {
+        Map<Object, Object> known = parts.pop();
+        Object source = known.get(call.getSource());
+        StockDifferences.ofCall(call.getOperationCode(), source, known.values())
+            .ifPresent(differences::add);
+      }
+    }
+
+    @Override
+    public Object visitIteratorExp(IteratorExp<EClassifier, EParameter> loop) {
+      parts.push(new IdentityHashMap<>());
+      try {
+        return super.visitIteratorExp(loop);
+      } finally {
+        Map<Object, Object> known = parts.pop();
+        known.remove(loop.getSource());
+        StockDifferences.ofLoop(loop.getName(), known.values()).ifPresent(differences::add);
+      }
+    }
+
     /** As the original, which would have our environment make the nested one. */
     @Override
     protected Object call(
         EOperation operation, OCLExpression<EClassifier> body, Object target, Object[] args) {
-      EcoreEvaluationEnvironment nested = new EcoreEvaluationEnvironment(values);
+      EcoreEvaluationEnvironment nested = new Environment(values);
       nested.add("self", target);
       List<EParameter> parameters = operation.getEParameters();
       for (int i = 0; i < args.length; i++) {
@@ -56,7 +135,7 @@ final class StockEvaluator {
     @Override
     protected Object navigate(
         EStructuralFeature property, OCLExpression<EClassifier> derivation, Object target) {
-      EcoreEvaluationEnvironment nested = new EcoreEvaluationEnvironment(values);
+      EcoreEvaluationEnvironment nested = new Environment(values);
       nested.add("self", target);
       return new Visitor(nested, extents).visitExpression(derivation);
     }

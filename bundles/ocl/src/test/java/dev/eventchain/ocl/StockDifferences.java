@@ -1,0 +1,114 @@
+package dev.eventchain.ocl;
+
+import java.math.BigDecimal;
+import java.math.BigInteger;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.eclipse.ocl.utilities.PredefinedType;
+
+/**
+ * The differences between Eclipse OCL and the standard that are known. An expression that meets one
+ * of them while Eclipse OCL evaluates it is not compared with the value that it has there.
+ */
+final class StockDifferences {
+
+  private StockDifferences() {}
+
+  /** Only Integer, Long and Double are numbers that Eclipse OCL computes with throughout. */
+  static Object asNumberOfOcl(Object value) {
+    if (value instanceof Short || value instanceof Byte) {
+      return ((Number) value).intValue();
+    } else if (value instanceof Long number && number == number.intValue()) {
+      return number.intValue();
+    } else if (value instanceof BigInteger number && number.bitLength() < Integer.SIZE) {
+      return number.intValue();
+    }
+    return value instanceof Float number ? Double.valueOf(number.toString()) : value;
+  }
+
+  /** A set that holds numbers which are equal. */
+  static Optional<String> ofValue(Object value) {
+    return value instanceof Set<?> && holdsEqualNumbers(List.of(value))
+        ? Optional.of("equal numbers in a set")
+        : Optional.empty();
+  }
+
+  static Optional<String> ofCall(int code, Object source, Collection<Object> operands) {
+    return switch (code) {
+      case PredefinedType.OCL_IS_KIND_OF, PredefinedType.OCL_IS_TYPE_OF ->
+          when("type of what is undefined", source == null || source == Node.INVALID)
+              .or(() -> when("type of a large number", isLarge(source)));
+      case PredefinedType.FLOOR, PredefinedType.ROUND ->
+          when("floor or round beyond 32 bit", !fitsInt(source));
+      case PredefinedType.TO_INTEGER ->
+          when(
+              "toInteger beyond 32 bit",
+              source instanceof String text && text.strip().length() > 9);
+      default ->
+          when("large numbers", numbers(operands).stream().anyMatch(StockDifferences::isLarge))
+              .or(() -> when("equal numbers", holdsEqualNumbers(operands)));
+    };
+  }
+
+  static Optional<String> ofLoop(String name, Collection<Object> bodies) {
+    return switch (name) {
+      case "isUnique" ->
+          when("isUnique with an invalid body", bodies.contains(Node.INVALID))
+              .or(() -> when("isUnique of equal numbers", holdsEqualNumbers(bodies)));
+      case "sortedBy" ->
+          when(
+              "sortedBy numbers of several types",
+              bodies.stream()
+                          .filter(Number.class::isInstance)
+                          .map(Object::getClass)
+                          .distinct()
+                          .count()
+                      > 1
+                  || holdsEqualNumbers(bodies));
+      default -> Optional.empty();
+    };
+  }
+
+  private static Optional<String> when(String difference, boolean met) {
+    return met ? Optional.of(difference) : Optional.empty();
+  }
+
+  private static boolean isLarge(Object value) {
+    return value instanceof Long || value instanceof BigInteger || value instanceof BigDecimal;
+  }
+
+  private static boolean fitsInt(Object value) {
+    return value instanceof Integer
+        || !(value instanceof Number)
+        || (value instanceof Double number && Math.abs(number) < Integer.MAX_VALUE);
+  }
+
+  /** Whether Java tells numbers apart that are equal. */
+  private static boolean holdsEqualNumbers(Collection<?> values) {
+    Set<Object> inJava = new HashSet<>();
+    Set<Object> inOcl = new HashSet<>();
+    for (Object number : numbers(values)) {
+      inJava.add(number);
+      boolean infinite = number instanceof Double real && !Double.isFinite(real);
+      inOcl.add(infinite ? number : new BigDecimal(number.toString()).stripTrailingZeros());
+    }
+    return inJava.size() != inOcl.size();
+  }
+
+  /** The numbers among values, also inside collections. */
+  private static List<Object> numbers(Collection<?> values) {
+    List<Object> numbers = new ArrayList<>();
+    for (Object value : values) {
+      if (value instanceof Number) {
+        numbers.add(value);
+      } else if (value instanceof Collection<?> elements) {
+        numbers.addAll(numbers(elements));
+      }
+    }
+    return numbers;
+  }
+}
