@@ -158,7 +158,7 @@ final class Evaluator extends EvaluationVisitorImpl {
       return asSet(safeVisitExpression(call.getSource()));
     } else if (code == PredefinedType.ALL_INSTANCES
         && call.getSource().accept(getVisitor()) instanceof EEnum enumeration) {
-      return new InsertionOrderedSet<Object>(enumeration.getELiterals());
+      return StandardOperations.literals(enumeration);
     } else if (call.getSource().getType() instanceof CollectionType<?, ?>
         && CollectionCalls.makesCollection(code)) {
       return collectionOperation(call, code);
@@ -177,15 +177,20 @@ final class Evaluator extends EvaluationVisitorImpl {
     return super.visitOperationCallExp(call);
   }
 
-  /** A node of the value that an expression has now. */
-  private Node constant(OCLExpression<EClassifier> expression) {
-    return new ValueNodes.Constant(safeVisitExpression(expression));
+  /** A part of an expression as a node. */
+  private Node visited(OCLExpression<EClassifier> expression) {
+    return new Node() {
+      @Override
+      Object evaluate(Frame frame) {
+        return safeVisitExpression(expression);
+      }
+    };
   }
 
   /** As the same operation has it in lowered expressions. */
   private Object asStandard(OperationCallExp<EClassifier, EOperation> call) {
-    Node source = constant(call.getSource());
-    Node[] arguments = call.getArgument().stream().map(this::constant).toArray(Node[]::new);
+    Node source = visited(call.getSource());
+    Node[] arguments = call.getArgument().stream().map(this::visited).toArray(Node[]::new);
     Node node =
         new StandardOperations(
                 (OclEnvironment) getEnvironment(), (ValueEnvironment) getEvaluationEnvironment())
@@ -299,7 +304,7 @@ final class Evaluator extends EvaluationVisitorImpl {
     CollectionKind kind = literal.getKind();
     if (kind == CollectionKind.SEQUENCE_LITERAL && literal.isSimpleRange()) {
       CollectionRange<EClassifier> range = (CollectionRange<EClassifier>) literal.getPart().get(0);
-      return new ValueNodes.SequenceRange(constant(range.getFirst()), constant(range.getLast()))
+      return new ValueNodes.SequenceRange(visited(range.getFirst()), visited(range.getLast()))
           .evaluate(new Frame(run, 0));
     }
     Collection<Object> result = CollectionOperations.create(kind);
@@ -323,7 +328,7 @@ final class Evaluator extends EvaluationVisitorImpl {
   }
 
   private boolean addRange(CollectionRange<EClassifier> range, Collection<Object> result) {
-    return new ValueNodes.Range(constant(range.getFirst()), constant(range.getLast()))
+    return new ValueNodes.Range(visited(range.getFirst()), visited(range.getLast()))
         .addTo(result, new Frame(run, 0));
   }
 

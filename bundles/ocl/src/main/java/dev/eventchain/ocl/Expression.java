@@ -163,11 +163,11 @@ public final class Expression {
    *
    * @param run gives the values of the variables in the scope that the expression was parsed in; a
    *     variable that it does not bind is {@code null}
-   * @return the value: {@code null} for OCL's null; an {@link Invalid} if there is none; an
-   *     Integer is an {@link Integer} if it fits, else a {@link Long} or a {@link
-   *     java.math.BigInteger}, a Real a {@link Double} or a {@link java.math.BigDecimal}; collections are to be read only, sets
-   *     and bags are walked in the order in which their elements came; a type literal gives the
-   *     {@link EClassifier}
+   * @return the value: {@code null} for OCL's null; an {@link Invalid} if there is none; an Integer
+   *     is an {@link Integer} if it fits, else a {@link Long} or a {@link java.math.BigInteger}, a
+   *     Real a {@link Double} or a {@link java.math.BigDecimal}; collections are to be read only,
+   *     sets and bags are walked in the order in which their elements came; a type literal gives
+   *     the {@link EClassifier}
    */
   public Object evaluate(Evaluation run) {
     return evaluate(run, null, false);

@@ -36,9 +36,9 @@ import org.eclipse.ocl.utilities.ExpressionInOCL;
  *
  * <p>Simple names of types are looked for in the packages in the given order, nested packages
  * included, and at last in Ecore itself; {@code package::Type} works, too. Every object has the
- * operations of EObject. Types are those of classic Eclipse OCL, values those of OMG OCL 2.4 but for
- * some differences (see {@code differences.md}), in particular: {@code closure} leaves its source
- * out. A quote in a string is written {@code \'}.
+ * operations of EObject. Types are those of classic Eclipse OCL, values those of OMG OCL 2.4 but
+ * for some differences (see {@code differences.md}), in particular: {@code closure} leaves its
+ * source out. A quote in a string is written {@code \'}.
  */
 public final class ExpressionLanguage {
 

@@ -1,5 +1,6 @@
 package dev.eventchain.ocl;
 
+import java.util.Set;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EEnum;
@@ -114,12 +115,19 @@ final class StandardOperations {
     if (!(source instanceof TypeExp<EClassifier> type)) {
       return null;
     } else if (type.getReferredType() instanceof EEnum enumeration) {
-      return new ValueNodes.Constant(new InsertionOrderedSet<Object>(enumeration.getELiterals()));
+      return new ValueNodes.Constant(literals(enumeration));
     }
     return type.getReferredType() instanceof EClass found
             && !(type.getReferredType() instanceof VoidType<?>)
         ? new NavigationNodes.AllInstances(found)
         : null;
+  }
+
+  /** The values of an enumeration, as features have them. */
+  static Set<Object> literals(EEnum enumeration) {
+    Set<Object> values = new InsertionOrderedSet<>();
+    enumeration.getELiterals().forEach(literal -> values.add(literal.getInstance()));
+    return values;
   }
 
   private Node isOfType(OperationCallExp<EClassifier, EOperation> call, Node source) {

@@ -139,12 +139,13 @@ final class ValueEnvironment extends EcoreEvaluationEnvironment {
 
   /** Eclipse OCL goes by the Java class, which one type of OCL has several of. */
   private boolean isInstance(Object value, EClassifier type, boolean exactly) {
-    if (Numbers.isNumber(value)) {
+    Object number = Numbers.normal(value);
+    if (Numbers.isNumber(number)) {
       EClassifier known = factory.oclType(type);
       String name = known instanceof PrimitiveType primitive ? primitive.getName() : "";
       return switch (name) {
-        case PrimitiveType.INTEGER_NAME -> Numbers.isInteger(value);
-        case PrimitiveType.REAL_NAME -> !exactly || !Numbers.isInteger(value);
+        case PrimitiveType.INTEGER_NAME -> Numbers.isInteger(number);
+        case PrimitiveType.REAL_NAME -> !exactly || !Numbers.isInteger(number);
         default -> !exactly && known instanceof AnyType;
       };
     } else if (value instanceof Enumerator && type instanceof EEnum enumeration) {
