@@ -67,11 +67,14 @@ final class CollectionNodes {
     private final Node source;
     private final Node element;
     private final boolean wanted;
+    private final boolean integers;
 
-    Includes(Node source, Node element, boolean wanted) {
+    /** With integers only, those are equal in OCL that are equal in Java. */
+    Includes(Node source, Node element, boolean wanted, boolean integers) {
       this.source = source;
       this.element = element;
       this.wanted = wanted;
+      this.integers = integers;
     }
 
     @Override
@@ -81,7 +84,8 @@ final class CollectionNodes {
         return INVALID;
       }
       Object value = element.evaluate(frame);
-      return value == INVALID ? INVALID : (Object) (Values.contains(elements, value) == wanted);
+      boolean found = integers ? elements.contains(value) : Values.contains(elements, value);
+      return value == INVALID ? INVALID : (Object) (found == wanted);
     }
   }
 

@@ -18,25 +18,9 @@ import org.eclipse.ocl.utilities.PredefinedType;
 /** Makes the nodes of the operations of the standard library. */
 final class StandardOperations {
 
-  private final OclEnvironment environment;
-  private final ValueEnvironment values;
-  private final OCLStandardLibrary<EClassifier> types;
-
-  StandardOperations(OclEnvironment environment, ValueEnvironment values) {
-    this.environment = environment;
-    this.values = values;
-    this.types = environment.getOCLStandardLibrary();
-  }
-
-  static boolean isUnlimited(EClassifier type) {
-    return type instanceof PrimitiveType<?> primitive
-        && primitive.getName().equals(PrimitiveType.UNLIMITED_NATURAL_NAME);
-  }
-
-  /** Whether Eclipse OCL has another value for an operation than the standard, for some values. */
-  static boolean differs(int code) {
-    return switch (code) {
-      case PredefinedType.EQUAL,
+  private static final Set<Integer> DIFFERENT =
+      Set.of(
+          PredefinedType.EQUAL,
           PredefinedType.NOT_EQUAL,
           PredefinedType.LESS_THAN,
           PredefinedType.LESS_THAN_EQUAL,
@@ -63,10 +47,26 @@ final class StandardOperations {
           PredefinedType.AS_ORDERED_SET,
           PredefinedType.OCL_IS_KIND_OF,
           PredefinedType.OCL_IS_TYPE_OF,
-          PredefinedType.OCL_AS_TYPE ->
-          true;
-      default -> false;
-    };
+          PredefinedType.OCL_AS_TYPE);
+
+  private final OclEnvironment environment;
+  private final ValueEnvironment values;
+  private final OCLStandardLibrary<EClassifier> types;
+
+  StandardOperations(OclEnvironment environment, ValueEnvironment values) {
+    this.environment = environment;
+    this.values = values;
+    this.types = environment.getOCLStandardLibrary();
+  }
+
+  static boolean isUnlimited(EClassifier type) {
+    return type instanceof PrimitiveType<?> primitive
+        && primitive.getName().equals(PrimitiveType.UNLIMITED_NATURAL_NAME);
+  }
+
+  /** Whether Eclipse OCL has another value for an operation than the standard, for some values. */
+  static boolean differs(int code) {
+    return DIFFERENT.contains(code);
   }
 
   /** An operation of the standard library; null if it has no node. */
@@ -196,7 +196,12 @@ final class StandardOperations {
       OperationCallExp<EClassifier, EOperation> call, Node source, Node argument) {
     int code = call.getOperationCode();
     if (code == PredefinedType.INCLUDES || code == PredefinedType.EXCLUDES) {
-      return new CollectionNodes.Includes(source, argument, code == PredefinedType.INCLUDES);
+      boolean integers =
+          call.getArgument().get(0).getType() == types.getInteger()
+              && call.getSource().getType() instanceof CollectionType<?, ?> type
+              && type.getElementType() == types.getInteger();
+      return new CollectionNodes.Includes(
+          source, argument, code == PredefinedType.INCLUDES, integers);
     } else if (CollectionNodes.Pair.has(code)) {
       return new CollectionNodes.Pair(code, source, argument);
     } else if (CollectionNodes.WithElement.has(code)) {
