@@ -172,6 +172,20 @@ class AnyMetamodelTest {
   }
 
   @Test
+  void whatTheMetamodelStatesItselfIsChecked() {
+    Path files = Program.ROOT.resolve("bundles/ocl/src/test/resources/metamodels/annotated");
+    new Program()
+        .run(
+            "validate", "--metamodel", files.resolve("metamodel.ecore"), files.resolve("model.xmi"))
+        .expect(1)
+        .says("An item of 3.0 has no name [ocl.violated Item::Named]")
+        .says("model.xmi:5:3")
+        .says("metamodel.ecore:24:7")
+        .says("'Audited' of Shop is not checked")
+        .says("5 constraints evaluated 17 times");
+  }
+
+  @Test
   void aTraceNamesTheTemplateLineAndTheElementOfEachLine() throws IOException {
     Path template = Files.writeString(folder.resolve("main.mtl"), TEMPLATE);
     Path out = folder.resolve("traced");
