@@ -144,7 +144,8 @@ final class PlantedViolations {
 
   private void whole(Whole of) {
     EAttribute feature = attribute(of.type(), false);
-    long limit = random.nextInt(100) < 50 ? random.nextInt(100) : of.most() - random.nextInt(3) - 2;
+    int small = 1 + random.nextInt(100);
+    long limit = random.nextBoolean() ? small : of.most() - small % 3 - 2;
     String self = one(List.of("", "self.")) + feature.getName();
     List<Object> below = values(of, limit - 1, limit - 2, -limit);
     List<Object> equal = values(of, limit);
