@@ -5,12 +5,14 @@ import java.util.concurrent.atomic.AtomicLong;
 
 /**
  * How much processor time evaluations may take, those of several threads together. A machine that
- * is busy with other things makes nothing take more of it. A minute of wall time for each second
- * ends what waits without end. Safe for threads.
+ * is busy with other things makes nothing take more of it. What waits without end is ended by wall
+ * time: a minute for each second, and ten at least, since a process of low priority may be given
+ * less than a sixtieth of a processor. Safe for threads.
  */
 public final class TimeBudget {
 
   private static final int WALL_FACTOR = 60;
+  private static final long LEAST_WALL = Duration.ofMinutes(10).toNanos();
   private static final long NOT_STARTED = Long.MIN_VALUE;
 
   private final String purpose;
@@ -89,8 +91,9 @@ public final class TimeBudget {
     if (used.get() >= nanos) {
       return purpose + " more than " + text(nanos) + " of processor time";
     }
-    boolean late = (clock.wall() - started.get()) / WALL_FACTOR >= nanos;
-    return late ? purpose + " more than " + text(nanos * WALL_FACTOR) : "";
+    long waited = clock.wall() - started.get();
+    boolean late = waited >= LEAST_WALL && waited / WALL_FACTOR >= nanos;
+    return late ? purpose + " more than " + text(Math.max(LEAST_WALL, nanos * WALL_FACTOR)) : "";
   }
 
   /** Takes processor time. */
