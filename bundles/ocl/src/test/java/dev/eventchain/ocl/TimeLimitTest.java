@@ -79,7 +79,7 @@ class TimeLimitTest {
     Diagnostic found = result.diagnostics().get(0);
     assertEquals("ocl.limit State::Waiting", found.id() + " " + found.rule());
     assertEquals(
-        "'Waiting' was given up at State 's0': it takes more than 30 s. It left 200 of 200 elements"
+        "'Waiting' was given up at State 's5': it takes more than 600 s. It left 195 of 200 elements"
             + " unchecked.",
         found.message());
   }
