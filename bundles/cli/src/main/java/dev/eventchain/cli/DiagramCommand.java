@@ -9,6 +9,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import picocli.CommandLine.Command;
@@ -71,7 +72,7 @@ final class DiagramCommand extends ProjectCommand {
     boolean classes = isMetamodel && wanted.contains(Kind.METAMODEL);
     List<Path> ecores = classes ? List.of(input) : given.metamodels;
     List<Path> models = classes && wanted.size() == 1 ? List.of() : List.of(input);
-    return drawn(Diagrams.draw(wanted, ecores, models, output(), overwrite()));
+    return drawn(Diagrams.draw(wanted, ecores, given.map, models, output(), overwrite()));
   }
 
   private Outcome drawProject(Project project) {
@@ -85,7 +86,7 @@ final class DiagramCommand extends ProjectCommand {
     }
     Path model = project.model(results).orElseThrow();
     Set<Kind> wanted = kindsOr(Kind.values());
-    return drawn(Diagrams.draw(wanted, List.of(), List.of(model), folder, overwrite()));
+    return drawn(Diagrams.draw(wanted, List.of(), Map.of(), List.of(model), folder, overwrite()));
   }
 
   private Outcome makeModel(Project project, Path results) {

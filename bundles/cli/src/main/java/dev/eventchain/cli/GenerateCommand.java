@@ -55,24 +55,29 @@ final class GenerateCommand extends ProjectCommand {
 
   @Override
   Outcome work() {
-    if (template == null) {
-      if (!given.metamodels.isEmpty()) {
-        throw wrongUsage("a model of a metamodel needs a template: --template FILE");
-      }
-      if (!services.isEmpty()) {
-        throw wrongUsage("services are for a template: --template FILE");
-      }
-      if (inputs.size() > 1) {
-        throw wrongUsage("name one project, or a template for several models: --template FILE");
-      }
-      return execute(
-          Project.open(inputs.get(0)),
-          Stage.GENERATE,
-          Stage.GENERATE,
-          true,
-          new LlmOptions(),
-          List.of());
+    return template == null ? generateProject() : generateText();
+  }
+
+  private Outcome generateProject() {
+    if (!given.metamodels.isEmpty()) {
+      throw wrongUsage("a model of a metamodel needs a template: --template FILE");
     }
+    if (!services.isEmpty()) {
+      throw wrongUsage("services are for a template: --template FILE");
+    }
+    if (inputs.size() > 1) {
+      throw wrongUsage("name one project, or a template for several models: --template FILE");
+    }
+    return execute(
+        Project.open(inputs.get(0)),
+        Stage.GENERATE,
+        Stage.GENERATE,
+        true,
+        new LlmOptions(),
+        List.of());
+  }
+
+  private Outcome generateText() {
     Path folder = output();
     if (folder == null) {
       throw wrongUsage("say where to write: -o FOLDER");
@@ -80,7 +85,15 @@ final class GenerateCommand extends ProjectCommand {
     Suppressions suppressions = suppressions();
     WrittenFiles files =
         AnyModel.generate(
-            given.metamodels, template, services, inputs, folder, overwrite(), trace, suppressions);
+            given.metamodels,
+            given.map,
+            template,
+            services,
+            inputs,
+            folder,
+            overwrite(),
+            trace,
+            suppressions);
     return Outcome.of(files, suppressions);
   }
 }

@@ -2,6 +2,7 @@ package dev.eventchain.cli;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import picocli.CommandLine.Option;
 
 /** What the models are instances of that stand in no project. */
@@ -12,4 +13,13 @@ final class MetamodelOptions {
       paramLabel = "FILE",
       description = "An Ecore metamodel of the models (default: event chains); may be repeated.")
   List<Path> metamodels = List.of();
+
+  @Option(
+      names = "--map",
+      paramLabel = "URI=FOLDER",
+      description =
+          "Where files are that references name by a URI which begins so, for example"
+              + " platform:/resource/=workspace/; may be repeated. Other references are followed"
+              + " into the folders of the files that the command names, and into these.")
+  Map<String, Path> map = Map.of();
 }

@@ -68,7 +68,7 @@ final class ValidateCommand extends ProjectCommand {
     }
     Suppressions suppressions = suppressions();
     AnyModel.Validation validation =
-        AnyModel.validate(given.metamodels, constraints, inputs, messages, timeLimit());
+        AnyModel.validate(given.metamodels, given.map, constraints, inputs, messages, timeLimit());
     return Outcome.of(validation.coverage(), validation.diagnostics(), suppressions);
   }
 

@@ -2,10 +2,13 @@ package dev.eventchain.metamodel;
 
 import java.util.HashSet;
 import java.util.Set;
+import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EDataType;
 import org.eclipse.emf.ecore.EEnum;
+import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EcorePackage;
 import org.eclipse.emf.ecore.util.ExtendedMetaData;
+import org.eclipse.emf.ecore.xml.namespace.XMLNamespacePackage;
 import org.eclipse.emf.ecore.xml.type.XMLTypePackage;
 
 /**
@@ -43,6 +46,12 @@ final class HarmlessTypes {
 
   private HarmlessTypes() {}
 
+  /** Whether the Java class that a data type names itself is harmless. */
+  static boolean isHarmlessClass(EClassifier type) {
+    String name = type.getInstanceClassName();
+    return name == null || JAVA_CLASSES.contains(name);
+  }
+
   /** Whether text of a file may become a value of a type. */
   static boolean contains(EDataType type) {
     return contains(type, new HashSet<>());
@@ -52,11 +61,7 @@ final class HarmlessTypes {
     if (type == EcorePackage.Literals.EJAVA_OBJECT || type == EcorePackage.Literals.EJAVA_CLASS) {
       return false;
     }
-    boolean known =
-        type.getEPackage() == EcorePackage.eINSTANCE
-            || type instanceof EEnum
-            || type.getInstanceClassName() == null
-            || JAVA_CLASSES.contains(type.getInstanceClassName());
+    boolean known = isBuiltIn(type.getEPackage()) || type instanceof EEnum || isHarmlessClass(type);
     return known && (!seen.add(type) || hasHarmlessParts(type, seen));
   }
 
@@ -67,13 +72,16 @@ final class HarmlessTypes {
     }
     EDataType base = ExtendedMetaData.INSTANCE.getBaseType(type);
     EDataType item = ExtendedMetaData.INSTANCE.getItemType(type);
-    return (base == null || isHarmlessPart(base, seen))
-        && (item == null || isHarmlessPart(item, seen))
+    return (base == null || contains(base, seen))
+        && (item == null || contains(item, seen))
         && ExtendedMetaData.INSTANCE.getMemberTypes(type).stream()
-            .allMatch(member -> isHarmlessPart(member, seen));
+            .allMatch(member -> contains(member, seen));
   }
 
-  private static boolean isHarmlessPart(EDataType type, Set<EDataType> seen) {
-    return type.getEPackage() == XMLTypePackage.eINSTANCE || contains(type, seen);
+  /** Whether EMF's own code makes the values of a package's types. */
+  private static boolean isBuiltIn(EPackage ePackage) {
+    return ePackage == EcorePackage.eINSTANCE
+        || ePackage == XMLTypePackage.eINSTANCE
+        || ePackage == XMLNamespacePackage.eINSTANCE;
   }
 }

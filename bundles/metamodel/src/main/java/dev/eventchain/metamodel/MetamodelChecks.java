@@ -53,9 +53,7 @@ final class MetamodelChecks {
   private void checkPackage(EPackage ePackage) {
     checkName(ePackage);
     String uri = ePackage.getNsURI();
-    if (uri == null || uri.isBlank()) {
-      report(ePackage, "Package `" + ePackage.getName() + "` has no nsURI.");
-    } else if (uri.equals(EcorePackage.eNS_URI)) {
+    if (EcorePackage.eNS_URI.equals(uri)) {
       report(ePackage, "Package `" + ePackage.getName() + "` takes the nsURI of Ecore.");
     }
     checkUnique(ePackage.getEClassifiers(), "package `" + ePackage.getName() + "`");
@@ -68,11 +66,6 @@ final class MetamodelChecks {
     }
     checkUnique(eClass.getEStructuralFeatures(), "class `" + eClass.getName() + "`");
     for (EStructuralFeature feature : eClass.getEStructuralFeatures()) {
-      if (feature.getEType() instanceof EDataType type
-          && type.getEPackage() == EcorePackage.eINSTANCE
-          && !HarmlessTypes.contains(type)) {
-        refuseType(feature, type.getInstanceClassName());
-      }
       if (feature.getEType() == null) {
         report(feature, "Feature `" + feature.getName() + "` has no type.");
       }
@@ -89,10 +82,10 @@ final class MetamodelChecks {
     found.add(
         Diagnostic.error(
                 "xmi.datatype.refused",
-                "Values of `%s` would run code of the Java class `%s`."
+                "Values of `%s` would run code of a Java class: its base type is one of `%s`."
                     .formatted(element.getName(), javaClass),
                 origins.locate(element))
-            .withHint("Use a data type of Ecore, or of java.lang or java.math."));
+            .withHint("Use another base type: a data type of Ecore or of XML Schema."));
   }
 
   private void checkName(ENamedElement element) {

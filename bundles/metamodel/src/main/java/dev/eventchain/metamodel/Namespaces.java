@@ -3,7 +3,11 @@ package dev.eventchain.metamodel;
 import dev.eventchain.diagnostics.NearestName;
 import java.util.Collection;
 import java.util.List;
+import java.util.Set;
 import java.util.regex.Pattern;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.xml.namespace.XMLNamespacePackage;
+import org.eclipse.emf.ecore.xml.type.XMLTypePackage;
 
 /** What to do about a namespace that no loaded metamodel has. */
 final class Namespaces {
@@ -13,10 +17,38 @@ final class Namespaces {
 
   private static final String LOAD = "Name its metamodel with --metamodel FILE.ecore.";
 
+  /** The key of the metamodel of models without namespace. */
+  static final String NONE = "";
+
+  /** What is registered for its data types only, which no model is an instance of. */
+  private static final Set<String> OF_TYPES =
+      Set.of(NONE, XMLTypePackage.eNS_URI, XMLNamespacePackage.eNS_URI);
+
   private Namespaces() {}
 
+  /**
+   * Gives packages without nsURI one: the name of their file, and below a package its nsURI and
+   * their name. The first of a file also stands for models without namespace, as EMF writes them.
+   */
+  static void complete(EPackage ePackage, String file, EPackage.Registry registry) {
+    if (isMissing(ePackage)) {
+      ePackage.setNsURI(file);
+      if (ePackage.getESuperPackage() == null) {
+        registry.putIfAbsent(NONE, ePackage);
+      }
+    }
+    for (EPackage inner : ePackage.getESubpackages()) {
+      complete(inner, ePackage.getNsURI() + "/" + inner.getName(), registry);
+    }
+  }
+
+  private static boolean isMissing(EPackage ePackage) {
+    return ePackage.getNsURI() == null || ePackage.getNsURI().isBlank();
+  }
+
   /** Names the loaded version of the same metamodel, else the nearest namespace. */
-  static String hint(String unknown, Collection<String> known) {
+  static String hint(String unknown, Collection<String> registered) {
+    List<String> known = registered.stream().filter(uri -> !OF_TYPES.contains(uri)).toList();
     String name = withoutVersion(unknown);
     List<String> versions =
         known.stream().filter(uri -> withoutVersion(uri).equals(name)).sorted().toList();

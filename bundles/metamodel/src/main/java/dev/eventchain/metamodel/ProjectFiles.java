@@ -8,19 +8,33 @@ import java.nio.file.Path;
 import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.eclipse.emf.common.util.URI;
 import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EcorePackage;
+import org.eclipse.emf.ecore.xml.namespace.XMLNamespacePackage;
+import org.eclipse.emf.ecore.xml.type.XMLTypePackage;
 
 /** Decides which references between files are followed: none that leave the project's folders. */
 final class ProjectFiles {
 
-  /** The places under which Eclipse's own tools write the Ecore metamodel. */
-  private static final URI ECORE_IN_ECLIPSE =
-      URI.createURI("platform:/plugin/org.eclipse.emf.ecore/model/Ecore.ecore");
+  /** Where the metamodels that are always there lie in Eclipse. */
+  private static final Pattern IN_ECLIPSE =
+      Pattern.compile(
+          "platform:/(?:plugin|resource)/org\\.eclipse\\.emf\\.ecore/model/(\\w+)\\.ecore");
+
+  private static final Map<String, String> NAMESPACES =
+      Map.of(
+          "Ecore", EcorePackage.eNS_URI,
+          "XMLType", XMLTypePackage.eNS_URI,
+          "XMLNamespace", XMLNamespacePackage.eNS_URI);
 
   private final List<Root> roots;
+  private final MappedUris map;
   private final EPackage.Registry registry;
 
   /** Files that references were found to name rightly; asking the file system takes long. */
@@ -29,7 +43,8 @@ final class ProjectFiles {
   /** A folder under the name that people gave it. */
   private record Root(Path path, Path real) {}
 
-  ProjectFiles(Collection<Path> roots, EPackage.Registry registry) {
+  ProjectFiles(Collection<Path> roots, MappedUris map, EPackage.Registry registry) {
+    this.map = map;
     this.roots = roots.stream().map(root -> new Root(root, realPath(root))).toList();
     this.registry = registry;
   }
@@ -44,6 +59,23 @@ final class ProjectFiles {
             .map(root -> root.path.resolve(root.real.relativize(real)))
             .orElse(file);
     return shown.normalize().toString().replace('\\', '/');
+  }
+
+  /** A reference as one to a file or a metamodel, where it begins as people agreed. */
+  String mapped(URI base, String reference) {
+    int hash = reference.indexOf('#');
+    String target = hash < 0 ? reference : reference.substring(0, hash);
+    String fragment = hash < 0 ? "" : reference.substring(hash);
+    Matcher known = IN_ECLIPSE.matcher(target);
+    if (known.matches() && NAMESPACES.containsKey(known.group(1))) {
+      return NAMESPACES.get(known.group(1)) + fragment;
+    }
+    if (target.isEmpty() || registry.containsKey(target) || !base.isFile()) {
+      return reference;
+    }
+    return map.fileOf(Path.of(base.toFileString()), target)
+        .map(file -> URI.createFileURI(file.toString()) + fragment)
+        .orElse(reference);
   }
 
   /**
@@ -79,7 +111,7 @@ final class ProjectFiles {
   }
 
   boolean isKnownMetamodel(URI target) {
-    return target.equals(ECORE_IN_ECLIPSE) || registry.containsKey(target.toString());
+    return registry.containsKey(target.toString());
   }
 
   /** Whether a file URI names a place in the project's folder, symbolic links followed. */
@@ -96,7 +128,7 @@ final class ProjectFiles {
   }
 
   /** The real path of the longest part that exists, and the rest as it was given. */
-  private static Path realPath(Path path) {
+  static Path realPath(Path path) {
     Path absolute = path.toAbsolutePath().normalize();
     for (Path existing = absolute; existing != null; existing = existing.getParent()) {
       if (Files.exists(existing, LinkOption.NOFOLLOW_LINKS)) {

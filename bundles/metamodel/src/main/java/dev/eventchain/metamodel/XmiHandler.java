@@ -4,6 +4,7 @@ import java.io.StringReader;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import org.eclipse.emf.ecore.EAttribute;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EDataType;
@@ -39,7 +40,16 @@ final class XmiHandler extends SAXXMIHandler {
   private final XmiResource file;
   private final Map<EDataType, Boolean> harmless = new HashMap<>();
   private final String[] texts = new String[REMEMBERED_TEXTS];
+
+  /** The namespaces of all versions of XMI. */
+  private static final Pattern XMI =
+      Pattern.compile("http://(www|schema)\\.omg\\.org/(spec/)?XMI(/.*)?");
+
   private int depth;
+
+  /** How deep the parser is in an extension; 0 if it is in none. */
+  private int extension;
+
   private boolean ended;
 
   /** Whether a text of several ids is being taken apart, which has been noted as a whole. */
@@ -53,6 +63,10 @@ final class XmiHandler extends SAXXMIHandler {
   @Override
   public void startElement(String uri, String localName, String qName, Attributes attributes)
       throws SAXException {
+    if (extension > 0 || isExtension(qName)) {
+      extension++;
+      return;
+    }
     depth++;
     if (depth > DEEPEST_NESTING) {
       throw new SAXParseException(
@@ -63,10 +77,32 @@ final class XmiHandler extends SAXXMIHandler {
 
   @Override
   public void endElement(String uri, String localName, String name) {
+    if (extension > 0) {
+      extension--;
+      return;
+    }
     depth--;
     EObject open = objects.peekEObject();
     super.endElement(uri, localName, name);
     file.statements().close(open);
+  }
+
+  /** What tools keep for themselves, below {@code xmi:Extension}, is no part of the model. */
+  private boolean isExtension(String name) {
+    int colon = name.indexOf(':');
+    if (colon < 0 || !name.endsWith(":Extension")) {
+      return false;
+    }
+    String prefix = name.substring(0, colon);
+    String uri = helper.getURI(prefix);
+    return prefix.equals("xmi") || (uri != null && XMI.matcher(uri).matches());
+  }
+
+  @Override
+  public void characters(char[] text, int start, int length) {
+    if (extension == 0) {
+      super.characters(text, start, length);
+    }
   }
 
   @Override
@@ -80,17 +116,13 @@ final class XmiHandler extends SAXXMIHandler {
   @Override
   protected void handleProxy(InternalEObject proxy, String reference) {
     int place = file.problems().valueIn(tagOffset(), reference);
-    Optional<String> refusal = file.files().refusal(file.getURI(), reference);
+    String mapped = file.files().mapped(file.getURI(), reference);
+    Optional<String> refusal = file.files().refusal(file.getURI(), mapped);
     if (refusal.isPresent()) {
-      file.problems()
-          .add(
-              "xmi.href.refused",
-              refusal.get(),
-              place,
-              "Refer to files in the project's folder by a relative path.");
+      file.problems().add("xmi.href.refused", refusal.get(), place, MappedUris.hint(reference));
       return;
     }
-    super.handleProxy(proxy, reference);
+    super.handleProxy(proxy, mapped);
     file.noteProxy(proxy, place, objects.peekEObject());
   }
 
@@ -101,7 +133,7 @@ final class XmiHandler extends SAXXMIHandler {
   /** Only what is registered counts: EMF would load files and Java classes that a URI names. */
   @Override
   protected EPackage getPackageForURI(String uri) {
-    EPackage known = uri == null ? null : packageRegistry.getEPackage(uri);
+    EPackage known = packageRegistry.getEPackage(uri == null ? Namespaces.NONE : uri);
     if (known == null && uri != null) {
       error(new PackageNotFoundException(uri, getLocation(), getLineNumber(), getColumnNumber()));
     }

@@ -12,6 +12,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.Map;
 import org.eclipse.emf.common.util.URI;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
@@ -48,15 +49,29 @@ public final class XmiStore {
    *     names it
    */
   public XmiStore(Collection<Path> folders) {
+    this(folders, Map.of());
+  }
+
+  /**
+   * As {@link #XmiStore(Collection)}, where references may also begin as people agreed that they
+   * do, such as {@code platform:/resource/}.
+   *
+   * @param map the folders that such beginnings stand for, which references may lead into like into
+   *     the others
+   */
+  public XmiStore(Collection<Path> folders, Map<String, Path> map) {
     ProjectResources.registerStandard(registry);
-    files = new ProjectFiles(folders, registry);
+    List<Path> all = new ArrayList<>(folders);
+    all.addAll(map.values());
+    files = new ProjectFiles(all, new MappedUris(map), registry);
     metamodels = new ProjectResources(files, registry);
   }
 
   /**
    * Reads a metamodel and registers it, its subpackages and those of the {@code .ecore} files it
    * refers to. It may take the place of the event-chain metamodel, but two files must not have one
-   * nsURI.
+   * nsURI. A package without nsURI gets the name of its file, and a subpackage a path below its
+   * package; models of such a metamodel have that namespace or none.
    *
    * @return the packages at the top of the file, at least one
    * @throws DiagnosticException (INPUT) with everything that is wrong with it
@@ -84,6 +99,8 @@ public final class XmiStore {
       for (EObject root : each.getContents()) {
         if (root instanceof EPackage ePackage) {
           if (metamodels.getResources().indexOf(each) >= before) {
+            Namespaces.complete(ePackage, each.getURI().lastSegment(), registry);
+            JavaNames.forget(ePackage);
             problems.addAll(new MetamodelChecks(metamodels.origins()).check(ePackage));
           }
           packages.add(ePackage);
@@ -106,7 +123,6 @@ public final class XmiStore {
 
   private void register(EPackage ePackage) {
     registry.put(ePackage.getNsURI(), ePackage);
-    JavaNames.forget(ePackage);
     ePackage.getESubpackages().forEach(this::register);
   }
 

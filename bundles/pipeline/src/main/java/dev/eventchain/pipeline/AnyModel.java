@@ -46,8 +46,8 @@ public final class AnyModel {
   private final Origins origins;
   private final EcoreChecks ecore;
 
-  private AnyModel(List<Path> metamodels, List<Path> models) {
-    store = new XmiStore(folders(metamodels, models));
+  private AnyModel(List<Path> metamodels, Map<String, Path> map, List<Path> models) {
+    store = new XmiStore(folders(metamodels, models), map);
     metamodels.forEach(metamodel -> packages.addAll(store.loadMetamodel(metamodel)));
     // Models are of the metamodel that was given, also where that is the file of the shipped one.
     EPackage shipped = EventchainPackage.eINSTANCE;
@@ -75,6 +75,7 @@ public final class AnyModel {
    *
    * @param metamodels the models' metamodels; none for event chains, for which the standard
    *     constraints are evaluated and the contracts inside of each chain checked, too
+   * @param map the folders that beginnings of references stand for: {@code platform:/resource/}
    * @param messages folders of {@code PACKAGE/msg/NAME.msg} that event chains use, beside the
    *     standard types of ROS 2
    * @param timeLimit the processor time that a constraint may take on all of the models
@@ -82,11 +83,12 @@ public final class AnyModel {
    */
   public static Validation validate(
       List<Path> metamodels,
+      Map<String, Path> map,
       List<Path> constraints,
       List<Path> models,
       List<Path> messages,
       Duration timeLimit) {
-    AnyModel any = new AnyModel(metamodels, models);
+    AnyModel any = new AnyModel(metamodels, map, models);
     List<SourceText> documents = new ArrayList<>();
     if (metamodels.isEmpty()) {
       documents.add(XmiStore.standardConstraints());
@@ -147,6 +149,7 @@ public final class AnyModel {
   /**
    * Generates text from models.
    *
+   * @param map the folders that beginnings of references stand for: {@code platform:/resource/}
    * @param template the main module
    * @param services JARs and folders of classes whose methods the templates may call
    * @param models the template runs on the elements of each of them, and sees those that they refer
@@ -160,6 +163,7 @@ public final class AnyModel {
    */
   public static WrittenFiles generate(
       List<Path> metamodels,
+      Map<String, Path> map,
       Path template,
       List<Path> services,
       List<Path> models,
@@ -167,7 +171,7 @@ public final class AnyModel {
       boolean overwrite,
       boolean trace,
       Suppressions suppressions) {
-    AnyModel any = new AnyModel(metamodels, models);
+    AnyModel any = new AnyModel(metamodels, map, models);
     try (JavaServices classes = JavaServices.of(services)) {
       TemplateModule module = TemplateModule.compile(template, any.packages, classes.loader());
       WrittenFiles files = new WrittenFiles(folder);

@@ -64,10 +64,10 @@ public final class Diagrams {
   private final Path source;
   private Origins origins = new Origins();
 
-  private Diagrams(List<Path> ecores, List<Path> models) {
+  private Diagrams(List<Path> ecores, Map<String, Path> map, List<Path> models) {
     List<Path> files = Stream.concat(models.stream(), ecores.stream()).toList();
     XmiStore store =
-        new XmiStore(files.stream().map(f -> f.resolveSibling("")).distinct().toList());
+        new XmiStore(files.stream().map(f -> f.resolveSibling("")).distinct().toList(), map);
     ecores.forEach(ecore -> metamodels.addAll(store.loadMetamodel(ecore)));
     for (LoadedModel model : store.loadAll(models)) {
       roots.addAll(model.roots());
@@ -83,14 +83,20 @@ public final class Diagrams {
    * Writes {@code KIND.puml} and {@code KIND.svg} for each kind.
    *
    * @param ecores the model's metamodels; none for event chains
+   * @param map the folders that beginnings of references stand for: {@code platform:/resource/}
    * @param models the models that are drawn; may be none if only metamodels are
    * @param overwrite whether files that a person has edited are replaced
    * @return what was found; a diagram with an error among its findings is not written
    * @throws DiagnosticException INPUT if a file cannot be read, or the output not written
    */
   public static WrittenFiles draw(
-      Set<Kind> kinds, List<Path> ecores, List<Path> models, Path folder, boolean overwrite) {
-    Diagrams diagrams = new Diagrams(ecores, models);
+      Set<Kind> kinds,
+      List<Path> ecores,
+      Map<String, Path> map,
+      List<Path> models,
+      Path folder,
+      boolean overwrite) {
+    Diagrams diagrams = new Diagrams(ecores, map, models);
     WrittenFiles files = new WrittenFiles(folder);
     try (OutputFolder output = OutputFolder.open(folder)) {
       for (Kind kind : kinds) {

@@ -15,6 +15,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
 import javax.tools.ToolProvider;
@@ -98,6 +99,7 @@ class AnyModelTest {
   private WrittenFiles write(Path template, List<Path> services, String... models) {
     return AnyModel.generate(
         List.of(folder.resolve("shop.ecore")),
+        Map.of(),
         template,
         services,
         List.of(models).stream().map(folder::resolve).toList(),
@@ -200,6 +202,7 @@ class AnyModelTest {
   private AnyModel.Validation validate(List<Path> constraints, String... models) {
     return AnyModel.validate(
         List.of(folder.resolve("shop.ecore")),
+        Map.of(),
         constraints,
         List.of(models).stream().map(folder::resolve).toList(),
         List.of(),

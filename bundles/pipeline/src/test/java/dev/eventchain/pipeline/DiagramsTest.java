@@ -21,6 +21,7 @@ import java.nio.file.attribute.FileTime;
 import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.regex.MatchResult;
@@ -186,7 +187,12 @@ class DiagramsTest {
 
     List<Diagnostic> found =
         Diagrams.draw(
-                EnumSet.of(Kind.METAMODEL), List.of(ecore), List.of(), folder.resolve("out"), false)
+                EnumSet.of(Kind.METAMODEL),
+                List.of(ecore),
+                Map.of(),
+                List.of(),
+                folder.resolve("out"),
+                false)
             .diagnostics();
 
     assertEquals(List.of(), found);
@@ -288,7 +294,12 @@ class DiagramsTest {
 
     WrittenFiles files =
         Diagrams.draw(
-            EnumSet.of(Kind.METAMODEL), List.of(file), List.of(), folder.resolve("out"), false);
+            EnumSet.of(Kind.METAMODEL),
+            List.of(file),
+            Map.of(),
+            List.of(),
+            folder.resolve("out"),
+            false);
 
     assertEquals(List.of(), files.diagnostics());
     assertTrue(files.summary().endsWith("2 written"), files.summary());
@@ -330,7 +341,7 @@ class DiagramsTest {
 
   private List<Diagnostic> draw(EventChain chain, Set<Kind> kinds) throws IOException {
     Path model = Files.write(folder.resolve("model.xmi"), XmiStore.toBytes(chain));
-    return Diagrams.draw(kinds, List.of(), List.of(model), folder.resolve("out"), false)
+    return Diagrams.draw(kinds, List.of(), Map.of(), List.of(model), folder.resolve("out"), false)
         .diagnostics();
   }
 

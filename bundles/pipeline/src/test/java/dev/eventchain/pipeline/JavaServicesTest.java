@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import javax.tools.ToolProvider;
 import org.eclipse.emf.common.util.EList;
 import org.eclipse.emf.ecore.EObject;
@@ -112,6 +113,7 @@ class JavaServicesTest {
     Path template = Files.writeString(folder.resolve("main.mtl"), TEMPLATE.replace("BODY", body));
     return AnyModel.generate(
             List.of(folder.resolve("shop.ecore")),
+            Map.of(),
             template,
             List.of(classes),
             List.of(folder.resolve("model.xmi")),

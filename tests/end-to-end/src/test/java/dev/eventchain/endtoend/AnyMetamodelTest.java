@@ -101,10 +101,9 @@ class AnyMetamodelTest {
         Files.writeString(
             folder.resolve("decided.yaml"),
             """
-            suppressions:
-              - id: ecore.required
-                reason: The pages are counted later.
-                expires: 2999-01-01
+            - id: ecore.required
+              reason: The pages are counted later.
+              expires: 2999-01-01
             """);
     Object[] command = {"generate", "--metamodel", ecore, "--template", template, model, "-o", out};
     new Program().run(command).expect(1).says("[ecore.required]");

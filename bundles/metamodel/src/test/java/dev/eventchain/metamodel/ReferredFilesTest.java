@@ -1,0 +1,141 @@
+package dev.eventchain.metamodel;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertSame;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Which files references lead to, by whichever name. */
+class ReferredFilesTest {
+
+  private static final String HEAD =
+      "xmi:version=\"2.0\" xmlns:xmi=\"http://www.omg.org/XMI\""
+          + " xmlns:xsi=\"http://www.w3.org/2001/XMLSchema-instance\"";
+
+  private static final String ECORE =
+      """
+      <ecore:EPackage HEAD xmlns:ecore="http://www.eclipse.org/emf/2002/Ecore" name="NAME" nsURI="http://example.org/NAME" nsPrefix="NAME">
+        <eClassifiers xsi:type="ecore:EClass" name="Car" SUPER>
+          <eStructuralFeatures xsi:type="ecore:EReference" name="next" eType="#//Car" upperBound="-1"/>
+        </eClassifiers>
+      </ecore:EPackage>
+      """;
+
+  private static final String MODEL =
+      "<car:Car HEAD xmlns:car=\"http://example.org/car\">%s</car:Car>";
+
+  @TempDir Path folder;
+  private Path given;
+  private Path workspace;
+
+  @BeforeEach
+  void write() throws IOException {
+    given = Files.createDirectories(folder.resolve("given"));
+    workspace = Files.createDirectories(folder.resolve("work space"));
+    Files.createDirectories(workspace.resolve("lib/model"));
+    Files.writeString(workspace.resolve("lib/model/base.ecore"), ecore("base", ""));
+    Files.writeString(given.resolve("car.ecore"), ecore("car", ""));
+  }
+
+  private static String ecore(String name, String superType) {
+    return ECORE.replace("HEAD", HEAD).replace("NAME", name).replace("SUPER", superType);
+  }
+
+  private EPackage loadExtending(String reference, Map<String, Path> map) throws IOException {
+    String text = ecore("car", "eSuperTypes=\"" + reference + "#//Car\"");
+    Path file = Files.writeString(given.resolve("car.ecore"), text);
+    return new XmiStore(List.of(given), map).loadMetamodel(file).get(0);
+  }
+
+  private static String superTypeOf(EPackage ePackage) {
+    EClass car = (EClass) ePackage.getEClassifier("Car");
+    return car.getESuperTypes().get(0).getEPackage().getName();
+  }
+
+  @Test
+  void aBeginningOfReferencesIsMappedToAFolder() throws IOException {
+    Map<String, Path> map = Map.of("platform:/resource/", workspace);
+    assertEquals(
+        "base", superTypeOf(loadExtending("platform:/resource/lib/model/base.ecore", map)));
+    Map<String, Path> longer =
+        Map.of("http://example.org/", given, "http://example.org/files/", workspace);
+    assertEquals(
+        "base",
+        superTypeOf(loadExtending("http://example.org/files/lib/model/base.ecore", longer)));
+  }
+
+  @Test
+  void aMappedFolderMayBeReferredIntoByARelativePath() throws IOException {
+    String reference = "../work%20space/lib/model/base.ecore";
+    assertEquals("base", superTypeOf(loadExtending(reference, Map.of("x:/", workspace))));
+    assertEquals("xmi.href.refused", refusal(reference, Map.of()).id());
+  }
+
+  @Test
+  void aMapDoesNotLeadOutOfItsFolder() {
+    Map<String, Path> map = Map.of("platform:/resource/", workspace.resolve("lib/model"));
+    Diagnostic refused = refusal("platform:/resource/../../../car.ecore", map);
+    assertEquals("xmi.href.refused", refused.id());
+  }
+
+  @Test
+  void aWorkspaceThatIsNotGivenIsNamedWithTheOptionThatGivesIt() {
+    Diagnostic refused = refusal("platform:/resource/lib/model/base.ecore", Map.of());
+    assertEquals("xmi.href.refused", refused.id());
+    assertTrue(refused.hint().contains("--map platform:/resource/=FOLDER/"), refused.hint());
+  }
+
+  private Diagnostic refusal(String reference, Map<String, Path> map) {
+    return assertThrows(DiagnosticException.class, () -> loadExtending(reference, map))
+        .diagnostics()
+        .get(0);
+  }
+
+  @Test
+  void aFileByTwoNamesIsOne() throws IOException {
+    Path second = model("second.xmi", "");
+    Path link = Files.createSymbolicLink(given.resolve("link.xmi"), second);
+    String hrefs =
+        List.of("second.xmi", second.toUri().toString(), "link.xmi").stream()
+            .map(name -> "<next href=\"" + name.replace("file:/t", "file:///t") + "#/\"/>")
+            .reduce("", String::concat);
+    Path first = model("first.xmi", hrefs);
+    XmiStore store = new XmiStore(given);
+    store.loadMetamodel(given.resolve("car.ecore"));
+    List<LoadedModel> models = store.loadAll(List.of(first, link, second));
+    assertEquals(2, models.size());
+    assertEquals(2, XmiStore.withReferred(models).size());
+    EObject car = models.get(0).roots().get(0);
+    Object next = ((List<?>) car.eGet(car.eClass().getEStructuralFeature("next"))).get(0);
+    assertSame(models.get(1).roots().get(0), next);
+  }
+
+  @Test
+  void valuesOfJavaDataTypesAreTexts() {
+    Path home = Path.of("src/test/resources/ecore/good-java-data-type-kept-as-text");
+    XmiStore store = new XmiStore(home);
+    store.loadMetamodel(home.resolve("metamodel.ecore"));
+    EObject fleet = store.load(home.resolve("model.xmi")).roots().get(0);
+    assertEquals("no URL", fleet.eGet(fleet.eClass().getEStructuralFeature("other")));
+    assertEquals("ACED0005", fleet.eGet(fleet.eClass().getEStructuralFeature("any")));
+  }
+
+  private Path model(String name, String content) throws IOException {
+    String text = MODEL.formatted(content).replace("HEAD", HEAD);
+    return Files.writeString(given.resolve(name), text);
+  }
+}
