@@ -37,7 +37,10 @@ final class Faults {
     for (XmiResource file : files) {
       found.addAll(file.statements().faults());
       for (Statements.End end : file.statements().ends()) {
-        links.add(linkOf(file, end));
+        Link link = linkOf(file, end);
+        if (!links.add(link) && end.feature().isUnique() && link.to != null) {
+          found.add(duplicate(file, link.from, end.tag(), end.feature(), ModelPath.of(link.to)));
+        }
       }
     }
     files.forEach(this::findSingleEnds);
@@ -86,11 +89,16 @@ final class Faults {
     while (all.hasNext()) {
       EObject element = all.next();
       for (EStructuralFeature feature : element.eClass().getEAllStructuralFeatures()) {
-        if (holdsEachOnce(feature) && element.eIsSet(feature)) {
+        if (holdsEachOnce(feature) && !isPaired(feature) && element.eIsSet(feature)) {
           findDuplicates(file, element, feature);
         }
       }
     }
+  }
+
+  /** Whether what the file says of a feature has been looked at already. */
+  private static boolean isPaired(EStructuralFeature feature) {
+    return feature instanceof EReference reference && Statements.hasWrittenOpposite(reference);
   }
 
   /** Whether a feature is a list that the file gives, in which no value may stand twice. */
@@ -127,17 +135,17 @@ final class Faults {
 
   private void report(XmiResource file, EObject element, EStructuralFeature feature, Object value) {
     String shown = value instanceof EObject object ? ModelPath.of(object) : "`" + value + "`";
-    found.add(duplicate(file, element, feature, shown));
+    found.add(duplicate(file, element, file.offsetOf(element, 0), feature, shown));
   }
 
   /** The finding that a value stands twice in a feature whose values are unique. */
   static Diagnostic duplicate(
-      XmiResource file, EObject element, EStructuralFeature feature, String value) {
+      XmiResource file, EObject element, int tag, EStructuralFeature feature, String value) {
     return Diagnostic.error(
             "ecore.unique",
             "`%s` of %s holds %s twice, and its values are unique."
                 .formatted(feature.getName(), ModelPath.of(element), value),
-            place(file, file.offsetOf(element, 0), feature))
+            place(file, tag, feature))
         .withHint("Name it once, or declare the feature with unique=\"false\".");
   }
 }

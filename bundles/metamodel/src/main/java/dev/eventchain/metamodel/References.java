@@ -128,7 +128,11 @@ final class References {
       return;
     }
     if (reference.isMany() && reference.isUnique() && holds(element, reference, target)) {
-      file.statements().addFault(Faults.duplicate(file, element, reference, ModelPath.of(target)));
+      if (!Statements.hasWrittenOpposite(reference)) { // else what the file says is compared
+        int tag = file.offsetOf(element, 0);
+        String name = ModelPath.of(target);
+        file.statements().addFault(Faults.duplicate(file, element, tag, reference, name));
+      }
       EcoreUtil.remove(element, reference, proxy);
     } else {
       EcoreUtil.replace(element, reference, proxy, target);

@@ -2,10 +2,8 @@ package dev.eventchain.metamodel;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.IdentityHashMap;
 import java.util.List;
-import java.util.Set;
 import java.util.StringTokenizer;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EReference;
@@ -28,7 +26,10 @@ final class Statements {
   private final List<End> ends = new ArrayList<>();
 
   /** The features for one value that have theirs, of the elements that are not read to the end. */
-  private final IdentityHashMap<EObject, Set<EStructuralFeature>> filled = new IdentityHashMap<>();
+  private final IdentityHashMap<EObject, List<EStructuralFeature>> filled = new IdentityHashMap<>();
+
+  /** Lists of elements that were read to the end, for the next ones. */
+  private final List<List<EStructuralFeature>> free = new ArrayList<>();
 
   /** What was found wrong with the statements while references were resolved. */
   private final List<Diagnostic> faults = new ArrayList<>();
@@ -45,18 +46,13 @@ final class Statements {
     return ends;
   }
 
-  /** Notes a reference if its other end must stand in the file of its target. */
-  void noteEnd(EObject element, EStructuralFeature feature, Object target, int tag) {
-    if (feature instanceof EReference reference && hasWrittenOpposite(reference)) {
-      ends.add(new End(element, reference, target, tag));
-    }
+  /** Notes a reference whose other end must stand in the file of its target. */
+  void noteEnd(EObject element, EReference feature, Object target, int tag) {
+    ends.add(new End(element, feature, target, tag));
   }
 
   /** As {@link #noteEnd} for each id of a text; one with a {@code #} becomes an element first. */
   void noteEnds(EObject element, EReference reference, String ids, int tag) {
-    if (!hasWrittenOpposite(reference)) {
-      return;
-    }
     for (String id : idsIn(ids)) {
       if (id.lastIndexOf('#') <= 0) {
         noteEnd(element, reference, id.startsWith("#") ? id.substring(1) : id, tag);
@@ -76,7 +72,7 @@ final class Statements {
     return ids;
   }
 
-  /** EMF writes neither containers nor what it derives. */
+  /** Whether both ends of a reference are written: neither containers nor what is derived is. */
   static boolean hasWrittenOpposite(EReference reference) {
     EReference opposite = reference.getEOpposite();
     return opposite != null
@@ -95,12 +91,26 @@ final class Statements {
 
   /** Notes that a feature for one value gets it; whether it had got one before. */
   boolean fill(EObject element, EStructuralFeature feature) {
-    return !feature.isMany()
-        && !filled.computeIfAbsent(element, none -> new HashSet<>()).add(feature);
+    if (feature.isMany()) {
+      return false;
+    }
+    List<EStructuralFeature> known = filled.get(element);
+    if (known == null) {
+      known = free.isEmpty() ? new ArrayList<>() : free.remove(free.size() - 1);
+      filled.put(element, known);
+    } else if (known.contains(feature)) {
+      return true;
+    }
+    known.add(feature);
+    return false;
   }
 
   /** Forgets an element that is read to its end. */
   void close(EObject element) {
-    filled.remove(element);
+    List<EStructuralFeature> known = filled.remove(element);
+    if (known != null) {
+      known.clear();
+      free.add(known);
+    }
   }
 }

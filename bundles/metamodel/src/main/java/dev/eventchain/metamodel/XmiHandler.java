@@ -52,8 +52,8 @@ final class XmiHandler extends SAXXMIHandler {
 
   private boolean ended;
 
-  /** Whether a text of several ids is being taken apart, which has been noted as a whole. */
-  private boolean inIds;
+  /** The text of ids that is being taken apart, which has been noted as a whole; or null. */
+  private Statements.End idsOf;
 
   XmiHandler(XmiResource file, XMLHelper helper, Map<?, ?> options) {
     super(file, helper, options);
@@ -124,6 +124,9 @@ final class XmiHandler extends SAXXMIHandler {
     }
     super.handleProxy(proxy, mapped);
     file.noteProxy(proxy, place, objects.peekEObject());
+    if (idsOf != null && Statements.hasWrittenOpposite(idsOf.feature())) {
+      file.statements().noteEnd(idsOf.element(), idsOf.feature(), proxy, idsOf.tag());
+    }
   }
 
   private int tagOffset() {
@@ -177,27 +180,31 @@ final class XmiHandler extends SAXXMIHandler {
   }
 
   private void note(EObject object, EStructuralFeature feature, Object value) {
-    if (ended) {
+    if (ended || idsOf != null) {
       return;
     }
-    if (value instanceof EObject target) {
-      file.statements().noteEnd(object, feature, target, tagOffset());
+    if (value instanceof EObject target
+        && feature instanceof EReference reference
+        && Statements.hasWrittenOpposite(reference)) {
+      file.statements().noteEnd(object, reference, target, tagOffset());
     }
-    if (!inIds && file.statements().fill(object, feature)) {
+    if (file.statements().fill(object, feature)) {
       file.problems().addSecondValue(feature, tagOffset());
     }
   }
 
   @Override
   protected void setValueFromId(EObject object, EReference reference, String ids) {
-    file.statements().noteEnds(object, reference, ids, tagOffset());
+    if (Statements.hasWrittenOpposite(reference)) {
+      file.statements().noteEnds(object, reference, ids, tagOffset());
+    }
     if (file.statements().fill(object, reference)
         || (!reference.isMany() && Statements.idsIn(ids).size() > 1)) {
       file.problems().addSecondValue(reference, tagOffset());
     }
-    inIds = true;
+    idsOf = new Statements.End(object, reference, ids, tagOffset());
     super.setValueFromId(object, reference, ids);
-    inIds = false;
+    idsOf = null;
   }
 
   /** Models say the same again and again: types, units, topics. One text serves all. */
@@ -262,12 +269,10 @@ final class XmiHandler extends SAXXMIHandler {
     file.problems().add(problem, tag);
   }
 
-  private boolean isSingleEnd(IllegalValueException problem) {
-    return problem.getFeature().getEType().isInstance(problem.getValue())
-        && file.statements().ends().stream()
-            .anyMatch(
-                end ->
-                    end.element() == problem.getObject() && end.feature() == problem.getFeature());
+  private static boolean isSingleEnd(IllegalValueException problem) {
+    return problem.getFeature() instanceof EReference reference
+        && Statements.hasWrittenOpposite(reference)
+        && reference.getEType().isInstance(problem.getValue());
   }
 
   @Override
