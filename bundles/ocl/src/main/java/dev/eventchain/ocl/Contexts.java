@@ -75,7 +75,7 @@ final class Contexts {
   }
 
   /** The operation or feature that a context names; a problem if its class has none of its own. */
-  Optional<ETypedElement> resolve(RuleDocument.Member member) {
+  Optional<ETypedElement> resolve(MemberContext member) {
     Optional<EClass> owner = classOf(member.packagePath(), member.owner());
     Optional<ETypedElement> found = owner.flatMap(type -> memberOf(type, member));
     if (owner.isPresent() && found.isEmpty()) {
@@ -101,7 +101,7 @@ final class Contexts {
     return found;
   }
 
-  private static Optional<ETypedElement> memberOf(EClass type, RuleDocument.Member member) {
+  private static Optional<ETypedElement> memberOf(EClass type, MemberContext member) {
     return Stream.concat(type.getEOperations().stream(), type.getEStructuralFeatures().stream())
         .filter(each -> member.name().equals(each.getName()))
         .filter(

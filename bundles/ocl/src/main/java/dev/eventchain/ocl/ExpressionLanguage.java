@@ -119,7 +119,6 @@ public final class ExpressionLanguage {
    * given its body with {@link #complete} before any of them is evaluated.
    *
    * @param signature from {@code def} to the equals sign
-   * @param clause the definition
    * @return the operation or property; empty if the signature has an error
    */
   synchronized Optional<Object> declare(
@@ -143,11 +142,7 @@ public final class ExpressionLanguage {
     return Optional.empty();
   }
 
-  /**
-   * Gives a declared operation or property its body; none if that has an error.
-   *
-   * @param text what follows the equals sign
-   */
+  /** Gives a declared operation or property its body; none if that has an error. */
   synchronized void complete(
       Object feature, SourceRange text, ResolvedClause clause, List<Diagnostic> problems) {
     ExpressionInOCL<EClassifier, EParameter> definition =
@@ -265,11 +260,10 @@ public final class ExpressionLanguage {
       int offset = prefix.length() + Math.max(0, range.text().indexOf(number));
       collector.add("ocl.syntax", true, "The number " + number + " is too large.", "", offset);
       return Optional.empty();
-    } catch (RuntimeException e) {
-      collector.add("ocl.syntax", true, "The expression cannot be read: " + e.getMessage(), "", 0);
-      return Optional.empty();
-    } catch (StackOverflowError e) {
-      collector.add("ocl.syntax", true, "The expression is nested too deeply.", "", 0);
+    } catch (RuntimeException | StackOverflowError e) {
+      boolean deep = e instanceof StackOverflowError;
+      String why = deep ? "is nested too deeply." : "cannot be read: " + e.getMessage();
+      collector.add("ocl.syntax", true, "The expression " + why, "", 0);
       return Optional.empty();
     } finally {
       root.clean();

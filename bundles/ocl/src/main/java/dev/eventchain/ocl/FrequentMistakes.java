@@ -101,10 +101,8 @@ final class FrequentMistakes {
       return;
     } else if (CHARACTERS.containsKey(token)) {
       add(at, CHARACTERS.get(token));
-    } else if (token.startsWith("'") && !tokens.isString(at)) {
+    } else if ("'\"".indexOf(token.charAt(0)) >= 0 && !tokens.isString(at)) {
       add(at, unclosed(token));
-    } else if (token.startsWith("\"") && !tokens.isString(at)) {
-      add(at, new Mistake("A string stands in single quotes.", "Write '...'."));
     } else if (token.equals("[") && endsOperand(at - 1)) {
       add(at, new Mistake("Brackets do not give an element here.", "Write ->at(1) for the first."));
     } else if (token.equals(";") && depth() == 0) {
@@ -124,6 +122,9 @@ final class FrequentMistakes {
   }
 
   private static Mistake unclosed(String token) {
+    if (token.startsWith("\"")) {
+      return new Mistake("A string stands in single quotes.", "Write '...'.");
+    }
     return new Mistake(
         "The string is not closed.",
         token.endsWith("\\'")

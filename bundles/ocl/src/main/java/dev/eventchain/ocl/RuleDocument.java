@@ -22,22 +22,6 @@ final class RuleDocument {
     }
   }
 
-  /**
-   * The context of an operation or a feature, and an expression that computes it.
-   *
-   * @param owner the class
-   * @param name of the operation or feature
-   * @param parameters the names of an operation's parameters; {@code null} for a feature
-   * @param text the expression; {@code null} where nothing says yet what is computed
-   */
-  record Member(
-      Path packagePath, Path owner, String name, List<String> parameters, SourceRange text) {
-
-    Member with(SourceRange expression) {
-      return new Member(packagePath, owner, name, parameters, expression);
-    }
-  }
-
   /** An import line: a URI, a file or a name. */
   record Import(String target, SourceLocation location) {}
 
@@ -90,9 +74,9 @@ final class RuleDocument {
   private final List<Diagnostic> problems;
   private final List<Import> imports = new ArrayList<>();
   private final List<Clause> clauses = new ArrayList<>();
-  private final List<Member> members = new ArrayList<>();
+  private final List<MemberContext> members = new ArrayList<>();
   private int unchecked;
-  private Member member;
+  private MemberContext member;
   private String alias = "";
   private Path packagePath;
   private Path context;
@@ -131,7 +115,7 @@ final class RuleDocument {
   }
 
   /** The operations and features that the document computes. */
-  List<Member> members() {
+  List<MemberContext> members() {
     return members;
   }
 
@@ -242,7 +226,9 @@ final class RuleDocument {
     skipToClause(at);
   }
 
-  /** {@code context Book::lend(to : Member) : Boolean}, {@code context Book::title : String}. */
+  /**
+   * {@code context Book::lend(to : MemberContext) : Boolean}, {@code context Book::title : String}.
+   */
   private void readMember(Path path) {
     List<String> parameters = tokens.is(at, "(") ? new ArrayList<>() : null;
     int depth = 0;
@@ -257,7 +243,7 @@ final class RuleDocument {
     int last = path.names().size() - 1;
     Path owner = new Path(path.names().subList(0, last), path.location());
     setContext(null, true);
-    member = new Member(packagePath, owner, path.names().get(last), parameters, null);
+    member = new MemberContext(packagePath, owner, path.names().get(last), parameters, null);
   }
 
   private void setContext(Path path, boolean failed) {

@@ -3,6 +3,7 @@ package dev.eventchain.ocl;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -54,18 +55,10 @@ final class RuleParser {
       if (parsed.isEmpty() && problems.size() == before) {
         empty.add(empty(document));
       }
-      parsed.members().forEach(this::implement);
       if (parsed.unchecked() > 0) {
         problems.add(unchecked(parsed.unchecked(), document));
       }
-      parsed.imports().forEach(contexts::check);
-      for (RuleDocument.Clause clause : parsed.clauses()) {
-        Optional<ResolvedClause> resolved = contexts.resolve(clause);
-        resolved.ifPresent(clauses::add);
-        if (resolved.isEmpty() && clause.definition()) {
-          definitions.addHomeless(clause);
-        }
-      }
+      clauses.addAll(resolve(parsed));
     }
     if (empty.size() < documents.size()) {
       problems.addAll(empty);
@@ -77,7 +70,22 @@ final class RuleParser {
     return new OclRules(constraints, List.copyOf(new TreeSet<>(problems)), names);
   }
 
-  private void implement(RuleDocument.Member member) {
+  /** The clauses whose classes are known; members that the document computes are implemented. */
+  private List<ResolvedClause> resolve(RuleDocument document) {
+    document.members().forEach(this::implement);
+    document.imports().forEach(contexts::check);
+    List<ResolvedClause> clauses = new ArrayList<>();
+    for (RuleDocument.Clause clause : document.clauses()) {
+      Optional<ResolvedClause> resolved = contexts.resolve(clause);
+      resolved.ifPresent(clauses::add);
+      if (resolved.isEmpty() && clause.definition()) {
+        definitions.addHomeless(clause);
+      }
+    }
+    return clauses;
+  }
+
+  private void implement(MemberContext member) {
     contexts
         .resolve(member)
         .ifPresent(
@@ -103,18 +111,13 @@ final class RuleParser {
   }
 
   private void addInvariant(ResolvedClause resolved) {
-    RuleDocument.Clause clause = resolved.clause();
     String name = nameOf(resolved);
     if (!isNew(resolved, name)) {
       return;
     }
-    RuleComments comments = RuleComments.read(clause, problems);
+    RuleComments comments = RuleComments.read(resolved.clause(), problems);
     commentsOf.put(qualified(resolved, name), comments);
-    Optional<MessageTemplate> message =
-        clause.message() == null
-            ? MessageTemplate.parse(
-                comments.message(), comments.messageStart(), resolved, language, problems)
-            : MessageTemplate.parse(clause.message(), resolved, language, problems);
+    Optional<MessageTemplate> message = message(resolved, comments);
     Optional<Expression> condition = condition(resolved, name).filter(c -> isKnown(c, resolved));
     if (condition.isPresent()
         && definitions.isUsable(condition.get().ast())
@@ -132,6 +135,14 @@ final class RuleParser {
               resolved.location(),
               () -> Navigations.of(condition.get().ast(), language.environment())));
     }
+  }
+
+  private Optional<MessageTemplate> message(ResolvedClause resolved, RuleComments comments) {
+    SourceRange own = resolved.clause().message();
+    return own == null
+        ? MessageTemplate.parse(
+            comments.message(), comments.messageStart(), resolved, language, problems)
+        : MessageTemplate.parse(own, resolved, language, problems);
   }
 
   private Optional<Expression> condition(ResolvedClause resolved, String name) {

@@ -161,19 +161,20 @@ class NamesAgreeTest {
       data.setFieldName(kind == Kind.FIELD ? name : "data");
       chain.getData().add(data);
     }
-    return check(chain, "").stream()
+    return check(chain).stream()
         .filter(found -> found.rule().equals("Data::" + kind.constraint))
         .map(found -> Integer.valueOf(found.location().element()))
         .collect(Collectors.toCollection(TreeSet::new));
   }
 
-  /** The findings of the standard rules and another one, with positions as elements. */
-  private static List<Diagnostic> check(EventChain chain, String rule) {
-    SourceText standard = XmiStore.standardConstraints();
-    OclRules rules =
-        OclRules.parse(
-            List.of(standard, SourceText.of("rule.ocl", rule)),
-            List.of(EventchainPackage.eINSTANCE));
+  /** The findings of the standard rules and others, with positions as elements. */
+  private static List<Diagnostic> check(EventChain chain, String... others) {
+    List<SourceText> documents = new ArrayList<>();
+    documents.add(XmiStore.standardConstraints());
+    for (String other : others) {
+      documents.add(SourceText.of("rule.ocl", other));
+    }
+    OclRules rules = OclRules.parse(documents, List.of(EventchainPackage.eINSTANCE));
     assertEquals(List.of(), rules.diagnostics());
     return OclValidator.validate(
             rules,
@@ -266,7 +267,7 @@ class NamesAgreeTest {
     data.setQos(FACTORY.createQosProfile());
     data.getQos().setName(name);
     chain.getData().add(data);
-    return check(chain, "").stream().map(Diagnostic::rule).toList();
+    return check(chain).stream().map(Diagnostic::rule).toList();
   }
 
   /** Components write and read topics and fields of which many mean the same, or nearly. */
