@@ -55,6 +55,8 @@ final class MetamodelRules {
       for (EClassifier classifier : each.getEClassifiers()) {
         if (classifier instanceof EClass type) {
           rules.read(type);
+        } else {
+          rules.readDataType(classifier);
         }
       }
     }
@@ -75,6 +77,19 @@ final class MetamodelRules {
                       .formatted(name, Names.of(type)),
                   places.apply(type))
               .withHint("Write it in OCL to have it checked here."));
+    }
+  }
+
+  /** Values have no place in a file of their own that a finding could be about. */
+  private void readDataType(EClassifier type) {
+    for (OclAnnotations.Text text : OclAnnotations.details(type).values()) {
+      problems.add(
+          Diagnostic.warning(
+                  "ocl.unsupported",
+                  "The constraint '%s' of the data type %s is not checked."
+                      .formatted(text.key(), Names.of(type)),
+                  places.apply(text.entry()))
+              .withHint("Constrain the features of this type in their classes."));
     }
   }
 

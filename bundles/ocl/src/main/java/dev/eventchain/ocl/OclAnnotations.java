@@ -89,7 +89,8 @@ final class OclAnnotations {
         && body(feature).isEmpty();
   }
 
-  private static Map<String, Text> details(EModelElement element) {
+  /** All texts of the annotations of an element, by their keys. */
+  static Map<String, Text> details(EModelElement element) {
     Map<String, Text> details = new LinkedHashMap<>();
     for (String source : SOURCES) {
       EAnnotation annotation = element.getEAnnotation(source);

@@ -10,11 +10,13 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EDataType;
 import org.eclipse.emf.ecore.EModelElement;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EOperation;
 import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EStructuralFeature;
+import org.eclipse.emf.ecore.EcoreFactory;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.junit.jupiter.api.Test;
 
@@ -185,6 +187,21 @@ class MetamodelRulesTest {
     for (Diagnostic error : errors) {
       assertEquals("metamodel.ecore", error.location().file());
     }
+  }
+
+  @Test
+  void constraintOfADataTypeIsSaidNotToBeChecked() {
+    EDataType code = EcoreFactory.eINSTANCE.createEDataType();
+    code.setName("Code");
+    code.setInstanceClass(String.class);
+    metamodel.getEClassifiers().add(code);
+    annotate(code, "Short", "self.size() < 5");
+    assertEquals(
+        List.of("The constraint 'Short' of the data type Code is not checked."),
+        rules().diagnostics().stream()
+            .filter(each -> each.id().equals("ocl.unsupported"))
+            .map(Diagnostic::message)
+            .toList());
   }
 
   @Test
