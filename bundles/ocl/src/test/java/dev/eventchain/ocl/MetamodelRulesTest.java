@@ -107,6 +107,32 @@ class MetamodelRulesTest {
   }
 
   @Test
+  void bodyThatIsCalledOnASubclassIsItsOwnOrTheNearestAboveIt() {
+    EClass wrapped = EcoreFactory.eINSTANCE.createEClass();
+    wrapped.setName("Wrapped");
+    wrapped.getESuperTypes().add(type("Gift"));
+    metamodel.getEClassifiers().add(wrapped);
+    EObject shop = models.load("model.xmi");
+    EObject present = EcoreUtil.create(wrapped);
+    @SuppressWarnings("unchecked")
+    List<EObject> items = (List<EObject>) shop.eGet(type("Shop").getEStructuralFeature("items"));
+    items.add(present);
+    OclRules rules =
+        rules(
+            """
+            context Item def: kind() : String = 'item'
+            context Gift def: kind() : String = 'gift'
+            context Gift inv Free: total() = 0.0
+            context Wrapped inv Free: self.total() = 0.0 and label() = 'gift' and kind() = 'gift'
+            """);
+    assertEquals(List.of(), errors(rules));
+    List<Diagnostic> found =
+        OclValidator.validate(rules, List.of(shop), element -> SourceLocation.of("m"))
+            .diagnostics();
+    assertEquals(List.of(), found.stream().filter(each -> each.rule().endsWith("::Free")).toList());
+  }
+
+  @Test
   void definitionOfTheSubclassIsTheOneThatIsCalledInWhateverOrderTheyStand() {
     String upper = "context Item def: kind(n : Integer) : String = 'item'\n";
     String lower = "context Gift def: kind(n : Integer) : String = 'gift'\n";
