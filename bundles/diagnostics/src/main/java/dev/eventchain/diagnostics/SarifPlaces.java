@@ -2,6 +2,9 @@ package dev.eventchain.diagnostics;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.Deque;
 import java.util.Locale;
 
 /** Places as SARIF has them. */
@@ -37,10 +40,43 @@ final class SarifPlaces {
 
   /** The members of an artifact location. */
   static void artifact(String file, JsonText json) throws IOException {
-    json.text("uri", uri(file));
-    if (!file.startsWith("/")) {
+    String name = nameOf(file);
+    json.text("uri", uri(name));
+    if (!name.startsWith("/")) {
       json.text("uriBaseId", BASE);
     }
+  }
+
+  /**
+   * The name of a file: relative for one inside the working folder, however it was given, and
+   * absolute for any other. Viewers show nothing for a relative name that leaves its base.
+   */
+  private static String nameOf(String file) {
+    String workingFolder = SourceLocation.nameOf(Path.of("").toAbsolutePath());
+    String base = workingFolder.endsWith("/") ? workingFolder : workingFolder + "/";
+    boolean absolute = file.startsWith("/");
+    if (!absolute && !(file + "/").startsWith("../")) {
+      return file;
+    }
+    Deque<String> steps = new ArrayDeque<>();
+    for (String step : (absolute ? file : base + file).split("/", -1)) {
+      if (step.equals("..")) {
+        steps.pollLast();
+      } else if (!step.isEmpty() && !step.equals(".")) {
+        steps.add(step);
+      }
+    }
+    String name = "/" + String.join("/", steps);
+    if ((name + "/").equals(base)) {
+      return ".";
+    }
+    return name.startsWith(base) ? name.substring(base.length()) : name;
+  }
+
+  /** What tells a file apart from others on every machine: relative wherever that is possible. */
+  static String fingerprintOf(String file) {
+    String name = nameOf(file);
+    return uri(name.startsWith("/") ? file : name);
   }
 
   private static void region(SourceLocation place, JsonText json) throws IOException {

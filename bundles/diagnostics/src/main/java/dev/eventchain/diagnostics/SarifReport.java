@@ -6,8 +6,8 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * A report as SARIF 2.1.0. Nothing in it depends on the machine, the time or the run. Numbers in
- * comments are sections of the standard.
+ * A report as SARIF 2.1.0. Nothing in it depends on the machine, the time or the run, but for the
+ * names of files outside of the working folder. Numbers in comments are sections of the standard.
  */
 final class SarifReport {
 
@@ -164,7 +164,8 @@ final class SarifReport {
     String where = place.element().isEmpty() ? place.excerpt().strip() : place.element();
     String what = where.isEmpty() ? finding.message() : where;
     String text =
-        String.join("\n", finding.id(), finding.rule(), SarifPlaces.uri(place.file()), what);
+        String.join(
+            "\n", finding.id(), finding.rule(), SarifPlaces.fingerprintOf(place.file()), what);
     String hex = Sha256.of(text).hex().substring(0, FINGERPRINT_DIGITS);
     return hex + ":" + seen.merge(hex, 1, Integer::sum);
   }

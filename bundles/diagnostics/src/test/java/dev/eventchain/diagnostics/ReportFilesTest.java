@@ -22,6 +22,7 @@ import javax.xml.transform.stream.StreamSource;
 import javax.xml.validation.SchemaFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.xml.sax.SAXException;
 
@@ -68,6 +69,50 @@ class ReportFilesTest {
         fail(e.getMessage() + "\n" + xml);
       }
     }
+  }
+
+  /** A relative name that leaves its base shows nothing in a viewer. */
+  @ParameterizedTest
+  @CsvSource({
+    "FOLDER/a b/x.xmi, a%20b/x.xmi, SRCROOT",
+    "FOLDER/../x.xmi, file://ABOVE/x.xmi,",
+    "../x.xmi, file://ABOVE/x.xmi,",
+    "../diagnostics/x.xmi, x.xmi, SRCROOT",
+    "../diagnostics2/x.xmi, file://ABOVE/diagnostics2/x.xmi,",
+    "..x/y.xmi, ..x/y.xmi, SRCROOT",
+    "x.xmi, x.xmi, SRCROOT",
+    "FOLDER, ., SRCROOT",
+    "/, file:///,",
+  })
+  void sarifNamesFilesInTheWorkingFolderRelativelyAndOthersAbsolutely(
+      String file, String uri, String base) throws IOException {
+    Path folder = Path.of("").toAbsolutePath();
+    String name = file.replace("FOLDER", folder.toString());
+    Diagnostic finding = Diagnostic.error("a.b", "It is wrong.", SourceLocation.of(name));
+    Report report =
+        new Report("", 1, new Coverage(List.of(name), 1, List.of()), List.of(finding), List.of());
+    JsonNode run = json(DiagnosticFormat.SARIF.render(report)).at("/runs/0");
+    for (String pointer :
+        List.of(
+            "/artifacts/0/location", "/results/0/locations/0/physicalLocation/artifactLocation")) {
+      JsonNode artifact = run.at(pointer);
+      String expected = uri.replace("ABOVE", folder.getParent().toString());
+      assertEquals(expected, artifact.get("uri").asText());
+      assertEquals(base, artifact.path("uriBaseId").textValue());
+    }
+  }
+
+  @Test
+  void aFileHasTheSameFingerprintByEachOfItsNames() throws IOException {
+    String absolute = Path.of("x.xmi").toAbsolutePath().toString();
+    assertEquals(fingerprintIn("x.xmi"), fingerprintIn(absolute));
+    assertNotEquals(fingerprintIn("x.xmi"), fingerprintIn("../x.xmi"));
+  }
+
+  private static JsonNode fingerprintIn(String file) throws IOException {
+    Diagnostic finding = Diagnostic.error("a.b", "It is wrong.", SourceLocation.of(file));
+    return json(DiagnosticFormat.SARIF.render(List.of(finding)))
+        .at("/runs/0/results/0/partialFingerprints");
   }
 
   private static List<Report> all() {
