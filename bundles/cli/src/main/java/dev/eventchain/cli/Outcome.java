@@ -4,7 +4,6 @@ import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Report;
-import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.diagnostics.Suppressions.Suppressed;
 import dev.eventchain.pipeline.RunResult;
@@ -56,14 +55,14 @@ record Outcome(
     return failed(ExitCode.UNAVAILABLE, List.of(finding));
   }
 
-  /** Says that this program itself is wrong, with the place in its code. */
+  /** Says that this program itself is wrong, with the place in its code, and what it was at. */
   private static Diagnostic defect(Throwable failure) {
     StackTraceElement[] stack = failure.getStackTrace();
     String place = stack.length == 0 ? "" : " at " + stack[0];
     return Diagnostic.error(
             "eventchain.defect",
             "This is a defect of eventchain: " + failure + place,
-            SourceLocation.NONE)
+            DiagnosticException.placeOf(failure))
         .withHint("Report it with the command and the input that led to it.");
   }
 

@@ -1,6 +1,7 @@
 package dev.eventchain.diagnostics;
 
 import java.util.List;
+import java.util.function.Supplier;
 
 /**
  * A stage could not make its result, and these findings say why. Findings that leave a result stand
@@ -49,6 +50,58 @@ public final class DiagnosticException extends RuntimeException {
   /** What was found, in the order of discovery; at least one. */
   public List<Diagnostic> diagnostics() {
     return diagnostics;
+  }
+
+  /** Goes with a failure that nobody foresaw, and says what it is about. */
+  private static final class Place extends RuntimeException {
+
+    private static final long serialVersionUID = 1L;
+
+    private final transient SourceLocation location;
+
+    private Place(SourceLocation location) {
+      super("while " + location + " was handled", null, false, false);
+      this.location = location;
+    }
+  }
+
+  /**
+   * Does something that is about a place. What goes wrong with it that is no finding is thrown as
+   * it is, and {@link #placeOf} knows the place; the innermost one if there are several.
+   */
+  public static <T> T at(SourceLocation place, Supplier<T> work) {
+    try {
+      return work.get();
+    } catch (DiagnosticException e) {
+      throw e;
+    } catch (RuntimeException | Error e) {
+      if (placeOf(e).equals(SourceLocation.NONE)) {
+        e.addSuppressed(new Place(place));
+      }
+      throw e;
+    }
+  }
+
+  /** As {@link #at(SourceLocation, Supplier)} for work without a result. */
+  public static void runAt(SourceLocation place, Runnable work) {
+    at(
+        place,
+        () -> {
+          work.run();
+          return place;
+        });
+  }
+
+  /** What was handled when a failure happened; {@link SourceLocation#NONE} if nobody knows. */
+  public static SourceLocation placeOf(Throwable failure) {
+    for (Throwable cause = failure; cause != null; cause = cause.getCause()) {
+      for (Throwable with : cause.getSuppressed()) {
+        if (with instanceof Place place) {
+          return place.location;
+        }
+      }
+    }
+    return SourceLocation.NONE;
   }
 
   private static String summary(List<Diagnostic> diagnostics) {

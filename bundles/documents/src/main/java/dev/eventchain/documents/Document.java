@@ -78,6 +78,16 @@ public final class Document {
       FindingIds ids,
       boolean anyText,
       Consumer<Diagnostic> findings) {
+    return DiagnosticException.at(
+        SourceLocation.of(source.name()), () -> read(source, format, ids, anyText, findings));
+  }
+
+  private static Document read(
+      SourceText source,
+      DocumentFormat format,
+      FindingIds ids,
+      boolean anyText,
+      Consumer<Diagnostic> findings) {
     String text = source.text();
     if (text.length() > LONGEST) {
       String message = "The file is longer than " + LONGEST + " characters.";

@@ -1,7 +1,9 @@
 package dev.eventchain.m2t;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.m2t.Callable.Parameter;
 import dev.eventchain.m2t.Syntax.Visibility;
@@ -260,8 +262,12 @@ final class Linker {
   }
 
   private void define(Unit unit) {
-    unit.queries().forEach((syntax, query) -> define(syntax, query, unit));
-    unit.templates().forEach((syntax, template) -> define(syntax, template, unit));
+    DiagnosticException.runAt(
+        SourceLocation.of(unit.loaded().problems().source().name()),
+        () -> {
+          unit.queries().forEach((syntax, query) -> define(syntax, query, unit));
+          unit.templates().forEach((syntax, template) -> define(syntax, template, unit));
+        });
   }
 
   private void define(Syntax.Query syntax, Query query, Unit unit) {

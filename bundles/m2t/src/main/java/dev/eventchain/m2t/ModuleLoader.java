@@ -118,8 +118,13 @@ final class ModuleLoader {
 
   private void loadMain(SourceText source) {
     Problems problems = new Problems(source, found);
-    Syntax.Module module = ModuleParser.parse(problems);
+    Syntax.Module module = parse(problems);
     load(module.name(), module, problems);
+  }
+
+  private static Syntax.Module parse(Problems problems) {
+    SourceLocation place = SourceLocation.of(problems.source().name());
+    return DiagnosticException.at(place, () -> ModuleParser.parse(problems));
   }
 
   private void load(String name, Syntax.Module module, Problems problems) {
@@ -135,7 +140,7 @@ final class ModuleLoader {
     Optional<SourceText> source = sources.apply(name.text());
     if (source.isPresent()) {
       Problems own = new Problems(source.get(), found);
-      load(name.text(), ModuleParser.parse(own), own);
+      load(name.text(), parse(own), own);
     } else {
       problems.error(
           "m2t.module.missing",

@@ -133,7 +133,7 @@ public final class TemplateModule {
     GenerationRun run = new GenerationRun(roots, context, hasServices);
     try {
       for (Template main : mains) {
-        generate(main, roots, run);
+        DiagnosticException.runAt(main.place().location(), () -> generate(main, roots, run));
       }
     } catch (GenerationRun.StoppedException e) {
       // The reason is among the findings; files that were complete stay.

@@ -2,6 +2,7 @@ package dev.eventchain.metamodel;
 
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.util.ArrayList;
@@ -16,6 +17,7 @@ import org.eclipse.emf.ecore.EDataType;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EReference;
 import org.eclipse.emf.ecore.EStructuralFeature;
+import org.eclipse.emf.ecore.resource.Resource;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.eclipse.emf.ecore.util.FeatureMap;
 import org.eclipse.emf.ecore.util.FeatureMapUtil;
@@ -58,8 +60,8 @@ public final class EcoreChecks {
   public static EcoreChecks of(List<LoadedModel> models) {
     EcoreChecks checks = new EcoreChecks(models.get(0).origins());
     for (LoadedModel model : models) {
-      EcoreUtil.getAllProperContents(model.resource(), false)
-          .forEachRemaining(element -> checks.check((EObject) element));
+      XmiResource file = (XmiResource) model.resource();
+      DiagnosticException.runAt(file.place(), () -> checks.check(file));
     }
     ProjectResources resources = (ProjectResources) models.get(0).resource().getResourceSet();
     checks.found.addAll(new Faults(resources).find());
@@ -87,6 +89,11 @@ public final class EcoreChecks {
                     "",
                     times)));
     return new Coverage(List.of(), 0, checks);
+  }
+
+  private void check(XmiResource file) {
+    EcoreUtil.getAllProperContents((Resource) file, false)
+        .forEachRemaining(element -> check((EObject) element));
   }
 
   private void check(EObject element) {

@@ -1,6 +1,7 @@
 package dev.eventchain.metamodel;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.util.ArrayList;
 import java.util.HashSet;
@@ -43,8 +44,12 @@ final class Faults {
         }
       }
     }
-    files.forEach(this::findSingleEnds);
-    files.forEach(this::findDuplicates);
+    for (XmiResource file : files) {
+      DiagnosticException.runAt(file.place(), () -> findSingleEnds(file));
+    }
+    for (XmiResource file : files) {
+      DiagnosticException.runAt(file.place(), () -> findDuplicates(file));
+    }
     return found.stream().distinct().sorted().toList();
   }
 

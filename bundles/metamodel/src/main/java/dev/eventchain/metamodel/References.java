@@ -1,6 +1,7 @@
 package dev.eventchain.metamodel;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -30,7 +31,7 @@ final class References {
   void resolve() {
     for (int i = 0; i < resources.getResources().size(); i++) {
       if (resources.getResources().get(i) instanceof XmiResource file) {
-        resolve(file);
+        DiagnosticException.runAt(file.place(), () -> resolve(file));
       }
     }
   }

@@ -1,6 +1,7 @@
 package dev.eventchain.metamodel;
 
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
 import java.io.StringReader;
@@ -93,6 +94,11 @@ final class XmiResource extends XMIResourceImpl {
     return problems;
   }
 
+  /** The file as a place, for what is about all of it. */
+  SourceLocation place() {
+    return SourceLocation.of(files.nameOf(Path.of(getURI().toFileString())));
+  }
+
   Statements statements() {
     return statements;
   }
@@ -140,12 +146,15 @@ final class XmiResource extends XMIResourceImpl {
   /** Reads the file. What is wrong with it stands in {@link #problems()}; nothing is thrown. */
   @Override
   public void load(Map<?, ?> options) {
-    if (isLoaded()) {
-      return;
+    if (!isLoaded()) {
+      DiagnosticException.runAt(place(), this::read);
     }
+  }
+
+  private void read() {
     Path path = Path.of(getURI().toFileString());
     try {
-      problems = new XmiProblems(XmlText.read(path, files.nameOf(path)), registry);
+      problems = new XmiProblems(XmlText.read(path, place().file()), registry);
       offsets = origins.of(problems.text());
       load(new InputSource(new StringReader(problems.text().text())), Map.of());
       refuseCircles();

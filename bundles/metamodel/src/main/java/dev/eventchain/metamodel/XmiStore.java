@@ -96,16 +96,11 @@ public final class XmiStore {
     List<EPackage> packages = new ArrayList<>();
     List<Diagnostic> problems = new ArrayList<>();
     for (XmiResource each : metamodels.loaded()) {
-      for (EObject root : each.getContents()) {
-        if (root instanceof EPackage ePackage) {
-          if (metamodels.getResources().indexOf(each) >= before) {
-            Namespaces.complete(ePackage, each.getURI().lastSegment(), registry);
-            JavaNames.forget(ePackage);
-            problems.addAll(new MetamodelChecks(metamodels.origins()).check(ePackage));
-          }
-          packages.add(ePackage);
-        }
+      List<EPackage> own = packagesIn(each);
+      if (metamodels.getResources().indexOf(each) >= before) {
+        DiagnosticException.runAt(each.place(), () -> complete(own, each, problems));
       }
+      packages.addAll(own);
     }
     problems.addAll(new NamespaceOwners(metamodels.origins()).check(packages));
     List<EPackage> top = packages.stream().filter(p -> p.eResource() == file).toList();
@@ -119,6 +114,21 @@ public final class XmiStore {
     refuse(problems.stream().sorted().toList());
     packages.forEach(this::register);
     return top;
+  }
+
+  private static List<EPackage> packagesIn(XmiResource file) {
+    return file.getContents().stream()
+        .filter(EPackage.class::isInstance)
+        .map(EPackage.class::cast)
+        .toList();
+  }
+
+  private void complete(List<EPackage> packages, XmiResource file, List<Diagnostic> problems) {
+    for (EPackage ePackage : packages) {
+      Namespaces.complete(ePackage, file.getURI().lastSegment(), registry);
+      JavaNames.forget(ePackage);
+      problems.addAll(new MetamodelChecks(metamodels.origins()).check(ePackage));
+    }
   }
 
   private void register(EPackage ePackage) {

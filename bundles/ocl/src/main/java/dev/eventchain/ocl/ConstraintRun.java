@@ -1,6 +1,7 @@
 package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -34,6 +35,11 @@ final class ConstraintRun {
 
   int size() {
     return elements.size();
+  }
+
+  /** Where the invariant stands. */
+  SourceLocation place() {
+    return constraint.location();
   }
 
   /** How many elements were evaluated, and what that came to. */

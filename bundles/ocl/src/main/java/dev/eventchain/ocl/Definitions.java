@@ -1,6 +1,7 @@
 package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceRange;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -34,8 +35,17 @@ final class Definitions {
 
   /** Adds all of these. */
   void addAll(List<ResolvedClause> clauses) {
-    clauses.forEach(this::declare);
-    declared.forEach(this::complete);
+    for (ResolvedClause clause : clauses) {
+      DiagnosticException.runAt(clause.location(), () -> declare(clause));
+    }
+    for (Declared each : declared) {
+      DiagnosticException.runAt(each.clause().location(), () -> complete(each));
+    }
+    spoilUsers();
+  }
+
+  /** What uses a definition that has an error is unusable itself. */
+  private void spoilUsers() {
     Map<Object, List<Declared>> users = new HashMap<>();
     Deque<Declared> unusable = new ArrayDeque<>();
     for (Declared each : declared) {

@@ -1,6 +1,7 @@
 package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -141,7 +142,8 @@ public final class OclValidator {
               return;
             }
             Part part = parts.get(i);
-            part.run().evaluate(part.from(), part.to(), own);
+            DiagnosticException.runAt(
+                part.run().place(), () -> part.run().evaluate(part.from(), part.to(), own));
           }
         };
     if (!parts.isEmpty()) {

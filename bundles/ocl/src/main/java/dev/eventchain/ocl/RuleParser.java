@@ -2,6 +2,7 @@ package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.diagnostics.SourceText;
@@ -42,7 +43,7 @@ final class RuleParser {
    */
   OclRules parse(List<SourceText> documents, Function<EObject, SourceLocation> places) {
     List<ResolvedClause> embedded = MetamodelRules.read(language, places, problems);
-    embedded.forEach(this::addInvariant);
+    embedded.forEach(this::addAtItsPlace);
     return parse(documents);
   }
 
@@ -50,24 +51,29 @@ final class RuleParser {
     List<ResolvedClause> clauses = new ArrayList<>();
     List<Diagnostic> empty = new ArrayList<>();
     for (SourceText document : documents) {
-      int before = problems.size();
-      RuleDocument parsed = RuleDocument.read(document, problems);
-      if (parsed.isEmpty() && problems.size() == before) {
-        empty.add(empty(document));
-      }
-      if (parsed.unchecked() > 0) {
-        problems.add(unchecked(parsed.unchecked(), document));
-      }
-      clauses.addAll(resolve(parsed));
+      SourceLocation place = SourceLocation.of(document.name());
+      clauses.addAll(DiagnosticException.at(place, () -> read(document, empty)));
     }
     if (empty.size() < documents.size()) {
       problems.addAll(empty);
     }
     definitions.addAll(clauses.stream().filter(each -> each.clause().definition()).toList());
-    clauses.stream().filter(each -> !each.clause().definition()).forEach(this::addInvariant);
+    clauses.stream().filter(each -> !each.clause().definition()).forEach(this::addAtItsPlace);
     definitions.forgetUnusable();
     List<String> names = documents.stream().map(SourceText::name).toList();
     return new OclRules(constraints, List.copyOf(new TreeSet<>(problems)), names);
+  }
+
+  private List<ResolvedClause> read(SourceText document, List<Diagnostic> empty) {
+    int before = problems.size();
+    RuleDocument parsed = RuleDocument.read(document, problems);
+    if (parsed.isEmpty() && problems.size() == before) {
+      empty.add(empty(document));
+    }
+    if (parsed.unchecked() > 0) {
+      problems.add(unchecked(parsed.unchecked(), document));
+    }
+    return resolve(parsed);
   }
 
   /** The clauses whose classes are known; members that the document computes are implemented. */
@@ -108,6 +114,10 @@ final class RuleParser {
             blank ? "The document is empty." : "The document holds nothing but comments.",
             SourceLocation.of(document.name()))
         .withHint("Write invariants: context Class inv Name: ..., or leave it out.");
+  }
+
+  private void addAtItsPlace(ResolvedClause invariant) {
+    DiagnosticException.runAt(invariant.location(), () -> addInvariant(invariant));
   }
 
   private void addInvariant(ResolvedClause resolved) {

@@ -48,7 +48,10 @@ public final class AnyModel {
 
   private AnyModel(List<Path> metamodels, Map<String, Path> map, List<Path> models) {
     store = new XmiStore(folders(metamodels, models), map);
-    metamodels.forEach(metamodel -> packages.addAll(store.loadMetamodel(metamodel)));
+    for (Path metamodel : metamodels) {
+      SourceLocation place = SourceLocation.of(metamodel);
+      packages.addAll(DiagnosticException.at(place, () -> store.loadMetamodel(metamodel)));
+    }
     // Models are of the metamodel that was given, also where that is the file of the shipped one.
     EPackage shipped = EventchainPackage.eINSTANCE;
     if (packages.stream().noneMatch(given -> shipped.getNsURI().equals(given.getNsURI()))) {

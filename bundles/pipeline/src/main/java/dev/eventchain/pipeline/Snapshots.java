@@ -1,5 +1,7 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
 import java.nio.file.Path;
 import java.util.Collection;
 import java.util.HashMap;
@@ -36,7 +38,10 @@ final class Snapshots {
     if (known != null && known.state().equals(state)) {
       return (T) known.value();
     }
-    T value = reader.get();
+    T value =
+        files.size() == 1
+            ? DiagnosticException.at(SourceLocation.of(files.iterator().next()), reader)
+            : reader.get();
     latest.put(what, new Snapshot(state, value));
     return value;
   }
