@@ -6,6 +6,7 @@ import dev.eventchain.ocl.TimeBudget;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
 
 /**
@@ -87,7 +88,10 @@ final class ConstraintProof {
     models++;
     boolean all = true;
     boolean any = false;
-    for (EObject element : model.instancesOf(constraint.context())) {
+    if (!(constraint.context() instanceof EClass type)) {
+      return; // nothing changes the values of a data type here
+    }
+    for (EObject element : model.instancesOf(type)) {
       Verdict verdict = constraint.evaluate(element, budget);
       fails |= verdict == Verdict.FALSE;
       all &= verdict == Verdict.TRUE;

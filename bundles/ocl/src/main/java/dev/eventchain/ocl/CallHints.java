@@ -22,6 +22,8 @@ final class CallHints {
   private static final Set<String> LOGICAL = Set.of("and", "or", "xor", "implies", "not");
   private static final Set<String> ARITHMETIC = Set.of("+", "-", "*", "/");
 
+  private static final Set<String> TYPE_TESTS = Set.of("oclIsKindOf", "oclIsTypeOf");
+
   /** What other languages call an operation. */
   private static final Map<String, List<String>> SYNONYMS =
       Map.of(
@@ -93,6 +95,12 @@ final class CallHints {
   private String hintForArrow(EClassifier owner, EClassifier element, String name) {
     if (operations(owner).contains(name)) {
       return "It takes " + signatures(owner, name) + ".";
+    } else if (TYPE_TESTS.contains(name)) {
+      return "'%s' is asked of each value: write a dot for the arrow, or ->forAll(each | each.%s(...)) of all."
+          .formatted(name, name);
+    } else if (name.equals("oclAsType")) {
+      return "'oclAsType' is asked of each value: write a dot for the arrow, or ->selectByKind(...) for"
+          + " the elements of that type.";
     } else if (operations(element).contains(name) || name.equals("allInstances")) {
       return "'" + name + "' is asked of each value: write a dot for the arrow.";
     }

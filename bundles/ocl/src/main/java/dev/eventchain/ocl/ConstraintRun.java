@@ -5,7 +5,6 @@ import dev.eventchain.diagnostics.SourceLocation;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicInteger;
-import org.eclipse.emf.ecore.EObject;
 
 /**
  * One invariant on all elements it is about, part by part and perhaps by several threads. The
@@ -18,15 +17,14 @@ final class ConstraintRun {
   private record Found(int index, Diagnostic diagnostic) {}
 
   private final OclConstraint constraint;
-  private final List<EObject> elements;
+  private final List<?> elements;
   private final TimeBudget budget;
   private final Findings findings;
   private final AtomicInteger givenUpAt = new AtomicInteger(Integer.MAX_VALUE);
   private final List<Found> found = new ArrayList<>();
   private long evaluations = Long.MAX_VALUE;
 
-  ConstraintRun(
-      OclConstraint constraint, List<EObject> elements, TimeBudget budget, Findings findings) {
+  ConstraintRun(OclConstraint constraint, List<?> elements, TimeBudget budget, Findings findings) {
     this.constraint = constraint;
     this.elements = elements;
     this.budget = budget;
@@ -76,7 +74,7 @@ final class ConstraintRun {
   }
 
   /** What wants more memory than there is must not end the other constraints, too. */
-  private Object valueFor(EObject element, Evaluation evaluation) {
+  private Object valueFor(Object element, Evaluation evaluation) {
     try {
       return constraint.evaluate(element, evaluation);
     } catch (OutOfMemoryError e) {
@@ -85,7 +83,7 @@ final class ConstraintRun {
   }
 
   private void add(int index, Object value, Evaluation evaluation) {
-    EObject element = elements.get(index);
+    Object element = elements.get(index);
     Object known = value;
     if (isLimit(value) && !evaluation.ranOutOfTime()) {
       // The stack of this thread may be what was too small.

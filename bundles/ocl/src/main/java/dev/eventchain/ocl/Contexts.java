@@ -21,6 +21,9 @@ import org.eclipse.emf.ecore.resource.Resource;
 /** Finds the metamodels, packages and classes that rule documents name. */
 final class Contexts {
 
+  /** Where Eclipse OCL keeps the standard library, which is always there. */
+  private static final String STANDARD_LIBRARY = "http://www.eclipse.org/ocl/";
+
   private final PackageIndex packages;
   private final List<Diagnostic> problems;
 
@@ -29,11 +32,16 @@ final class Contexts {
     this.problems = problems;
   }
 
-  /** Checks that an import names a loaded metamodel: its URI, its file or its package. */
-  void check(RuleDocument.Import wanted) {
+  /**
+   * Checks that an import names a loaded metamodel, by its URI, its file or its package, one of the
+   * documents, or the standard library.
+   */
+  void check(DocumentImports.Import wanted, List<String> documents) {
     String target = wanted.target().replaceFirst("#.*", "");
     boolean known =
         target.equals(EcorePackage.eNS_URI)
+            || target.startsWith(STANDARD_LIBRARY)
+            || DocumentImports.names(wanted, documents)
             || !packages.packages(List.of(target.split("::", -1))).isEmpty();
     for (EPackage each : packages.all()) {
       Resource resource = each.eResource();
@@ -44,7 +52,9 @@ final class Contexts {
       problems.add(
           Diagnostic.error(
                   "ocl.import.unknown",
-                  "The import names no loaded metamodel: '" + wanted.target() + "'.",
+                  "The import names no loaded metamodel and no document of rules: '"
+                      + wanted.target()
+                      + "'.",
                   wanted.location())
               .withHint("Loaded: " + String.join(", ", packageNames()) + "."));
     }
@@ -63,9 +73,12 @@ final class Contexts {
     return result;
   }
 
-  /** The class that a clause is about; a problem if there is not exactly one of its name. */
+  /**
+   * The class or data type that a clause is about; a problem if there is not exactly one of its
+   * name.
+   */
   Optional<ResolvedClause> resolve(RuleDocument.Clause clause) {
-    return classOf(clause.packagePath(), clause.context())
+    return classifierOf(clause.packagePath(), clause.context())
         .map(
             context ->
                 new ResolvedClause(
@@ -76,7 +89,10 @@ final class Contexts {
 
   /** The operation or feature that a context names; a problem if its class has none of its own. */
   Optional<ETypedElement> resolve(MemberContext member) {
-    Optional<EClass> owner = classOf(member.packagePath(), member.owner());
+    Optional<EClass> owner =
+        classifierOf(member.packagePath(), member.owner())
+            .filter(found -> isClass(found, member.owner()))
+            .map(EClass.class::cast);
     Optional<ETypedElement> found = owner.flatMap(type -> memberOf(type, member));
     if (owner.isPresent() && found.isEmpty()) {
       String wanted =
@@ -101,6 +117,14 @@ final class Contexts {
     return found;
   }
 
+  private boolean isClass(EClassifier type, RuleDocument.Path path) {
+    if (type instanceof EClass) {
+      return true;
+    }
+    problems.add(Diagnostic.error("ocl.type", "'" + path + "' is not a class.", path.location()));
+    return false;
+  }
+
   private static Optional<ETypedElement> memberOf(EClass type, MemberContext member) {
     return Stream.concat(type.getEOperations().stream(), type.getEStructuralFeatures().stream())
         .filter(each -> member.name().equals(each.getName()))
@@ -118,7 +142,8 @@ final class Contexts {
     return path == null ? Optional.empty() : packages.packages(path.names()).stream().findFirst();
   }
 
-  private Optional<EClass> classOf(RuleDocument.Path packagePath, RuleDocument.Path path) {
+  private Optional<EClassifier> classifierOf(
+      RuleDocument.Path packagePath, RuleDocument.Path path) {
     if (packagePath != null) {
       List<EPackage> found = packages.packages(packagePath.names());
       if (found.size() != 1) {
@@ -126,7 +151,7 @@ final class Contexts {
         return Optional.empty();
       }
     }
-    return contextClass(path, contextPackage(packagePath).orElse(null));
+    return contextClassifier(path, contextPackage(packagePath).orElse(null));
   }
 
   private Diagnostic packageProblem(RuleDocument.Path path, List<EPackage> found) {
@@ -140,7 +165,7 @@ final class Contexts {
             .withHint("Write one of " + candidates + ".");
   }
 
-  private Optional<EClass> contextClass(RuleDocument.Path path, EPackage contextPackage) {
+  private Optional<EClassifier> contextClassifier(RuleDocument.Path path, EPackage contextPackage) {
     List<EClassifier> found = new ArrayList<>();
     for (EPackage each = contextPackage; each != null; each = each.getESuperPackage()) {
       EClassifier local = each.getEClassifier(path.toString());
@@ -151,8 +176,8 @@ final class Contexts {
     if (found.isEmpty()) {
       found.addAll(packages.classifiers(path.names()));
     }
-    if (found.size() == 1 && found.get(0) instanceof EClass context) {
-      return Optional.of(context);
+    if (found.size() == 1) {
+      return Optional.of(found.get(0));
     }
     problems.add(contextProblem(path, found));
     return Optional.empty();
@@ -167,8 +192,6 @@ final class Contexts {
       String last = path.names().get(path.names().size() - 1);
       return Diagnostic.error("ocl.type", "There is no class '" + path + "'.", path.location())
           .withHint(NearestName.question(last, classes));
-    } else if (found.size() == 1) {
-      return Diagnostic.error("ocl.type", "'" + path + "' is not a class.", path.location());
     }
     List<String> candidates = found.stream().map(Names::qualified).toList();
     return Diagnostic.error(

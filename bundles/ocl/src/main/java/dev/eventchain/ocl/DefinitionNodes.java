@@ -52,14 +52,19 @@ final class DefinitionNodes {
         return INVALID;
       }
       called.slots[0] = object;
-      Evaluation run = frame.run;
-      run.step();
-      run.enterDefinition();
-      try {
-        return definition.root().evaluate(called);
-      } finally {
-        run.leaveDefinition();
-      }
+      return DefinitionNodes.evaluate(definition, called);
+    }
+  }
+
+  /** The value of a definition, whose object and arguments are in a frame of its own. */
+  static Object evaluate(Lowered definition, Frame called) {
+    Evaluation run = called.run;
+    run.step();
+    run.enterDefinition();
+    try {
+      return definition.root().evaluate(called);
+    } finally {
+      run.leaveDefinition();
     }
   }
 

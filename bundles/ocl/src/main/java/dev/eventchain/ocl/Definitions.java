@@ -23,6 +23,8 @@ final class Definitions {
   /** A definition whose signature is known. */
   private record Declared(ResolvedClause clause, SourceRange body, Object feature) {}
 
+  private static final String STATIC = "static";
+
   private final ExpressionLanguage language;
   private final List<Diagnostic> problems;
   private final Map<String, ResolvedClause> names = new HashMap<>();
@@ -108,13 +110,20 @@ final class Definitions {
     } else if (!isRepeated(clause, tokens, equals)) {
       SourceRange text = clause.clause().text();
       int end = text.start() + tokens.end(equals);
-      SourceRange signature = text.source().range(text.start(), end);
+      boolean isStatic = tokens.is(0, STATIC);
+      int start = text.start() + tokens.start(isStatic ? 1 : 0);
+      SourceRange signature = text.source().range(start, end);
       SourceRange body = text.source().range(end, text.end());
       int before = problems.size();
       language
           .declare(signature, clause, problems)
           .ifPresentOrElse(
-              feature -> declared.add(new Declared(clause, body, feature)),
+              feature -> {
+                declared.add(new Declared(clause, body, feature));
+                if (isStatic) {
+                  language.environment().addStatic(feature);
+                }
+              },
               () -> fail(clause, tokens, before));
     }
   }
@@ -132,12 +141,7 @@ final class Definitions {
   /** What Eclipse OCL would complain of in words that help nobody. */
   private static Optional<Diagnostic> shapeProblem(
       ResolvedClause clause, Tokens tokens, int equals) {
-    if (tokens.is(0, "static")) {
-      return Optional.of(
-          Diagnostic.error(
-                  "ocl.unsupported", "Definitions cannot be static here.", clause.location())
-              .withHint("Leave 'static' out and call it on an object."));
-    } else if (equals == tokens.size()) {
+    if (equals == tokens.size()) {
       return Optional.of(
           Diagnostic.error(
                   "ocl.syntax",

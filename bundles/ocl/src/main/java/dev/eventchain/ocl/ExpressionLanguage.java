@@ -126,12 +126,14 @@ public final class ExpressionLanguage {
     Scope scope = clause.scope();
     EClassifier owner = scope.typeOf(Environment.SELF_VARIABLE_NAME);
     List<Object> before = root.definitionsOf(owner);
+    OclEnvironment environment = environment(scope, clause.contextPackage());
+    boolean declared;
     factory.declare(true);
-    boolean declared =
-        parseConstraint(
-                signature, "", ANY_BODY, environment(scope, clause.contextPackage()), problems)
-            .isPresent();
-    factory.declare(false);
+    try {
+      declared = parseConstraint(signature, "", ANY_BODY, environment, problems).isPresent();
+    } finally {
+      factory.declare(false);
+    }
     List<Object> added = root.definitionsOf(owner);
     added.removeAll(before);
     if (declared) {
@@ -150,7 +152,11 @@ public final class ExpressionLanguage {
     Variable<EClassifier, EParameter> self = definition.getContextVariable();
     OclEnvironment environment = factory.createEnvironment(root);
     environment.setPackage(clause.contextPackage());
-    environment.addVariable(self);
+    if (root.isStatic(feature)) {
+      environment.hideSelf();
+    } else {
+      environment.addVariable(self);
+    }
     // An environment takes its variables out of what contains them; they are put back below.
     List<Variable<EClassifier, EParameter>> parameters =
         List.copyOf(definition.getParameterVariable());
@@ -240,7 +246,8 @@ public final class ExpressionLanguage {
       String suffix,
       OclEnvironment environment,
       List<Diagnostic> problems) {
-    ProblemCollector collector = new ProblemCollector(range, prefix.length(), problems);
+    ProblemCollector collector =
+        new ProblemCollector(range, prefix.length(), root::hasStatic, problems);
     environment.setProblemHandler(collector);
     try {
       // Eclipse OCL ends a comment at line feeds only.
@@ -255,11 +262,6 @@ public final class ExpressionLanguage {
       body.accept(ValidationVisitor.getInstance(environment));
       body.eAdapters().add(new InvalidOrigin.Source(range.source()));
       return collector.failed() ? Optional.empty() : Optional.of(body);
-    } catch (NumberFormatException e) {
-      String number = String.valueOf(e.getMessage()).replaceAll("\\D", "");
-      int offset = prefix.length() + Math.max(0, range.text().indexOf(number));
-      collector.add("ocl.syntax", true, "The number " + number + " is too large.", "", offset);
-      return Optional.empty();
     } catch (RuntimeException | StackOverflowError e) {
       boolean deep = e instanceof StackOverflowError;
       String why = deep ? "is nested too deeply." : "cannot be read: " + e.getMessage();

@@ -25,19 +25,19 @@ final class Findings {
   }
 
   /** Those who locate need not be safe for threads. */
-  private SourceLocation locate(EObject element) {
+  private SourceLocation locate(Object subject) {
     synchronized (locator) {
-      return locator.apply(element);
+      return locator.apply(HeldValue.element(subject));
     }
   }
 
   /** An element for which an invariant is false. */
-  Diagnostic violated(OclConstraint constraint, EObject element, Evaluation evaluation) {
+  Diagnostic violated(OclConstraint constraint, Object subject, Evaluation evaluation) {
     return new Diagnostic(
         "ocl.violated",
         constraint.severity(),
-        constraint.messageFor(element, evaluation),
-        locate(element),
+        constraint.messageFor(subject, evaluation),
+        locate(subject),
         constraint.hint(),
         constraint.qualifiedName(),
         List.of(constraint.location()));
@@ -47,7 +47,7 @@ final class Findings {
    * An element for which an invariant is neither true nor false: an error, however bad a violation
    * would be, since nothing was checked.
    */
-  Diagnostic undefined(OclConstraint constraint, EObject element, Object value) {
+  Diagnostic undefined(OclConstraint constraint, Object subject, Object value) {
     Invalid invalid = value instanceof Invalid reason ? reason : IS_NULL;
     boolean placed = !SourceLocation.NONE.equals(invalid.location());
     return new Diagnostic(
@@ -56,11 +56,11 @@ final class Findings {
         "'"
             + constraint.name()
             + "' is neither true nor false for "
-            + Names.label(element)
+            + HeldValue.label(subject)
             + ": "
             + invalid.reason()
             + ".",
-        locate(element),
+        locate(subject),
         guard(invalid.reason()),
         constraint.qualifiedName(),
         List.of(placed ? invalid.location() : constraint.location()));
@@ -80,14 +80,14 @@ final class Findings {
    *
    * @param index of the element: those before it were checked
    */
-  Diagnostic limit(OclConstraint constraint, List<EObject> elements, int index, String reason) {
+  Diagnostic limit(OclConstraint constraint, List<?> elements, int index, String reason) {
     return new Diagnostic(
         "ocl.limit",
         Severity.ERROR,
         "'%s' was given up at %s: %s. It left %d of %s unchecked."
             .formatted(
                 constraint.name(),
-                Names.label(elements.get(index)),
+                HeldValue.label(elements.get(index)),
                 reason,
                 elements.size() - index,
                 Coverage.counted(elements.size(), "element")),

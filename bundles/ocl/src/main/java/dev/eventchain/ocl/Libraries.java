@@ -26,7 +26,8 @@ final class Libraries {
   private final EClass functions = EcoreFactory.eINSTANCE.createEClass();
 
   Libraries(List<OperationLibrary> libraries) {
-    this.libraries = List.copyOf(libraries);
+    this.libraries = new ArrayList<>(libraries);
+    this.libraries.add(new StandardAdditions());
     owner.setName("Library");
     functions.setName(NO_SOURCE);
   }
@@ -44,9 +45,6 @@ final class Libraries {
   /** The operation that a call means; {@code null} if no library has it. */
   LibraryOperation lookup(
       EClassifier source, String name, List<? extends TypedElement<EClassifier>> arguments) {
-    if (libraries.isEmpty()) {
-      return null;
-    }
     List<EClassifier> types = new ArrayList<>();
     if (arguments != null) {
       for (TypedElement<EClassifier> argument : arguments) {

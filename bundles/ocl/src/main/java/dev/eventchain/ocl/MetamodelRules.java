@@ -10,9 +10,11 @@ import java.util.Map;
 import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EOperation;
 import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.ETypedElement;
 
@@ -51,21 +53,30 @@ final class MetamodelRules {
       Function<EObject, SourceLocation> places,
       List<Diagnostic> problems) {
     MetamodelRules rules = new MetamodelRules(language, places, problems);
-    for (EPackage each : language.packages().all()) {
-      for (EClassifier classifier : each.getEClassifiers()) {
-        if (classifier instanceof EClass type) {
-          rules.read(type);
-        } else {
-          rules.readDataType(classifier);
-        }
-      }
-    }
+    language.packages().all().forEach(rules::read);
     return rules.invariants;
   }
 
-  private void read(EClass type) {
-    type.getEStructuralFeatures().forEach(this::implement);
-    type.getEOperations().forEach(this::implement);
+  private void read(EPackage metamodel) {
+    List<OclAnnotations.Text> unchecked = new ArrayList<>();
+    for (EClassifier classifier : metamodel.getEClassifiers()) {
+      if (classifier instanceof EClass type) {
+        members(type).forEach(each -> unchecked.addAll(OclAnnotations.conditions(each)));
+        members(type).forEach(this::readMember);
+      }
+      read(classifier);
+    }
+    if (!unchecked.isEmpty()) {
+      SourceLocation place = places.apply(unchecked.get(0).entry());
+      problems.add(RuleParser.unchecked(unchecked.size(), place));
+    }
+  }
+
+  private static Stream<ETypedElement> members(EClass type) {
+    return Stream.concat(type.getEStructuralFeatures().stream(), type.getEOperations().stream());
+  }
+
+  private void read(EClassifier type) {
     for (Map.Entry<String, OclAnnotations.Text> each : OclAnnotations.invariants(type).entrySet()) {
       invariants.add(invariant(type, each.getKey(), each.getValue()));
     }
@@ -80,29 +91,28 @@ final class MetamodelRules {
     }
   }
 
-  /** Values have no place in a file of their own that a finding could be about. */
-  private void readDataType(EClassifier type) {
-    for (OclAnnotations.Text text : OclAnnotations.details(type).values()) {
+  private void readMember(ETypedElement element) {
+    OclAnnotations.body(element)
+        .ifPresent(text -> language.implement(element, null, textOf(text).whole(), problems));
+    for (OclAnnotations.Text text : OclAnnotations.misunderstood(element)) {
       problems.add(
           Diagnostic.warning(
                   "ocl.unsupported",
-                  "The constraint '%s' of the data type %s is not checked."
-                      .formatted(text.key(), Names.of(type)),
+                  "The annotation '%s' of %s is not understood, and nothing is done with it."
+                      .formatted(text.key(), Names.of(element)),
                   places.apply(text.entry()))
-              .withHint("Constrain the features of this type in their classes."));
+              .withHint(
+                  element instanceof EOperation
+                      ? "An operation has 'body', and conditions that begin with 'pre' or 'post'."
+                      : "A feature has 'derivation' or 'initial'."));
     }
-  }
-
-  private void implement(ETypedElement element) {
-    OclAnnotations.body(element)
-        .ifPresent(text -> language.implement(element, null, textOf(text).whole(), problems));
   }
 
   private SourceText textOf(OclAnnotations.Text text) {
     return SourceText.within(places.apply(text.entry()), text.value());
   }
 
-  private ResolvedClause invariant(EClass type, String name, OclAnnotations.Text text) {
+  private ResolvedClause invariant(EClassifier type, String name, OclAnnotations.Text text) {
     SourceText source = textOf(text);
     SourceRange nothing = source.range(0, 0);
     RuleDocument.Path context = new RuleDocument.Path(List.of(type.getName()), places.apply(type));
@@ -122,7 +132,7 @@ final class MetamodelRules {
   }
 
   /** The expression for the message; null if there is none. */
-  private SourceRange message(EClass type, OclAnnotations.Text text) {
+  private SourceRange message(EClassifier type, OclAnnotations.Text text) {
     Matcher tuple = STATUS_OF_TUPLE.matcher(text.value());
     if (tuple.matches()) {
       SourceLocation place = places.apply(text.entry());

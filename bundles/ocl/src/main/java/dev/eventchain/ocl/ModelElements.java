@@ -11,6 +11,8 @@ import java.util.Map;
 import java.util.Set;
 import org.eclipse.emf.common.util.TreeIterator;
 import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EDataType;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
@@ -20,6 +22,7 @@ final class ModelElements {
   private final List<EObject> all = new ArrayList<>();
   private final Map<EClass, List<Integer>> byClass = new LinkedHashMap<>();
   private final Map<EClass, List<EObject>> instances = new HashMap<>();
+  private final Map<EDataType, List<HeldValue>> values = new HashMap<>();
 
   /** All elements below some roots, the roots included, each once. */
   ModelElements(Collection<? extends EObject> roots) {
@@ -42,6 +45,15 @@ final class ModelElements {
 
   int size() {
     return all.size();
+  }
+
+  /** What constraints of a class or a data type are about: its instances, or its values. */
+  List<?> subjectsOf(EClassifier type) {
+    return type instanceof EClass objects ? instancesOf(objects) : valuesOf((EDataType) type);
+  }
+
+  private List<HeldValue> valuesOf(EDataType type) {
+    return values.computeIfAbsent(type, wanted -> HeldValue.of(wanted, all));
   }
 
   /** The instances of a class and its subclasses. */

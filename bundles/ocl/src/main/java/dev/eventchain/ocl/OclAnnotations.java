@@ -9,6 +9,7 @@ import java.util.Set;
 import org.eclipse.emf.common.util.EMap;
 import org.eclipse.emf.ecore.EAnnotation;
 import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EModelElement;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EOperation;
@@ -43,26 +44,47 @@ final class OclAnnotations {
 
   private OclAnnotations() {}
 
-  /** The invariants of a class, by their names. */
-  static Map<String, Text> invariants(EClass type) {
+  /** The invariants of a class or a data type, by their names. */
+  static Map<String, Text> invariants(EClassifier type) {
     Map<String, Text> invariants = details(type);
     invariants.keySet().removeIf(key -> key.endsWith(MESSAGE));
     return invariants;
   }
 
   /** The expression for the message of an invariant. */
-  static Optional<Text> message(EClass type, String invariant) {
+  static Optional<Text> message(EClassifier type, String invariant) {
     return Optional.ofNullable(details(type).get(invariant + MESSAGE));
   }
 
   /** The expression that computes a feature or an operation. */
   static Optional<Text> body(ETypedElement element) {
-    String key = element instanceof EOperation ? "body" : "derivation";
-    return Optional.ofNullable(details(element).get(key));
+    return Optional.ofNullable(details(element).get(bodyKey(element)));
   }
 
-  /** The constraints that a class is said to have and that no OCL states: Java checks them. */
-  static Set<String> constraintsInJava(EClass type) {
+  private static String bodyKey(ETypedElement element) {
+    return element instanceof EOperation ? "body" : "derivation";
+  }
+
+  /** The conditions of calls of an operation, and the initial value of a feature. */
+  static List<Text> conditions(ETypedElement element) {
+    return details(element).values().stream().filter(each -> isCondition(element, each)).toList();
+  }
+
+  private static boolean isCondition(ETypedElement element, Text text) {
+    return element instanceof EOperation
+        ? text.key().startsWith("pre") || text.key().startsWith("post")
+        : text.key().equals("initial");
+  }
+
+  /** The texts of an operation or a feature that mean nothing there. */
+  static List<Text> misunderstood(ETypedElement element) {
+    return details(element).values().stream()
+        .filter(each -> !each.key().equals(bodyKey(element)) && !isCondition(element, each))
+        .toList();
+  }
+
+  /** The constraints that a classifier is said to have and that no OCL states: Java checks them. */
+  static Set<String> constraintsInJava(EClassifier type) {
     EAnnotation annotation = type.getEAnnotation(ECORE);
     String names = annotation == null ? null : annotation.getDetails().get("constraints");
     Set<String> inJava = new LinkedHashSet<>();
@@ -73,6 +95,14 @@ final class OclAnnotations {
     return inJava;
   }
 
+  /** Whether a feature has no value of its own; those of a feature map's entries have. */
+  static boolean isComputed(EStructuralFeature feature) {
+    return (feature.isVolatile() || (feature.isDerived() && feature.isTransient()))
+        && ExtendedMetaData.INSTANCE.getGroup(feature) == null
+        && ExtendedMetaData.INSTANCE.getFeatureKind(feature)
+            == ExtendedMetaData.UNSPECIFIED_FEATURE;
+  }
+
   /**
    * Whether a feature of a metamodel without generated code is computed, and nothing says how:
    * reading it gives its default.
@@ -80,12 +110,9 @@ final class OclAnnotations {
   static boolean isComputedInJava(EStructuralFeature feature) {
     EClass owner = feature.getEContainingClass();
     EPackage ePackage = owner == null ? null : owner.getEPackage();
-    boolean computed = feature.isVolatile() || (feature.isDerived() && feature.isTransient());
-    return computed
+    return isComputed(feature)
         && ePackage != null
         && ePackage.getClass() == EPackageImpl.class
-        && ExtendedMetaData.INSTANCE.getGroup(feature) == null
-        && ExtendedMetaData.INSTANCE.getFeatureKind(feature) == ExtendedMetaData.UNSPECIFIED_FEATURE
         && body(feature).isEmpty();
   }
 

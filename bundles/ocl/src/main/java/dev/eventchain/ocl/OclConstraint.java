@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.function.Supplier;
 import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
@@ -29,7 +30,7 @@ public final class OclConstraint {
   public record Navigation(EClass type, EStructuralFeature feature) {}
 
   private final String name;
-  private final EClass context;
+  private final EClassifier context;
   private final Expression condition;
   private final SubExpressions parts;
   private final RuleComments comments;
@@ -39,7 +40,7 @@ public final class OclConstraint {
 
   OclConstraint(
       String name,
-      EClass context,
+      EClassifier context,
       Expression condition,
       SubExpressions parts,
       RuleComments comments,
@@ -66,8 +67,8 @@ public final class OclConstraint {
     return context.getName() + "::" + name;
   }
 
-  /** The class whose instances it constrains. */
-  public EClass context() {
+  /** The class whose instances it constrains, or the data type whose values. */
+  public EClassifier context() {
     return context;
   }
 
@@ -109,7 +110,8 @@ public final class OclConstraint {
   /**
    * Evaluates it on one element; undefined also if there is not the time for that.
    *
-   * @param element an instance of {@link #context}; extents cover its whole resource set
+   * @param element an instance of {@link #context}, which is a class; extents cover its whole
+   *     resource set
    * @param budget what the time is taken from
    */
   public Verdict evaluate(EObject element, TimeBudget budget) {
@@ -120,9 +122,11 @@ public final class OclConstraint {
     return Verdict.UNDEFINED;
   }
 
-  /** The value for an element: a Boolean, null, or an {@link Invalid}. */
-  Object evaluate(EObject element, Evaluation run) {
-    run.bind("self", element);
+  /**
+   * The value for an object, or for a value of a data type: a Boolean, null, or an {@link Invalid}.
+   */
+  Object evaluate(Object subject, Evaluation run) {
+    run.bind("self", HeldValue.self(subject));
     try {
       return condition.evaluate(run);
     } finally {
@@ -135,15 +139,15 @@ public final class OclConstraint {
     return condition.isLowered();
   }
 
-  /** What to say of an element that violates it. */
-  String messageFor(EObject element, Evaluation run) {
-    run.bind("self", element);
+  /** What to say of an object or a value that violates it. */
+  String messageFor(Object subject, Evaluation run) {
+    run.bind("self", HeldValue.self(subject));
     try {
       if (message != null) {
         return message.render(run);
       }
       String why = Explanation.whyFalse(condition.ast(), parts, run);
-      String what = Names.label(element) + " violates '" + name + "'";
+      String what = HeldValue.label(subject) + " violates '" + name + "'";
       return why.isEmpty() ? what + "." : what + ": " + why + ".";
     } finally {
       run.unbind("self");

@@ -13,6 +13,7 @@ import org.eclipse.emf.ecore.EcorePackage;
 import org.eclipse.ocl.AmbiguousLookupException;
 import org.eclipse.ocl.LookupException;
 import org.eclipse.ocl.ecore.EcoreEnvironment;
+import org.eclipse.ocl.ecore.TypeType;
 import org.eclipse.ocl.expressions.OCLExpression;
 import org.eclipse.ocl.expressions.Variable;
 import org.eclipse.ocl.lpg.ProblemHandler;
@@ -66,6 +67,19 @@ final class OclEnvironment extends EcoreEnvironment {
         && variable.getName().equals(SELF_VARIABLE_NAME)) {
       setSelfVariable(variable);
     }
+  }
+
+  /** Notes that a definition belongs to its class, not to an object: {@code Type::name(...)}. */
+  void addStatic(Object definition) {
+    factory.statics().add(definition);
+  }
+
+  boolean hasStatic(String name) {
+    return factory.statics().stream().anyMatch(each -> name.equals(Names.of(each)));
+  }
+
+  boolean isStatic(Object definition) {
+    return factory.statics().contains(definition);
   }
 
   /** Remembers a definition that could not be declared: to miss its name is no error of its own. */
@@ -174,6 +188,12 @@ final class OclEnvironment extends EcoreEnvironment {
     if (owner != null) {
       EOperation found = factory.libraries().lookup(owner, name, args);
       if (found != null) {
+        return found;
+      }
+    }
+    if (owner instanceof TypeType type) {
+      EOperation found = super.lookupOperation(type.getReferredType(), name, args);
+      if (isStatic(found)) {
         return found;
       }
     }

@@ -32,6 +32,7 @@ final class OclEnvironmentFactory extends EcoreEnvironmentFactory {
   private final ValueEnvironment.Kinds kinds;
   private final ProblemTexts texts;
   private final Set<String> failedNames = new HashSet<>();
+  private final Set<Object> statics = new HashSet<>();
   private boolean declaring;
   private Function<ETypedElement, OCLExpression<EClassifier>> bodies = element -> null;
 
@@ -77,6 +78,11 @@ final class OclEnvironmentFactory extends EcoreEnvironmentFactory {
 
   ProblemTexts texts() {
     return texts;
+  }
+
+  /** The definitions that belong to their classes, not to objects. */
+  Set<Object> statics() {
+    return statics;
   }
 
   Set<String> failedNames() {

@@ -3,6 +3,7 @@ package dev.eventchain.ocl;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import java.nio.file.Path;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
@@ -15,7 +16,7 @@ import org.eclipse.emf.ecore.EPackage;
  * Immutable and safe for threads.
  *
  * <p>A document may do without {@code package} clause; its classes are then looked for in all given
- * packages. {@code import} lines must name a given metamodel. A definition can be used before it
+ * packages. {@code import} lines must name a given metamodel or document. A definition can be used before it
  * and in other documents. An invariant that stands in several documents word for word counts once.
  * Comments above an invariant say how its violations are reported: {@code --
  * @severity warning}, {@code -- @message {self.name} is wrong}, {@code -- @hint ...}.
@@ -31,6 +32,16 @@ public final class OclRules {
     this.documents = List.copyOf(documents);
     this.constraints = List.copyOf(constraints);
     this.diagnostics = List.copyOf(diagnostics);
+  }
+
+  /**
+   * The files of documents and of those that they import, {@code import 'other.ocl'}: each once,
+   * the given ones first. An import that is no file is left to {@link #parse}, which reports it.
+   *
+   * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if a file cannot be read
+   */
+  public static List<Path> files(List<Path> documents) {
+    return DocumentImports.files(documents);
   }
 
   /**

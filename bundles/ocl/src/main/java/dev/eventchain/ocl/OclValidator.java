@@ -107,7 +107,7 @@ public final class OclValidator {
             "all constraints together take", timeLimit.multipliedBy(SLOW_CONSTRAINTS), clock);
     List<ConstraintRun> runs = new ArrayList<>();
     for (OclConstraint constraint : rules.constraints()) {
-      List<EObject> instances = elements.instancesOf(constraint.context());
+      List<?> instances = elements.subjectsOf(constraint.context());
       runs.add(new ConstraintRun(constraint, instances, whole.part(timeLimit), findings));
     }
     evaluate(runs, Evaluation.over(roots));

@@ -4,12 +4,20 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceRange;
 import java.util.List;
+import java.util.function.Predicate;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.eclipse.ocl.lpg.AbstractProblemHandler;
 
 /** Turns the problems that Eclipse OCL reports into diagnostics with their exact places. */
 final class ProblemCollector extends AbstractProblemHandler {
 
+  /** What Eclipse OCL says of each feature behind a type's name: Ecore has no static ones. */
+  private static final Pattern NON_STATIC =
+      Pattern.compile("Static (?:call|reference) to non-static (?:operation|attribute) \"(.*)\"");
+
   private final SourceRange range;
+  private final Predicate<String> isStatic;
   private final int prefix;
   private final List<Diagnostic> problems;
   private boolean failed;
@@ -20,9 +28,12 @@ final class ProblemCollector extends AbstractProblemHandler {
    *
    * @param range what is parsed
    * @param prefix how many characters stand before it in the parser's input
+   * @param isStatic whether a definition of a name is static
    */
-  ProblemCollector(SourceRange range, int prefix, List<Diagnostic> problems) {
+  ProblemCollector(
+      SourceRange range, int prefix, Predicate<String> isStatic, List<Diagnostic> problems) {
     super(null);
+    this.isStatic = isStatic;
     this.range = range;
     this.prefix = prefix;
     this.problems = problems;
@@ -75,6 +86,10 @@ final class ProblemCollector extends AbstractProblemHandler {
   }
 
   void add(String id, boolean error, String message, String hint, int startOffset) {
+    Matcher nonStatic = NON_STATIC.matcher(message);
+    if (nonStatic.matches() && isStatic.test(nonStatic.group(1))) {
+      return;
+    }
     SourceLocation location = range.source().at(offset(startOffset));
     Diagnostic problem =
         error ? Diagnostic.error(id, message, location) : Diagnostic.warning(id, message, location);

@@ -2,16 +2,16 @@ package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
-import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EPackage;
 
 /**
  * An invariant or a definition and what its names mean.
  *
- * @param context the class it is about
+ * @param context the class or data type it is about
  * @param contextPackage the package whose types come first
  */
-record ResolvedClause(RuleDocument.Clause clause, EClass context, EPackage contextPackage) {
+record ResolvedClause(RuleDocument.Clause clause, EClassifier context, EPackage contextPackage) {
 
   Scope scope() {
     return Scope.EMPTY.with("self", context);

@@ -22,9 +22,6 @@ final class RuleDocument {
     }
   }
 
-  /** An import line: a URI, a file or a name. */
-  record Import(String target, SourceLocation location) {}
-
   /**
    * An invariant or a definition.
    *
@@ -72,7 +69,7 @@ final class RuleDocument {
   private final SourceText source;
   private final Tokens tokens;
   private final List<Diagnostic> problems;
-  private final List<Import> imports = new ArrayList<>();
+  private final List<DocumentImports.Import> imports = new ArrayList<>();
   private final List<Clause> clauses = new ArrayList<>();
   private final List<MemberContext> members = new ArrayList<>();
   private int unchecked;
@@ -106,7 +103,7 @@ final class RuleDocument {
     return document;
   }
 
-  List<Import> imports() {
+  List<DocumentImports.Import> imports() {
     return imports;
   }
 
@@ -131,7 +128,7 @@ final class RuleDocument {
   private void readNext() {
     String token = tokens.text(at);
     switch (token) {
-      case "import" -> readImport();
+      case "import", "include", "library" -> readImport();
       case "package" -> {
         at++;
         packagePath = readPath();
@@ -182,13 +179,14 @@ final class RuleDocument {
     }
     if (at < tokens.size() && tokens.isString(at)) {
       String literal = tokens.text(at);
-      imports.add(new Import(literal.substring(1, literal.length() - 1), location(at)));
+      imports.add(
+          new DocumentImports.Import(literal.substring(1, literal.length() - 1), location(at)));
       at++;
     } else if (at < tokens.size() && tokens.isName(at)) {
       Path path = readPath();
-      imports.add(new Import(path.toString(), path.location()));
+      imports.add(new DocumentImports.Import(path.toString(), path.location()));
     } else {
-      error(start, "'import' needs the URI, the file or the name of a metamodel.");
+      error(start, "'" + tokens.text(start) + "' needs a URI, a file or the name of a metamodel.");
     }
   }
 
@@ -302,16 +300,12 @@ final class RuleDocument {
       return null;
     }
     int open = at;
-    int depth = 0;
-    while (at < tokens.size()) {
-      depth += tokens.is(at, "(") ? 1 : tokens.is(at, ")") ? -1 : 0;
-      at++;
-      if (depth == 0) {
-        return source.range(tokens.end(open), tokens.start(at - 1));
-      }
+    int close = tokens.closing(open);
+    if (close == tokens.size()) {
+      return null;
     }
-    at = open;
-    return null;
+    at = close + 1;
+    return source.range(tokens.end(open), tokens.start(close));
   }
 
   private void readDefinition() {
@@ -372,7 +366,7 @@ final class RuleDocument {
     return switch (token) {
       case "endpackage" -> true;
       case "context", "package" -> named;
-      case "import" -> named || tokens.isString(index + 1);
+      case "import", "include", "library" -> tokens.isString(index + 1) || isNamedImport(index);
       case "static" -> tokens.is(index + 1, "def");
       case "inv" -> true;
       case "invariant", "Inv", "INV" -> named && tokens.is(index + 2, ":");
@@ -380,6 +374,13 @@ final class RuleDocument {
           tokens.is(index + 1, ":") || (named && tokens.is(index + 2, ":"));
       default -> false;
     };
+  }
+
+  /** {@code import name : 'uri'}, {@code import a::b}. */
+  private boolean isNamedImport(int index) {
+    return tokens.isName(index + 1)
+        && (tokens.is(index, "import")
+            || (tokens.is(index + 2, ":") && tokens.isString(index + 3)));
   }
 
   private SourceLocation location(int token) {

@@ -13,7 +13,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.TreeSet;
 import java.util.function.Function;
-import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
@@ -25,7 +25,7 @@ final class RuleParser {
   private final List<OclConstraint> constraints = new ArrayList<>();
   private final Map<String, ResolvedClause> names = new HashMap<>();
   private final Map<String, RuleComments> commentsOf = new HashMap<>();
-  private final Map<EClass, Integer> unnamed = new HashMap<>();
+  private final Map<EClassifier, Integer> unnamed = new HashMap<>();
 
   private final Contexts contexts;
   private final Definitions definitions;
@@ -48,11 +48,12 @@ final class RuleParser {
   }
 
   OclRules parse(List<SourceText> documents) {
+    List<String> names = documents.stream().map(SourceText::name).toList();
     List<ResolvedClause> clauses = new ArrayList<>();
     List<Diagnostic> empty = new ArrayList<>();
     for (SourceText document : documents) {
       SourceLocation place = SourceLocation.of(document.name());
-      clauses.addAll(DiagnosticException.at(place, () -> read(document, empty)));
+      clauses.addAll(DiagnosticException.at(place, () -> read(document, names, empty)));
     }
     if (empty.size() < documents.size()) {
       problems.addAll(empty);
@@ -60,26 +61,27 @@ final class RuleParser {
     definitions.addAll(clauses.stream().filter(each -> each.clause().definition()).toList());
     clauses.stream().filter(each -> !each.clause().definition()).forEach(this::addAtItsPlace);
     definitions.forgetUnusable();
-    List<String> names = documents.stream().map(SourceText::name).toList();
     return new OclRules(constraints, List.copyOf(new TreeSet<>(problems)), names);
   }
 
-  private List<ResolvedClause> read(SourceText document, List<Diagnostic> empty) {
+  private List<ResolvedClause> read(
+      SourceText document, List<String> documents, List<Diagnostic> empty) {
     int before = problems.size();
     RuleDocument parsed = RuleDocument.read(document, problems);
-    if (parsed.isEmpty() && problems.size() == before) {
+    boolean imports = parsed.imports().stream().anyMatch(e -> DocumentImports.names(e, documents));
+    if (parsed.isEmpty() && !imports && problems.size() == before) {
       empty.add(empty(document));
     }
     if (parsed.unchecked() > 0) {
-      problems.add(unchecked(parsed.unchecked(), document));
+      problems.add(unchecked(parsed.unchecked(), SourceLocation.of(document.name())));
     }
-    return resolve(parsed);
+    return resolve(parsed, documents);
   }
 
   /** The clauses whose classes are known; members that the document computes are implemented. */
-  private List<ResolvedClause> resolve(RuleDocument document) {
+  private List<ResolvedClause> resolve(RuleDocument document, List<String> documents) {
     document.members().forEach(this::implement);
-    document.imports().forEach(contexts::check);
+    document.imports().forEach(each -> contexts.check(each, documents));
     List<ResolvedClause> clauses = new ArrayList<>();
     for (RuleDocument.Clause clause : document.clauses()) {
       Optional<ResolvedClause> resolved = contexts.resolve(clause);
@@ -98,12 +100,13 @@ final class RuleParser {
             element -> language.implement(element, member.parameters(), member.text(), problems));
   }
 
-  private static Diagnostic unchecked(int conditions, SourceText document) {
+  /** Says that there are conditions that nothing checks. */
+  static Diagnostic unchecked(int conditions, SourceLocation place) {
     return Diagnostic.info(
         "ocl.condition.unchecked",
         Coverage.counted(conditions, "condition")
             + " of operations and initial values not checked: no program runs here.",
-        SourceLocation.of(document.name()));
+        place);
   }
 
   /** If all documents are empty, nothing is evaluated, which is said then. */

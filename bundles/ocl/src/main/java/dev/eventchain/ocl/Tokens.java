@@ -91,4 +91,16 @@ final class Tokens {
     }
     return backslashes % 2 == 1;
   }
+
+  /** The index of the parenthesis that closes the one at an index; {@link #size} if none does. */
+  int closing(int open) {
+    int depth = 0;
+    for (int i = open; i < size(); i++) {
+      depth += is(i, "(") ? 1 : is(i, ")") ? -1 : 0;
+      if (depth == 0) {
+        return i;
+      }
+    }
+    return size();
+  }
 }

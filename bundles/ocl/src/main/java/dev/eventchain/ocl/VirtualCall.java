@@ -70,13 +70,6 @@ final class VirtualCall extends GuardedNode {
     Frame called = new Frame(frame, definition.size());
     called.slots[0] = object;
     System.arraycopy(values, 0, called.slots, 1, values.length);
-    Evaluation run = frame.run;
-    run.step();
-    run.enterDefinition();
-    try {
-      return definition.root().evaluate(called);
-    } finally {
-      run.leaveDefinition();
-    }
+    return DefinitionNodes.evaluate(definition, called);
   }
 }

@@ -9,8 +9,11 @@ import dev.eventchain.diagnostics.SourceText;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
+import org.eclipse.emf.ecore.EAttribute;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EDataType;
+import org.eclipse.emf.ecore.EEnum;
+import org.eclipse.emf.ecore.EEnumLiteral;
 import org.eclipse.emf.ecore.EModelElement;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EOperation;
@@ -24,6 +27,8 @@ import org.junit.jupiter.api.Test;
 class MetamodelRulesTest {
 
   private static final String OCL = "http://www.eclipse.org/emf/2002/Ecore/OCL";
+
+  private static final SourceLocation PLACE = SourceLocation.of("model.xmi");
 
   private final TestModels models = new TestModels("annotated");
   private final EPackage metamodel = models.metamodel();
@@ -216,18 +221,121 @@ class MetamodelRulesTest {
   }
 
   @Test
-  void constraintOfADataTypeIsSaidNotToBeChecked() {
+  void constraintsOfADataTypeAreEvaluatedOnItsValues() {
     EDataType code = EcoreFactory.eINSTANCE.createEDataType();
     code.setName("Code");
     code.setInstanceClass(String.class);
     metamodel.getEClassifiers().add(code);
     annotate(code, "Short", "self.size() < 5");
+    EAttribute codes = EcoreFactory.eINSTANCE.createEAttribute();
+    codes.setName("codes");
+    codes.setEType(code);
+    codes.setUpperBound(-1);
+    type("Shop").getEStructuralFeatures().add(codes);
+    EObject shop = models.load("model.xmi");
+    shop.eSet(codes, List.of("ok", "toolong", "fine", "muchlonger"));
+    OclResult result =
+        OclValidator.validate(
+            rules("context Code inv Text: self <> 'fine'"), List.of(shop), element -> PLACE);
     assertEquals(
-        List.of("The constraint 'Short' of the data type Code is not checked."),
-        rules().diagnostics().stream()
+        List.of(
+            "codes 'fine' of Shop 'corner' violates 'Text'.",
+            "codes 'muchlonger' of Shop 'corner' violates 'Short': self.size() is 10.",
+            "codes 'toolong' of Shop 'corner' violates 'Short': self.size() is 7."),
+        messages(result, "Code::"));
+    assertEquals(
+        List.of(4L, 4L),
+        result.checks().stream()
+            .filter(check -> check.constraint().qualifiedName().startsWith("Code::"))
+            .map(OclResult.Check::evaluations)
+            .toList());
+  }
+
+  @Test
+  void enumerationIsAContextOfDefinitionsAndInvariants() {
+    EEnum color = EcoreFactory.eINSTANCE.createEEnum();
+    color.setName("Color");
+    for (String name : List.of("red", "green")) {
+      EEnumLiteral literal = EcoreFactory.eINSTANCE.createEEnumLiteral();
+      literal.setName(name);
+      literal.setValue(color.getELiterals().size());
+      color.getELiterals().add(literal);
+    }
+    metamodel.getEClassifiers().add(color);
+    EAttribute paint = EcoreFactory.eINSTANCE.createEAttribute();
+    paint.setName("paint");
+    paint.setEType(color);
+    type("Shop").getEStructuralFeatures().add(paint);
+    EObject shop = models.load("model.xmi");
+    shop.eSet(paint, color.getEEnumLiteral("green").getInstance());
+    OclRules rules =
+        rules(
+            """
+            context Color
+              def: isWarm() : Boolean = self = Color::red
+              inv Warm: self.isWarm()
+            context Shop inv WarmShop: paint.isWarm()
+            """);
+    assertEquals(List.of(), errors(rules));
+    assertEquals(
+        List.of("paint green of Shop 'corner' violates 'Warm': self.isWarm() is false."),
+        messages(OclValidator.validate(rules, List.of(shop), element -> PLACE), "Color::"));
+    assertEquals(
+        1, messages(OclValidator.validate(rules, List.of(shop), e -> PLACE), "Shop::Warm").size());
+  }
+
+  private static List<String> messages(OclResult result, String rule) {
+    return result.diagnostics().stream()
+        .filter(each -> each.rule().startsWith(rule))
+        .map(Diagnostic::message)
+        .sorted()
+        .toList();
+  }
+
+  @Test
+  void conditionsInAnnotationsAreCountedAndOtherKeysAreNotIgnored() {
+    EOperation total = type("Item").getEOperations().get(0);
+    annotate(total, "pre_open", "true");
+    annotate(total, "post", "result > 0.0");
+    annotate(total, "bdoy", "1.0");
+    annotate(type("Item").getEStructuralFeature("doubled"), "initial", "1.0");
+    List<Diagnostic> said = rules().diagnostics();
+    assertEquals(
+        List.of("3 conditions of operations and initial values not checked: no program runs here."),
+        said.stream()
+            .filter(each -> each.id().equals("ocl.condition.unchecked"))
+            .map(Diagnostic::message)
+            .toList());
+    assertEquals(
+        List.of("The annotation 'bdoy' of total is not understood, and nothing is done with it."),
+        said.stream()
             .filter(each -> each.id().equals("ocl.unsupported"))
             .map(Diagnostic::message)
             .toList());
+  }
+
+  @Test
+  void staticDefinitionsBelongToTheirClass() {
+    OclRules rules =
+        rules(
+            """
+            context Item
+              static def: limit : Real = 4.0
+              static def: least(a : Real, b : Real) : Real = if a < b then a else b endif
+              inv Limited: price <= Item::limit and Item::least(price, 9.0) = price
+            """);
+    assertEquals(List.of(), errors(rules));
+    assertEquals(
+        List.of("Item::Limited"),
+        found(rules, "model.xmi").stream()
+            .filter(each -> each.contains("Limited"))
+            .map(each -> each.substring(0, each.indexOf(": ")))
+            .distinct()
+            .toList());
+    assertEquals(
+        1, errors(rules("context Item def: half : Real = 2.0 inv A: Item::half > 1.0")).size());
+    assertEquals(
+        1, errors(rules("context Item static def: half : Real = price inv A: true")).size());
   }
 
   @Test

@@ -96,14 +96,15 @@ public final class AnyModel {
     if (metamodels.isEmpty()) {
       documents.add(XmiStore.standardConstraints());
     }
-    constraints.forEach(file -> documents.add(SourceText.read(file)));
+    List<Path> rulesIn = OclRules.files(constraints);
+    rulesIn.forEach(file -> documents.add(SourceText.read(file)));
     OclRules rules = OclRules.parse(documents, any.packages, any.store::locateInMetamodel);
     OclResult result =
         OclValidator.of(rules)
             .withTimeLimit(timeLimit)
             .validate(roots(any.all), any.origins::locate);
     Coverage coverage =
-        Constraints.coverage(any.files(metamodels, constraints, models), result)
+        Constraints.coverage(any.files(metamodels, rulesIn, models), result)
             .and(any.ecore.coverage());
     List<Diagnostic> found = new ArrayList<>(result.diagnostics());
     boolean onlyMetamodel = documents.isEmpty() && rules.constraints().isEmpty();

@@ -58,8 +58,7 @@ final class Constraints {
 
   /** The files that hold the constraints, but for the standard ones. */
   static List<Path> paths(RunContext run) {
-    List<Path> files = new ArrayList<>();
-    run.project().ownConstraints().ifPresent(files::add);
+    List<Path> files = new ArrayList<>(run.project().ownConstraints());
     generated(run).ifPresent(files::add);
     return files;
   }
@@ -72,7 +71,7 @@ final class Constraints {
   private static List<SourceText> written(RunContext run) {
     List<SourceText> documents = new ArrayList<>();
     documents.add(XmiStore.standardConstraints());
-    run.project().ownConstraints().map(SourceText::read).ifPresent(documents::add);
+    run.project().ownConstraints().forEach(file -> documents.add(SourceText.read(file)));
     return documents;
   }
 

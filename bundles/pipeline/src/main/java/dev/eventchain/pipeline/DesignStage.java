@@ -21,7 +21,7 @@ final class DesignStage implements StageWork {
     fingerprint.addFile(project.requirements()).addFiles(project.softwareBaseFiles());
     fingerprint.addFiles(project.messageFiles());
     project.editedModel().ifPresent(fingerprint::addFile);
-    project.ownConstraints().ifPresent(fingerprint::addFile);
+    fingerprint.addFiles(project.ownConstraints());
   }
 
   @Override

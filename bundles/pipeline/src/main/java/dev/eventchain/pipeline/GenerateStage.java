@@ -41,7 +41,7 @@ final class GenerateStage implements StageWork {
         .addFiles(run.project().messageFiles())
         .addFile(run.file(Constraints.GENERATED));
     run.project().configuration().packageFacts().forEach(fingerprint::addSetting);
-    run.project().ownConstraints().ifPresent(fingerprint::addFile);
+    fingerprint.addFiles(run.project().ownConstraints());
     fingerprint.addFiles(
         run.softwareBase().components().stream().map(SoftwareBase.Component::file).toList());
     for (SoftwareNode node : run.chain().chain().getSoftware()) {

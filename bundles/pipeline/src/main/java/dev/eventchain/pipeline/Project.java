@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.ocl.OclRules;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.FileVisitOption;
@@ -132,9 +133,9 @@ public final class Project {
     return model(output).isPresent() && hasConstraints;
   }
 
-  /** The constraints that people wrote, when there are any. */
-  Optional<Path> ownConstraints() {
-    return existing("constraints.ocl");
+  /** The constraints that people wrote, and those that they import. */
+  List<Path> ownConstraints() {
+    return OclRules.files(existing("constraints.ocl").stream().toList());
   }
 
   /** Folders that hold {@code <package>/msg/*.msg}. */

@@ -45,7 +45,7 @@ final class SimulateStage implements StageWork {
     for (Path file : Scenario.filesIn(project.scenarios())) {
       fingerprint.add(project.scenarios().relativize(file)).addFile(file);
     }
-    project.ownConstraints().ifPresent(fingerprint::addFile);
+    fingerprint.addFiles(project.ownConstraints());
     fingerprint.addFile(run.file(Constraints.GENERATED));
     fingerprint.addFiles(Project.below(run.file(GeneratedPackage.required(run).folder())));
     fingerprint.addFiles(project.messageFiles());

@@ -182,6 +182,17 @@ class StaleResultsTest {
   }
 
   @Test
+  void constraintsThatOthersImportAreASourceToo() throws IOException {
+    Files.writeString(project.resolve("fast.ocl"), "context SoftwareNode inv Fast: frequency > 1");
+    append("constraints.ocl", "import 'fast.ocl'");
+    run("run").expect(0).says("PASSED");
+    append("fast.ocl", "inv Faster: frequency > 1000");
+    run("simulate").expect(2).says(OUTDATED).says("fast.ocl");
+    run("run").expect(1).says("Faster");
+    assertNothingPasses();
+  }
+
+  @Test
   void aStageThatFailedLeavesNothingToGoOnFrom() throws IOException {
     Path components = project.resolve("software-base/components.json");
     String written = Files.readString(components);
