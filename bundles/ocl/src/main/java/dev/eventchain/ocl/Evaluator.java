@@ -285,7 +285,8 @@ final class Evaluator extends EvaluationVisitorImpl {
     boolean unlimited =
         code == PredefinedType.SORTED_BY
             && StandardOperations.isUnlimited(loop.getBody().getType());
-    if (!LoopEvaluator.has(code) || loop.getIterator().size() != 1 || unlimited) {
+    boolean single = loop.getIterator().size() == 1 || LoopEvaluator.isQuantifier(code);
+    if (!LoopEvaluator.has(code) || !single || unlimited) {
       return super.visitIteratorExp(loop);
     }
     Object source = loop.getSource().accept(getVisitor());

@@ -53,6 +53,8 @@ final class LoopEvaluator {
       case PredefinedType.COLLECT -> collect(elements, collected, true);
       case PredefinedType.COLLECT_NESTED -> collect(elements, collected, false);
       case PredefinedType.IS_UNIQUE -> isUnique(elements);
+      case PredefinedType.FOR_ALL -> decided(elements, false, loop.getIterator().size() - 1);
+      case PredefinedType.EXISTS -> decided(elements, true, loop.getIterator().size() - 1);
       case PredefinedType.SORTED_BY -> sortedBy(elements, sourceType);
       default -> closure(elements);
     };
@@ -61,8 +63,38 @@ final class LoopEvaluator {
   /** Whether this iterator is evaluated here. */
   static boolean has(int code) {
     return CollectionCalls.makesCollectionByIterating(code)
+        || isQuantifier(code)
         || code == PredefinedType.IS_UNIQUE
         || code == PredefinedType.SORTED_BY;
+  }
+
+  /** Whether this iterator may have several variables. */
+  static boolean isQuantifier(int code) {
+    return code == PredefinedType.FOR_ALL || code == PredefinedType.EXISTS;
+  }
+
+  /** The decisive value if a body has it; else invalid if one is undefined. */
+  private Object decided(Collection<?> elements, boolean decisive, int iterator) {
+    Object result = !decisive;
+    String name = loop.getIterator().get(iterator).getName();
+    values.add(name, null);
+    try {
+      for (Object element : elements) {
+        values.replace(name, element);
+        Object value =
+            iterator == 0
+                ? evaluator.safeVisitExpression(loop.getBody())
+                : decided(elements, decisive, iterator - 1);
+        if (!(value instanceof Boolean found)) {
+          result = invalid;
+        } else if (found == decisive) {
+          return found;
+        }
+      }
+    } finally {
+      values.remove(name);
+    }
+    return result;
   }
 
   private Object isUnique(Collection<?> elements) {

@@ -74,7 +74,11 @@ final class LoopNodes {
     }
   }
 
-  /** {@code forAll}, {@code exists}: looks for an element for which the body is a given value. */
+  /**
+   * {@code forAll}, {@code exists}: looks for an element for which the body is a given value, which
+   * decides whatever has no value for others (OMG OCL 2.4, 7.5.1 and 11.9.1: {@code or} and {@code
+   * and} of all bodies).
+   */
   static final class Quantifier extends Loop {
     private final boolean decisive;
 
@@ -85,14 +89,15 @@ final class LoopNodes {
 
     @Override
     Object loop(Collection<?> elements, Frame frame) {
+      Object result = !decisive;
       for (Object element : elements) {
         if (!(body(element, frame) instanceof Boolean value)) {
-          return INVALID;
+          result = INVALID;
         } else if (value == decisive) {
           return decisive;
         }
       }
-      return !decisive;
+      return result;
     }
   }
 
@@ -111,28 +116,27 @@ final class LoopNodes {
 
     @Override
     Object loop(Collection<?> elements, Frame frame) {
-      Object found = search(elements, slots.length - 1, frame);
-      return found == null ? (Object) !decisive : found;
+      return search(elements, slots.length - 1, frame);
     }
 
-    /** The decisive value, invalid, or null if neither came up. */
+    /** The decisive value if it came up; else invalid if that did. */
     private Object search(Collection<?> elements, int variable, Frame frame) {
+      Object result = !decisive;
       for (Object element : elements) {
         frame.slots[slots[variable]] = element;
         Object found = variable == 0 ? test(frame) : search(elements, variable - 1, frame);
-        if (found != null) {
+        if (found == INVALID) {
+          result = INVALID;
+        } else if (found.equals(decisive)) {
           return found;
         }
       }
-      return null;
+      return result;
     }
 
     private Object test(Frame frame) {
       frame.run.step();
-      if (!(body.evaluate(frame) instanceof Boolean value)) {
-        return INVALID;
-      }
-      return value == decisive ? (Object) decisive : null;
+      return body.evaluate(frame) instanceof Boolean value ? value : INVALID;
     }
   }
 

@@ -53,7 +53,12 @@ class StockComparisonTest {
   }
 
   /** Where Eclipse OCL leaves the standard, and what the standard has. */
-  private static final Map<String, Object> DIFFERENCES = Map.of("Set{1, 1.0}->size()", 1);
+  private static final Map<String, Object> DIFFERENCES =
+      Map.of(
+          "Set{1, 1.0}->size()",
+          1,
+          "Sequence{1, 2}->exists(x | if x = 1 then null else true endif)",
+          true);
 
   @TestFactory
   Stream<DynamicTest> valuesAreThoseOfEclipseOcl() throws IOException {

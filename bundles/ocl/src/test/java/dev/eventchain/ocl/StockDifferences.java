@@ -56,6 +56,10 @@ final class StockDifferences {
 
   static Optional<String> ofLoop(String name, Collection<Object> bodies) {
     return switch (name) {
+      case "exists", "forAll" ->
+          when(
+              "a body without a value beside one that decides",
+              bodies.contains(Node.INVALID) || bodies.contains(null));
       case "isUnique" ->
           when("isUnique with an invalid body", bodies.contains(Node.INVALID))
               .or(() -> when("isUnique of equal numbers", holdsEqualNumbers(bodies)));
