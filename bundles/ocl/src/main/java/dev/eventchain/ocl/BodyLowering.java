@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EOperation;
 import org.eclipse.emf.ecore.EParameter;
@@ -189,7 +190,7 @@ final class BodyLowering {
     Node source = node(call.getSource());
     Lowered body = lowering.definition(feature);
     if (body != null) {
-      return new DefinitionNodes.Call(source, new Node[0], calls(body));
+      return definition(call.getSource().getType(), feature, source, body);
     }
     CollectionKind kind =
         call.getType() instanceof CollectionType<?, ?> type ? type.getKind() : null;
@@ -199,6 +200,17 @@ final class BodyLowering {
       return NavigationNodes.Feature.of(source, feature, declared);
     }
     return new NavigationNodes.Part(source, feature, kind, lowering.environment());
+  }
+
+  private Node definition(
+      EClassifier sourceType, EStructuralFeature feature, Node source, Lowered body) {
+    List<VirtualCall.Implementation> all = new ArrayList<>(lowering.overrides(sourceType, feature));
+    if (all.isEmpty()) {
+      return new DefinitionNodes.Call(source, new Node[0], calls(body));
+    }
+    all.add(new VirtualCall.Implementation((EClass) sourceType, body));
+    all.forEach(each -> calls(each.definition()));
+    return new VirtualCall(source, new Node[0], all, (object, values) -> Node.INVALID);
   }
 
   private static boolean isTuple(OCLExpression<EClassifier> expression) {

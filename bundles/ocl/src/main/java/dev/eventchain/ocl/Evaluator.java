@@ -44,6 +44,7 @@ final class Evaluator extends EvaluationVisitorImpl {
 
   private final Evaluation run;
   private final LibraryCalls calls;
+  private final Overriding overriding;
 
   Evaluator(
       OclEnvironment environment,
@@ -52,6 +53,7 @@ final class Evaluator extends EvaluationVisitorImpl {
     super(environment, values, extents);
     this.run = values.run();
     this.calls = values.calls();
+    this.overriding = new Overriding(environment);
   }
 
   @Override
@@ -363,9 +365,13 @@ final class Evaluator extends EvaluationVisitorImpl {
   @Override
   protected Object call(
       EOperation operation, OCLExpression<EClassifier> body, Object target, Object[] args) {
+    EOperation own = operation;
+    if (target instanceof EObject object) {
+      own = (EOperation) overriding.select(operation, object.eClass());
+    }
     run.enterDefinition();
     try {
-      return super.call(operation, body, target, args);
+      return super.call(own, own == operation ? body : getOperationBody(own), target, args);
     } finally {
       run.leaveDefinition();
     }
@@ -374,9 +380,13 @@ final class Evaluator extends EvaluationVisitorImpl {
   @Override
   protected Object navigate(
       EStructuralFeature property, OCLExpression<EClassifier> derivation, Object target) {
+    EStructuralFeature own = property;
+    if (target instanceof EObject object) {
+      own = (EStructuralFeature) overriding.select(property, object.eClass());
+    }
     run.enterDefinition();
     try {
-      return super.navigate(property, derivation, target);
+      return super.navigate(own, own == property ? derivation : getPropertyBody(own), target);
     } finally {
       run.leaveDefinition();
     }

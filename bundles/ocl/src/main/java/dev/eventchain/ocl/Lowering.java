@@ -7,10 +7,8 @@ import java.util.Map;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EOperation;
-import org.eclipse.emf.ecore.EParameter;
-import org.eclipse.emf.ecore.EStructuralFeature;
+import org.eclipse.emf.ecore.ETypedElement;
 import org.eclipse.ocl.expressions.OCLExpression;
-import org.eclipse.ocl.expressions.OperationCallExp;
 
 /**
  * Compiles the expressions of a language into trees of {@link Node}s, whose variables are slots of
@@ -22,6 +20,7 @@ final class Lowering {
   private final ExpressionLanguage language;
   private final Evaluator evaluator;
   private final ValueEnvironment environment;
+  private final Overriding overriding;
 
   /** By the body. Only complete ones, except while one is being made. */
   private final Map<OCLExpression<EClassifier>, Lowered> definitions = new HashMap<>();
@@ -32,6 +31,7 @@ final class Lowering {
   Lowering(ExpressionLanguage language) {
     this.language = language;
     Evaluation nowhere = Evaluation.over(List.of());
+    this.overriding = new Overriding(language.environment());
     this.evaluator = language.evaluator(nowhere, new LibraryCalls());
     this.environment = (ValueEnvironment) evaluator.getEvaluationEnvironment();
   }
@@ -52,57 +52,33 @@ final class Lowering {
     }
   }
 
-  /** The lowered body of an operation; null if the operation has none. */
-  Lowered definition(EOperation operation) {
-    OCLExpression<EClassifier> body = language.bodyOf(operation);
+  /** The lowered body of an operation or a property; null if it has none. */
+  Lowered definition(ETypedElement member) {
+    OCLExpression<EClassifier> body = member == null ? null : language.bodyOf(member);
     if (body == null) {
       return null;
     }
-    List<String> parameters = new ArrayList<>();
-    parameters.add("self");
-    for (EParameter parameter : operation.getEParameters()) {
-      parameters.add(parameter.getName());
+    List<String> variables = new ArrayList<>();
+    variables.add("self");
+    if (member instanceof EOperation operation) {
+      operation.getEParameters().forEach(parameter -> variables.add(parameter.getName()));
     }
-    return definition(body, parameters);
+    return definition(body, variables);
   }
 
-  /** The lowered body of a property; null if the property has none. */
-  Lowered definition(EStructuralFeature property) {
-    OCLExpression<EClassifier> body = language.bodyOf(property);
-    return body == null ? null : definition(body, List.of("self"));
-  }
-
-  /** The bodies that classes below the static type of a call's source give its operation. */
-  List<VirtualCall.Implementation> overrides(OperationCallExp<EClassifier, EOperation> call) {
+  /**
+   * The bodies that classes below the static type of a source give to an operation or a property.
+   */
+  List<VirtualCall.Implementation> overrides(EClassifier source, ETypedElement member) {
     List<VirtualCall.Implementation> found = new ArrayList<>();
-    EOperation operation = call.getReferredOperation();
-    if (call.getSource().getType() instanceof EClass type && operation != null) {
+    if (source instanceof EClass type && member != null) {
       for (EClass below : language.packages().classesBelow(type)) {
-        for (EOperation other : language.environment().operationsOf(below)) {
-          if (isOverride(other, operation)) {
-            Lowered body = definition(other);
-            if (body != null) {
-              found.add(new VirtualCall.Implementation(below, body));
-            }
-          }
+        for (ETypedElement other : overriding.in(below, member)) {
+          found.add(new VirtualCall.Implementation(below, definition(other)));
         }
       }
     }
     return found;
-  }
-
-  private static boolean isOverride(EOperation other, EOperation operation) {
-    List<EParameter> parameters = other.getEParameters();
-    List<EParameter> overridden = operation.getEParameters();
-    boolean same =
-        other != operation
-            && other.getName() != null
-            && other.getName().equals(operation.getName())
-            && parameters.size() == overridden.size();
-    for (int i = 0; same && i < parameters.size(); i++) {
-      same = parameters.get(i).getEType() == overridden.get(i).getEType();
-    }
-    return same;
   }
 
   private Lowered definition(OCLExpression<EClassifier> body, List<String> parameters) {

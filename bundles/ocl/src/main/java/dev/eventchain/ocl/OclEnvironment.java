@@ -8,6 +8,7 @@ import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EOperation;
 import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EParameter;
+import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.ETypedElement;
 import org.eclipse.emf.ecore.EcorePackage;
 import org.eclipse.ocl.AmbiguousLookupException;
@@ -115,11 +116,16 @@ final class OclEnvironment extends EcoreEnvironment {
     return definitions;
   }
 
-  /** The operations that a class declares itself, and those that definitions have added to it. */
-  List<EOperation> operationsOf(EClass type) {
-    List<EOperation> operations = new ArrayList<>(type.getEOperations());
-    operations.addAll(getTypeResolver().getAdditionalOperations(type));
-    return operations;
+  /**
+   * The operations and features that a class declares itself, and those that definitions have added
+   * to it.
+   */
+  List<ETypedElement> membersOf(EClass type) {
+    List<ETypedElement> members = new ArrayList<>(type.getEOperations());
+    members.addAll(getTypeResolver().getAdditionalOperations(type));
+    members.addAll(type.getEStructuralFeatures());
+    members.addAll(getTypeResolver().getAdditionalAttributes(type));
+    return members;
   }
 
   /** The expression that computes a feature or an operation; null if there is none. */
@@ -198,11 +204,21 @@ final class OclEnvironment extends EcoreEnvironment {
       }
     }
     EOperation found = super.lookupOperation(owner, name, args);
-    boolean overridden =
-        factory.isDeclaring()
-            && owner instanceof EClass type
-            && !operationsOf(type).contains(found);
-    return overridden ? null : found;
+    return isOverridden(owner, found) ? null : found;
+  }
+
+  /** While a definition is declared, those of classes above its class do not stand in its way. */
+  private boolean isOverridden(EClassifier owner, ETypedElement found) {
+    return factory.isDeclaring()
+        && owner instanceof EClass type
+        && !membersOf(type).contains(found);
+  }
+
+  @Override
+  public EStructuralFeature lookupProperty(EClassifier owner, String name) {
+    EStructuralFeature found = super.lookupProperty(owner, name);
+    boolean stored = found != null && getDefinition(found) == null;
+    return !stored && isOverridden(owner, found) ? null : found;
   }
 
   @Override

@@ -31,7 +31,8 @@ final class OperationLowering {
           call, call.getType(), library.implementation(), source, arguments);
     }
     Lowered definition = lowering.definition(operation);
-    List<VirtualCall.Implementation> overrides = lowering.overrides(call);
+    List<VirtualCall.Implementation> overrides =
+        lowering.overrides(call.getSource().getType(), operation);
     if (!overrides.isEmpty()) {
       return virtual(call, overrides, source, arguments);
     } else if (definition != null) {
