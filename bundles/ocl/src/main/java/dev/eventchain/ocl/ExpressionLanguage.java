@@ -13,7 +13,6 @@ import java.util.Optional;
 import java.util.Set;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
-import org.eclipse.emf.ecore.EOperation;
 import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EParameter;
 import org.eclipse.emf.ecore.ETypedElement;
@@ -44,7 +43,6 @@ public final class ExpressionLanguage {
 
   private static final String EXPRESSION_PREFIX = "inv:\n";
   private static final String ANY_BODY = " null";
-  private static final SourceText INVALID = SourceText.of("", "invalid");
   private static final String TYPE_PREFIX = "inv:\nlet type : ";
   private static final String TYPE_SUFFIX = "\n = null in true";
 
@@ -56,7 +54,7 @@ public final class ExpressionLanguage {
   private final Map<String, EClassifier> types = new HashMap<>();
 
   /** The bodies of features and operations that metamodels state, as far as they were needed. */
-  private final Map<ETypedElement, Optional<OCLExpression<EClassifier>>> bodies = new HashMap<>();
+  private final MemberBodies bodies = new MemberBodies(this);
 
   private ExpressionLanguage(OclEnvironmentFactory factory) {
     this.factory = factory;
@@ -170,46 +168,27 @@ public final class ExpressionLanguage {
     definition.setBodyExpression(body.orElse(null));
   }
 
-  /**
-   * Computes a feature or an operation of a metamodel by an expression, which sees {@code self} and
-   * the parameters. One that has an error is invalid wherever it is used.
-   *
-   * @param parameters what the parameters are called there; {@code null} for their own names
-   */
+  /** As {@link MemberBodies#implement}. */
   synchronized void implement(
-      ETypedElement element, List<String> parameters, SourceRange text, List<Diagnostic> problems) {
-    EClass owner = (EClass) element.eContainer();
-    Scope scope = Scope.EMPTY.with(Environment.SELF_VARIABLE_NAME, owner);
-    if (element instanceof EOperation operation) {
-      for (int i = 0; i < operation.getEParameters().size(); i++) {
-        EParameter parameter = operation.getEParameters().get(i);
-        String name = parameters == null ? parameter.getName() : parameters.get(i);
-        scope = scope.with(name, root.getUMLReflection().getOCLType(parameter));
-      }
-    }
-    EClassifier declared = root.getUMLReflection().getOCLType(element);
-    OclEnvironment environment = environment(scope, owner.getEPackage());
-    OCLExpression<EClassifier> body =
-        parse(text, "", environment, problems)
-            .filter(found -> hasType(found, element, declared, text, problems))
-            .or(() -> parse(INVALID.whole(), "", environment, new ArrayList<>()))
-            .orElseThrow();
-    bodies.put(element, Optional.of(body));
+      ETypedElement member, List<String> parameters, SourceRange text, List<Diagnostic> problems) {
+    bodies.implement(member, parameters, text, problems);
   }
 
   /** The expression that computes a feature or an operation; null if there is none. */
-  synchronized OCLExpression<EClassifier> bodyOf(ETypedElement element) {
-    Constraint definition = root.getDefinition(element);
-    if (definition != null) {
-      return definition.getSpecification().getBodyExpression();
-    }
-    if (!bodies.containsKey(element)) {
-      bodies.put(element, Optional.empty());
-      OclAnnotations.body(element)
-          .map(text -> SourceText.of(Names.of(element), text.value()).whole())
-          .ifPresent(text -> implement(element, null, text, new ArrayList<>()));
-    }
-    return bodies.get(element).orElse(null);
+  synchronized OCLExpression<EClassifier> bodyOf(ETypedElement member) {
+    Constraint definition = root.getDefinition(member);
+    return definition == null
+        ? bodies.of(member).orElse(null)
+        : definition.getSpecification().getBodyExpression();
+  }
+
+  /** The expression of a member, if it has the member's type. */
+  Optional<OCLExpression<EClassifier>> parse(
+      SourceRange text, Scope scope, ETypedElement member, List<Diagnostic> problems) {
+    EPackage metamodel = ((EClass) member.eContainer()).getEPackage();
+    EClassifier declared = typeOf(member);
+    return parse(text, "", environment(scope, metamodel), problems)
+        .filter(found -> hasType(found, member, declared, text, problems));
   }
 
   private boolean hasType(
@@ -326,6 +305,11 @@ public final class ExpressionLanguage {
   /** The type under which OCL knows a classifier: its own Integer for EInt, for instance. */
   public EClassifier type(EClassifier classifier) {
     return root.getUMLReflection().asOCLType(classifier);
+  }
+
+  /** The type that a feature, an operation or a parameter has, its multiplicity included. */
+  EClassifier typeOf(ETypedElement element) {
+    return root.getUMLReflection().getOCLType(element);
   }
 
   /** The type of sequences of this type of elements. */

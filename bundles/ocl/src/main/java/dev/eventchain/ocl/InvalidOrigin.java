@@ -3,6 +3,7 @@ package dev.eventchain.ocl;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.Collection;
+import java.util.Optional;
 import java.util.Set;
 import org.eclipse.emf.common.notify.Adapter;
 import org.eclipse.emf.common.notify.impl.AdapterImpl;
@@ -32,8 +33,16 @@ record InvalidOrigin(
   static final class Source extends AdapterImpl {
     private final SourceText text;
 
+    /** Why the expression stands in the place of another one; empty if it does not. */
+    private final String reason;
+
     Source(SourceText text) {
+      this(text, "");
+    }
+
+    Source(SourceText text, String reason) {
       this.text = text;
+      this.reason = reason;
     }
 
     @Override
@@ -51,13 +60,18 @@ record InvalidOrigin(
   }
 
   static SourceLocation locationOf(OCLExpression<EClassifier> node) {
+    return source(node).map(each -> each.text().at(offsetOf(node))).orElse(SourceLocation.NONE);
+  }
+
+  /** What the expression around a node was parsed from. */
+  static Optional<Source> source(EObject node) {
     for (EObject each = node; each != null; each = each.eContainer()) {
       Adapter source = EcoreUtil.getExistingAdapter(each, Source.class);
       if (source != null) {
-        return ((Source) source).text().at(offsetOf(node));
+        return Optional.of((Source) source);
       }
     }
-    return SourceLocation.NONE;
+    return Optional.empty();
   }
 
   private static final Set<String> DIVISIONS = Set.of("/", "div", "mod");
@@ -83,7 +97,8 @@ record InvalidOrigin(
     } else if (node instanceof IfExp<?> && source == null) {
       return "the condition of an 'if' is null";
     } else if (node instanceof InvalidLiteralExp<?>) {
-      return "'invalid' is written here";
+      String why = source(node).map(each -> each.reason).orElse("");
+      return why.isEmpty() ? "'invalid' is written here" : why;
     }
     return detail.isEmpty() ? "it has no value" : detail;
   }

@@ -3,10 +3,7 @@ package dev.eventchain.ocl;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
-import org.eclipse.emf.common.notify.Adapter;
 import org.eclipse.emf.ecore.EClassifier;
-import org.eclipse.emf.ecore.EObject;
-import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.eclipse.ocl.expressions.OCLExpression;
 
 /**
@@ -36,13 +33,7 @@ final class SubExpressions {
 
   /** The words of a part as they stand in the source, with single spaces, and shortened. */
   static String text(OCLExpression<EClassifier> part) {
-    for (EObject each = part; each != null; each = each.eContainer()) {
-      Adapter source = EcoreUtil.getExistingAdapter(each, InvalidOrigin.Source.class);
-      if (source != null) {
-        return textIn(((InvalidOrigin.Source) source).text().text(), part);
-      }
-    }
-    return "";
+    return InvalidOrigin.source(part).map(each -> textIn(each.text().text(), part)).orElse("");
   }
 
   private static String textIn(String source, OCLExpression<EClassifier> part) {

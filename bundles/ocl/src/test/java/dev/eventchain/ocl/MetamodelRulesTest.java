@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
@@ -290,6 +291,27 @@ class MetamodelRulesTest {
         .map(Diagnostic::message)
         .sorted()
         .toList();
+  }
+
+  @Test
+  void bodyWithAnErrorIsTheReasonWhereItIsUsed() {
+    EOperation total = type("Item").getEOperations().get(0);
+    annotate(total, "body", "price.nothing");
+    EObject shop = models.load("model.xmi");
+    ExpressionLanguage language = ExpressionLanguage.of(List.of(metamodel));
+    Evaluation run = Evaluation.over(List.of(shop));
+    run.bind("self", shop.eContents().get(0));
+    Invalid invalid =
+        (Invalid)
+            language
+                .parse(
+                    SourceText.of("t.mtl", "self.total() + 1").whole(),
+                    Scope.EMPTY.with("self", type("Item")),
+                    new ArrayList<>())
+                .orElseThrow()
+                .evaluate(run);
+    assertEquals(
+        "the expression of 'total' has an error: Real has no feature 'nothing'", invalid.reason());
   }
 
   @Test

@@ -1,0 +1,92 @@
+package dev.eventchain.ocl;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceRange;
+import dev.eventchain.diagnostics.SourceText;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.eclipse.emf.common.util.URI;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EOperation;
+import org.eclipse.emf.ecore.EParameter;
+import org.eclipse.emf.ecore.ETypedElement;
+import org.eclipse.ocl.Environment;
+import org.eclipse.ocl.expressions.OCLExpression;
+
+/**
+ * The expressions that compute features and operations of metamodels: those that documents state,
+ * and those of annotations, parsed when they are first needed.
+ */
+final class MemberBodies {
+
+  private final ExpressionLanguage language;
+  private final Map<ETypedElement, Optional<OCLExpression<EClassifier>>> known = new HashMap<>();
+
+  MemberBodies(ExpressionLanguage language) {
+    this.language = language;
+  }
+
+  /** The expression that computes a feature or an operation. */
+  Optional<OCLExpression<EClassifier>> of(ETypedElement member) {
+    if (!known.containsKey(member)) {
+      known.put(member, Optional.empty());
+      OclAnnotations.body(member)
+          .map(text -> SourceText.within(placeOf(member), text.value()).whole())
+          .ifPresent(text -> implement(member, null, text, new ArrayList<>()));
+    }
+    return known.get(member);
+  }
+
+  /** The file of a metamodel: who only uses its members has no lines of it. */
+  private static SourceLocation placeOf(ETypedElement member) {
+    URI uri = member.eResource() == null ? null : member.eResource().getURI();
+    return uri != null && uri.isFile()
+        ? SourceLocation.of(Path.of(uri.toFileString()))
+        : SourceLocation.NONE;
+  }
+
+  /**
+   * Computes a feature or an operation of a metamodel by an expression, which sees {@code self} and
+   * the parameters. One that has an error is invalid wherever it is used.
+   *
+   * @param parameters what the parameters are called there; {@code null} for their own names
+   */
+  void implement(
+      ETypedElement member, List<String> parameters, SourceRange text, List<Diagnostic> problems) {
+    Scope scope = Scope.EMPTY.with(Environment.SELF_VARIABLE_NAME, (EClass) member.eContainer());
+    if (member instanceof EOperation operation) {
+      for (int i = 0; i < operation.getEParameters().size(); i++) {
+        EParameter parameter = operation.getEParameters().get(i);
+        String name = parameters == null ? parameter.getName() : parameters.get(i);
+        scope = scope.with(name, language.typeOf(parameter));
+      }
+    }
+    List<Diagnostic> found = new ArrayList<>();
+    Optional<OCLExpression<EClassifier>> body = language.parse(text, scope, member, found);
+    known.put(member, Optional.of(body.orElseGet(() -> invalid(member, text, found))));
+    problems.addAll(found);
+  }
+
+  private OCLExpression<EClassifier> invalid(
+      ETypedElement member, SourceRange text, List<Diagnostic> errors) {
+    SourceText invalid = SourceText.within(text.location(), "invalid");
+    String reason =
+        errors.stream()
+            .filter(each -> Diagnostic.anyError(List.of(each)))
+            .findFirst()
+            .map(error -> ": " + error.message().replaceFirst("\\.$", ""))
+            .orElse("");
+    OCLExpression<EClassifier> body =
+        language.parse(invalid.whole(), Scope.EMPTY, member, new ArrayList<>()).orElseThrow();
+    body.eAdapters().clear();
+    String what = "the expression of '" + Names.of(member) + "' has an error" + reason;
+    body.eAdapters().add(new InvalidOrigin.Source(invalid, what));
+    return body;
+  }
+}
