@@ -166,17 +166,7 @@ final class Evaluator extends EvaluationVisitorImpl {
       return collectionOperation(call, code);
     }
     return CollectionOperations.distinct(
-        StandardOperations.differs(code) ? asStandard(call) : byValue(call, code));
-  }
-
-  /** What Eclipse OCL has no other value for. */
-  private Object byValue(OperationCallExp<EClassifier, EOperation> call, int code) {
-    if (code == PredefinedType.TO_INTEGER) {
-      return safeVisitExpression(call.getSource()) instanceof String text
-          ? Numbers.integer(text)
-          : getInvalid();
-    }
-    return super.visitOperationCallExp(call);
+        StandardOperations.differs(code) ? asStandard(call) : super.visitOperationCallExp(call));
   }
 
   /** A part of an expression as a node. */

@@ -2,6 +2,7 @@ package dev.eventchain.ocl;
 
 import java.math.BigDecimal;
 import java.math.BigInteger;
+import java.util.regex.Pattern;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EEnum;
@@ -15,6 +16,9 @@ import org.eclipse.emf.ecore.EEnum;
  * equal to 0.1 whether a literal, a float or a BigDecimal has it; one without is exact.
  */
 final class Numbers {
+
+  private static final Pattern REAL =
+      Pattern.compile("\\s*[+-]?[0-9]+(\\.[0-9]*)?([eE][+-]?[0-9]+)?\\s*");
 
   /** Up to here, every whole number is a double. */
   private static final long EXACT = 1L << 53;
@@ -80,6 +84,19 @@ final class Numbers {
       }
       throw e;
     }
+  }
+
+  /**
+   * The Real that a text holds, as OCL writes one.
+   *
+   * @throws NumberFormatException if it holds none; {@code NaN}, {@code 0x1p3} and {@code 1d} are
+   *     numbers of Java only
+   */
+  static Double real(String text) {
+    if (!REAL.matcher(text).matches()) {
+      throw new NumberFormatException("'" + text + "' is no Real");
+    }
+    return Double.valueOf(text);
   }
 
   /** The double that is written like a float. */

@@ -44,6 +44,8 @@ final class StandardOperations {
           PredefinedType.INCLUDES_ALL,
           PredefinedType.EXCLUDES_ALL,
           PredefinedType.INDEX_OF,
+          PredefinedType.TO_INTEGER,
+          PredefinedType.TO_REAL,
           PredefinedType.AS_ORDERED_SET,
           PredefinedType.OCL_IS_KIND_OF,
           PredefinedType.OCL_IS_TYPE_OF,

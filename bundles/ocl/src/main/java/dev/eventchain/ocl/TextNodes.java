@@ -67,7 +67,7 @@ final class TextNodes {
       return switch (code) {
         case PredefinedType.SIZE -> text.length();
         case PredefinedType.TO_INTEGER -> Numbers.integer(text);
-        case PredefinedType.TO_REAL -> Double.valueOf(text);
+        case PredefinedType.TO_REAL -> Numbers.real(text);
         case PredefinedType.TO_BOOLEAN -> "true".equals(text);
         case PredefinedType.TO_LOWER, PredefinedType.TO_LOWER_CASE ->
             UnicodeSupport.toLowerCase(text);
@@ -128,7 +128,7 @@ final class TextNodes {
 
     private Object compute(String text, String other, Frame frame) {
       return switch (code) {
-        case PredefinedType.INDEX_OF -> 1 + text.indexOf(other);
+        case PredefinedType.INDEX_OF -> text.isEmpty() ? 0 : 1 + text.indexOf(other);
         case PredefinedType.LAST_INDEX_OF -> 1 + text.lastIndexOf(other);
         case PredefinedType.ENDS_WITH -> text.endsWith(other);
         case PredefinedType.STARTS_WITH -> text.startsWith(other);
