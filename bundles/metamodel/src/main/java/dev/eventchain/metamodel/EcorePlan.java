@@ -34,7 +34,10 @@ record EcorePlan(
 
   private static final String MAP_ENTRY = "java.util.Map$Entry";
 
-  /** The plan of a class. What is derived or has no place of its own is the program's matter. */
+  /**
+   * The plan of a class. What is derived or has no place of its own is the program's matter, unless
+   * its place is in a feature map: of those, EMF checks how many there are, and the map holds them.
+   */
   static EcorePlan of(EClass type) {
     EcorePlan plan =
         new EcorePlan(
@@ -48,18 +51,31 @@ record EcorePlan(
     for (EStructuralFeature feature : type.getEAllStructuralFeatures()) {
       if (!feature.isDerived() && !feature.isVolatile()) {
         plan.add(feature);
+      } else if (isMemberOfMap(feature)) {
+        plan.addMultiplicity(feature);
       }
     }
     return plan;
   }
 
-  private void add(EStructuralFeature feature) {
+  private static boolean isMemberOfMap(EStructuralFeature feature) {
+    ExtendedMetaData extended = ExtendedMetaData.INSTANCE;
+    return extended.getFeatureKind(feature) == ExtendedMetaData.ELEMENT_FEATURE
+        && (extended.getGroup(feature) != null
+            || extended.getMixedFeature(feature.getEContainingClass()) != null);
+  }
+
+  private void addMultiplicity(EStructuralFeature feature) {
     if (feature.getLowerBound() > 0) {
       required.add(feature);
     }
     if (feature.isMany() && feature.getUpperBound() > 0) {
       bounded.add(feature);
     }
+  }
+
+  private void add(EStructuralFeature feature) {
+    addMultiplicity(feature);
     if (Faults.holdsEachOnce(feature)) {
       unique.add(feature);
     }

@@ -14,6 +14,8 @@ import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.InternalEObject;
 import org.eclipse.emf.ecore.resource.Resource;
 import org.eclipse.emf.ecore.util.EcoreUtil;
+import org.eclipse.emf.ecore.util.FeatureMap;
+import org.eclipse.emf.ecore.util.FeatureMapUtil;
 import org.eclipse.emf.ecore.util.InternalEList;
 
 /**
@@ -90,9 +92,10 @@ final class Faults {
   }
 
   private void findDuplicates(XmiResource file) {
-    Iterator<EObject> all = EcoreUtil.getAllProperContents((Resource) file, false);
-    while (all.hasNext()) {
-      EObject element = all.next();
+    List<EObject> all = new ArrayList<>(); // of lists that do not change meanwhile
+    Iterator<EObject> contents = EcoreUtil.getAllProperContents((Resource) file, false);
+    contents.forEachRemaining(all::add);
+    for (EObject element : all) {
       for (EStructuralFeature feature : element.eClass().getEAllStructuralFeatures()) {
         if (holdsEachOnce(feature) && !isPaired(feature) && element.eIsSet(feature)) {
           findDuplicates(file, element, feature);
@@ -106,13 +109,26 @@ final class Faults {
     return feature instanceof EReference reference && Statements.hasWrittenOpposite(reference);
   }
 
-  /** Whether a feature is a list that the file gives, in which no value may stand twice. */
+  /**
+   * Whether a feature is a list that the file gives, in which no value may stand twice. Of a
+   * feature map, its members say so: XML Schema's are never unique themselves, and others mean
+   * nothing by it.
+   */
   static boolean holdsEachOnce(EStructuralFeature feature) {
+    boolean stored = feature.isMany() && !feature.isDerived() && !feature.isVolatile();
+    return stored && (FeatureMapUtil.isFeatureMap(feature) || hasUniqueValues(feature));
+  }
+
+  private static boolean hasUniqueValues(EStructuralFeature feature) {
     return feature.isMany()
         && feature.isUnique()
-        && !feature.isDerived()
-        && !feature.isVolatile()
         && !(feature instanceof EReference reference && reference.isContainment());
+  }
+
+  private static boolean mayStandAgain(Object value) {
+    return value instanceof FeatureMap.Entry entry
+        && (!hasUniqueValues(entry.getEStructuralFeature())
+            || isPaired(entry.getEStructuralFeature()));
   }
 
   private void findDuplicates(XmiResource file, EObject element, EStructuralFeature feature) {
@@ -124,7 +140,7 @@ final class Faults {
     Set<Object> seen = new HashSet<>();
     List<Integer> again = new ArrayList<>();
     for (int i = 0; i < basic.size(); i++) {
-      if (!seen.add(basic.get(i))) {
+      if (!mayStandAgain(basic.get(i)) && !seen.add(basic.get(i))) {
         again.add(i);
       }
     }
@@ -139,6 +155,10 @@ final class Faults {
   }
 
   private void report(XmiResource file, EObject element, EStructuralFeature feature, Object value) {
+    if (value instanceof FeatureMap.Entry entry) {
+      report(file, element, entry.getEStructuralFeature(), entry.getValue());
+      return;
+    }
     String shown = value instanceof EObject object ? ModelPath.of(object) : "`" + value + "`";
     found.add(duplicate(file, element, file.offsetOf(element, 0), feature, shown));
   }

@@ -72,7 +72,7 @@ final class References {
           && proxy.eIsProxy()) {
         EObject target = targetOf(file, reference, proxy);
         if (target != null && mayHold(file, element, reference, proxy, target)) {
-          map.set(i, FeatureMapUtil.createEntry(reference, target));
+          map.setUnique(i, FeatureMapUtil.createEntry(reference, target));
         }
       }
     }

@@ -13,6 +13,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EModelElement;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EOperation;
 import org.eclipse.emf.ecore.EPackage;
@@ -80,6 +81,7 @@ final class MetamodelRules {
     for (Map.Entry<String, OclAnnotations.Text> each : OclAnnotations.invariants(type).entrySet()) {
       invariants.add(invariant(type, each.getKey(), each.getValue()));
     }
+    OclAnnotations.contradictions(type).forEach(text -> report(type, text));
     for (String name : OclAnnotations.constraintsInJava(type)) {
       problems.add(
           Diagnostic.warning(
@@ -91,9 +93,19 @@ final class MetamodelRules {
     }
   }
 
+  private void report(EModelElement element, OclAnnotations.Text again) {
+    problems.add(
+        Diagnostic.error(
+                "ocl.duplicate",
+                "'%s' of %s is there twice.".formatted(again.key(), Names.of(element)),
+                places.apply(again.entry()))
+            .withHint("Give one of them another name, or leave one of them out."));
+  }
+
   private void readMember(ETypedElement element) {
     OclAnnotations.body(element)
         .ifPresent(text -> language.implement(element, null, textOf(text).whole(), problems));
+    OclAnnotations.contradictions(element).forEach(text -> report(element, text));
     for (OclAnnotations.Text text : OclAnnotations.misunderstood(element)) {
       problems.add(
           Diagnostic.warning(

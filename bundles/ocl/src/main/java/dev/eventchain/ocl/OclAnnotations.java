@@ -1,12 +1,13 @@
 package dev.eventchain.ocl;
 
+import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.eclipse.emf.common.util.EMap;
 import org.eclipse.emf.ecore.EAnnotation;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
@@ -85,13 +86,13 @@ final class OclAnnotations {
 
   /** The constraints that a classifier is said to have and that no OCL states: Java checks them. */
   static Set<String> constraintsInJava(EClassifier type) {
-    EAnnotation annotation = type.getEAnnotation(ECORE);
-    String names = annotation == null ? null : annotation.getDetails().get("constraints");
     Set<String> inJava = new LinkedHashSet<>();
-    if (names != null && !names.isBlank()) {
-      inJava.addAll(List.of(names.strip().split("\\s+", -1)));
-      inJava.removeAll(invariants(type).keySet());
+    for (Text text : texts(type, ECORE)) {
+      if (text.key().equals("constraints") && !text.value().isBlank()) {
+        inJava.addAll(List.of(text.value().strip().split("\\s+", -1)));
+      }
     }
+    inJava.removeAll(invariants(type).keySet());
     return inJava;
   }
 
@@ -116,20 +117,41 @@ final class OclAnnotations {
         && body(feature).isEmpty();
   }
 
-  /** All texts of the annotations of an element, by their keys. */
+  /** All texts of the annotations of an element, by their keys; of several for one, the first. */
   static Map<String, Text> details(EModelElement element) {
     Map<String, Text> details = new LinkedHashMap<>();
     for (String source : SOURCES) {
-      EAnnotation annotation = element.getEAnnotation(source);
-      EMap<String, String> entries = annotation == null ? null : annotation.getDetails();
-      if (entries != null) {
-        for (Map.Entry<String, String> entry : entries) {
-          String value = entry.getValue() == null ? "" : entry.getValue();
-          Text text = new Text(entry.getKey(), value, (EObject) entry);
-          details.putIfAbsent(entry.getKey(), text);
+      texts(element, source).forEach(text -> details.putIfAbsent(text.key(), text));
+    }
+    return details;
+  }
+
+  /** Texts whose key another one has in annotations of the same source, and that say otherwise. */
+  static List<Text> contradictions(EModelElement element) {
+    List<Text> contradictions = new ArrayList<>();
+    for (String source : SOURCES) {
+      Map<String, Text> known = new HashMap<>();
+      for (Text text : texts(element, source)) {
+        Text first = known.putIfAbsent(text.key(), text);
+        if (first != null && !first.value().equals(text.value())) {
+          contradictions.add(text);
         }
       }
     }
-    return details;
+    return contradictions;
+  }
+
+  /** What all annotations of a source say: Ecore allows several. */
+  private static List<Text> texts(EModelElement element, String source) {
+    List<Text> texts = new ArrayList<>();
+    for (EAnnotation annotation : element.getEAnnotations()) {
+      if (source.equals(annotation.getSource())) {
+        for (Map.Entry<String, String> entry : annotation.getDetails()) {
+          String value = entry.getValue() == null ? "" : entry.getValue();
+          texts.add(new Text(entry.getKey(), value, (EObject) entry));
+        }
+      }
+    }
+    return texts;
   }
 }

@@ -42,12 +42,15 @@ final class RuleParser {
    * @param places where elements of the metamodels stand
    */
   OclRules parse(List<SourceText> documents, Function<EObject, SourceLocation> places) {
-    List<ResolvedClause> embedded = MetamodelRules.read(language, places, problems);
-    embedded.forEach(this::addAtItsPlace);
-    return parse(documents);
+    return parse(documents, MetamodelRules.read(language, places, problems));
   }
 
   OclRules parse(List<SourceText> documents) {
+    return parse(documents, List.of());
+  }
+
+  /** What the metamodels state may read what the documents compute, so that is known before. */
+  private OclRules parse(List<SourceText> documents, List<ResolvedClause> embedded) {
     List<String> names = documents.stream().map(SourceText::name).toList();
     List<ResolvedClause> clauses = new ArrayList<>();
     List<Diagnostic> empty = new ArrayList<>();
@@ -58,6 +61,7 @@ final class RuleParser {
     if (empty.size() < documents.size()) {
       problems.addAll(empty);
     }
+    embedded.forEach(this::addAtItsPlace);
     definitions.addAll(clauses.stream().filter(each -> each.clause().definition()).toList());
     clauses.stream().filter(each -> !each.clause().definition()).forEach(this::addAtItsPlace);
     definitions.forgetUnusable();
