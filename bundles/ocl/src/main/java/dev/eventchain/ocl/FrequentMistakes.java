@@ -33,6 +33,10 @@ final class FrequentMistakes {
           Map.entry(
               "//", new Mistake("Comments start with two hyphens.", "Write -- instead of //.")),
           Map.entry(
+              "^^",
+              new Mistake(
+                  "'^^' is not part of this OCL.", "No messages are sent in a model at rest.")),
+          Map.entry(
               "?.",
               new Mistake("'?.' is not part of this OCL.", "Write x <> null implies x.y ...")));
 
