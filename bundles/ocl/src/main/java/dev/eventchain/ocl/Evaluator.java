@@ -33,7 +33,9 @@ import org.eclipse.ocl.expressions.OperationCallExp;
 import org.eclipse.ocl.expressions.PropertyCallExp;
 import org.eclipse.ocl.parser.AbstractOCLAnalyzer;
 import org.eclipse.ocl.types.CollectionType;
+import org.eclipse.ocl.types.TupleType;
 import org.eclipse.ocl.util.OCLStandardLibraryUtil;
+import org.eclipse.ocl.util.Tuple;
 import org.eclipse.ocl.utilities.PredefinedType;
 
 /**
@@ -123,7 +125,17 @@ final class Evaluator extends EvaluationVisitorImpl {
 
   @Override
   public Object visitPropertyCallExp(PropertyCallExp<EClassifier, EStructuralFeature> call) {
-    return tracked(call, () -> super.visitPropertyCallExp(call), call.getSource());
+    boolean ofTuple = call.getSource().getType() instanceof TupleType<?, ?>;
+    return tracked(
+        call, () -> ofTuple ? part(call) : super.visitPropertyCallExp(call), call.getSource());
+  }
+
+  /** The original makes a collection, with nothing invalid about it, of a part that is invalid. */
+  private Object part(PropertyCallExp<EClassifier, EStructuralFeature> call) {
+    Object tuple = safeVisitExpression(call.getSource());
+    return tuple instanceof Tuple<?, ?>
+        ? getEvaluationEnvironment().navigateProperty(call.getReferredProperty(), List.of(), tuple)
+        : Node.INVALID;
   }
 
   @Override

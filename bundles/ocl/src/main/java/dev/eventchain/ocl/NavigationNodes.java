@@ -183,7 +183,7 @@ final class NavigationNodes {
         return INVALID;
       }
       Object value = environment.navigateProperty(property, List.of(), tuple);
-      if (kind == null || value instanceof Collection<?>) {
+      if (kind == null || isUndefined(value) || value instanceof Collection<?>) {
         return value;
       }
       Collection<Object> single = CollectionOperations.create(kind);

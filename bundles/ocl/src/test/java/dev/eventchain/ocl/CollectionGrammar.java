@@ -56,6 +56,10 @@ final class CollectionGrammar {
         .node("including", () -> changed(type, "including"))
         .node("excluding", () -> changed(type, "excluding"))
         .node("conversion", () -> conversion(type))
+        .node(
+            "literal with null",
+            () -> generator.format(type.kind() + "{%s, null, %s}", type.single(), type.single()))
+        .node("excluding null", () -> typed(type, generator.format("%s->excluding(null)", type)))
         .node("flatten", () -> flatten(type));
     if (type.isUnordered()) {
       unordered(type, options);
@@ -76,7 +80,10 @@ final class CollectionGrammar {
 
   /** Eclipse OCL takes a changed ordered set for a set until it is evaluated. */
   private String changed(ValueType type, String name) {
-    String changed = generator.format("%s->" + name + "(%s)", type, type.single());
+    return typed(type, generator.format("%s->" + name + "(%s)", type, type.single()));
+  }
+
+  private static String typed(ValueType type, String changed) {
     return type.kind().equals("OrderedSet") ? changed + "->asOrderedSet()" : changed;
   }
 
@@ -154,6 +161,25 @@ final class CollectionGrammar {
               return generator.loop("collect", source(kinds), body);
             })
         .node("collectNested", () -> generator.loop("collectNested", source(kinds), type.single()));
+    implicitCollect(type, kinds, options);
+  }
+
+  /** Features of many elements, whose values {@code collect} would give. */
+  private void implicitCollect(ValueType type, List<String> kinds, Options options) {
+    List<String> features =
+        switch (type.element()) {
+          case "Boolean" -> List.of("flag", "maybe");
+          case "Integer" -> List.of("whole", "perhaps", "numbers");
+          case "Real" -> List.of("real", "partial");
+          case "String" -> List.of("name");
+          case "Colour" -> List.of("colour");
+          default -> List.of("next", "parts", "owner");
+        };
+    for (String feature : features) {
+      options.node(
+          "feature of each: " + feature,
+          () -> generator.format("%s." + feature, ValueType.THING.of(generator.oneOf(kinds))));
+    }
   }
 
   private ValueType source(List<String> kinds) {
@@ -180,6 +206,10 @@ final class CollectionGrammar {
   }
 
   private void things(ValueType type, Options options) {
+    for (String condition : List.of("flag", "name = 'a'", "next <> null", "whole > 1")) {
+      options.node(
+          "select of " + condition, () -> generator.format("%s->select(" + condition + ")", type));
+    }
     if (type.kind().equals("Set")) {
       options.node("closure", () -> closure(type));
     } else if (type.kind().equals("Sequence")) {

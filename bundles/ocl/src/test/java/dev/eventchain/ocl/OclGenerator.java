@@ -3,6 +3,7 @@ package dev.eventchain.ocl;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 
@@ -88,6 +89,9 @@ final class OclGenerator {
 
   private static final int DEPTH = 4;
 
+  /** Loops whose value depends on the order of their source, with whatever body. */
+  private static final Set<String> ORDERED_LOOPS = Set.of("any", "sortedBy");
+
   private final List<Integer> choices;
   private final Map<String, Integer> used = new TreeMap<>();
   private final List<Variable> scope = new ArrayList<>();
@@ -133,6 +137,7 @@ final class OclGenerator {
 
   private void shared(ValueType type, Options options) {
     options
+        .node("part of a tuple", () -> tuple(type))
         .node("if", () -> format("(if %s then %s else %s endif)", ValueType.BOOLEAN, type, type))
         .node("let", () -> let(anyType(), type))
         .node("null or invalid", () -> undefined(type, oneOf(List.of("null", "invalid"))));
@@ -141,6 +146,12 @@ final class OclGenerator {
   private String undefined(ValueType type, String value) {
     String name = newName();
     return "(let " + name + " : " + type + " = " + value + " in " + name + ")";
+  }
+
+  private String tuple(ValueType type) {
+    ValueType other = anyType();
+    return format(
+        "Tuple{one : %s = %s, two : %s = %s}.two", other.toString(), other, type.toString(), type);
   }
 
   private String let(ValueType variableType, ValueType type) {
@@ -170,7 +181,7 @@ final class OclGenerator {
   String loop(String name, ValueType source, ValueType body) {
     String from = expression(source);
     Variable variable = new Variable(newName(), source.single());
-    if (source.isUnordered()) {
+    if (source.isUnordered() && ORDERED_LOOPS.contains(name)) {
       orderMatters();
     }
     String inner = within(variable, () -> expression(body));

@@ -130,10 +130,31 @@ final class ScalarGrammar {
           name, () -> generator.format("%s." + name + "(%s)", ValueType.STRING, ValueType.STRING));
     }
     options
+        .node(
+            "oclIsTypeOf of a literal",
+            () ->
+                generator.format(
+                    "%s.oclIsTypeOf(%s)",
+                    generator.oneOf(List.of(ValueType.BOOLEAN, ValueType.COLOUR)),
+                    generator.oneOf(List.of("Boolean", "Colour", "Integer"))))
+        .node("equality of tuples", this::tuples)
         .node("toBoolean", () -> generator.format("%s.toBoolean()", ValueType.STRING))
         .node(
             "definition with arguments",
             () -> generator.format("%s.sameName(%s)", ValueType.THING, ValueType.THING));
+  }
+
+  private String tuples() {
+    ValueType type = generator.oneOf(List.of(ValueType.STRING, ValueType.COLOUR, ValueType.THING));
+    String format = "Tuple{one : %s = %s, two : Boolean = %s}";
+    return generator.format(
+        "(" + format + " = " + format + ")",
+        type.toString(),
+        type,
+        ValueType.BOOLEAN,
+        type.toString(),
+        type,
+        ValueType.BOOLEAN);
   }
 
   private String className() {
@@ -158,6 +179,14 @@ final class ScalarGrammar {
     for (String name : List.of("includes", "excludes")) {
       options.node(name, () -> membership(name));
     }
+    options
+        .node("includes null", () -> generator.format("%s->includes(null)", source()))
+        .node("includes a collection", () -> nested("includes"));
+    for (String condition : List.of("flag", "name = 'a'", "next <> null", "whole > 1")) {
+      options.node(
+          "forAll of " + condition,
+          () -> generator.format("%s->forAll(" + condition + ")", things()));
+    }
     for (String name : List.of("includesAll", "excludesAll")) {
       options.node(name, () -> comparison(name));
     }
@@ -168,6 +197,16 @@ final class ScalarGrammar {
     return generator.format("%s->" + name + "(%s)", source, source.single());
   }
 
+  /** A question about a sequence of collections. */
+  private String nested(String name) {
+    ValueType source = source();
+    return generator.format("Sequence{%s, %s}->" + name + "(%s)", source, source, source);
+  }
+
+  private ValueType things() {
+    return ValueType.THING.of(generator.oneOf(ValueType.KINDS));
+  }
+
   private String comparison(String name) {
     ValueType source = source();
     ValueType other = source.of(generator.oneOf(ValueType.KINDS));
@@ -176,9 +215,6 @@ final class ScalarGrammar {
 
   private String pairs(String name) {
     ValueType source = source();
-    if (source.isUnordered()) {
-      generator.orderMatters();
-    }
     String from = generator.expression(source);
     Variable first = new Variable(generator.newName(), source.single());
     Variable second = new Variable(generator.newName(), source.single());
@@ -214,7 +250,7 @@ final class ScalarGrammar {
 
   private String aggregate(String name, ValueType type) {
     ValueType source = type.of(generator.oneOf(ValueType.KINDS));
-    if (source.isUnordered()) {
+    if (source.isUnordered() && name.equals("sum") && type.equals(ValueType.REAL)) {
       generator.orderMatters();
     }
     return generator.format("%s->" + name + "()", source);
@@ -242,6 +278,11 @@ final class ScalarGrammar {
         .node("mod", () -> generator.format("%s.mod(%s)", ValueType.INTEGER, ValueType.INTEGER))
         .node("floor", () -> generator.format("%s.floor()", number()))
         .node("round", () -> generator.format("%s.round()", number()))
+        .node("count of null", () -> generator.format("%s->count(null)", source()))
+        .node("position of a collection", () -> nested("indexOf"))
+        .node(
+            "size of a value",
+            () -> generator.format("%s->size()", generator.oneOf(ValueType.SINGLE)))
         .node("size", () -> generator.format("%s->size()", source()))
         .node("size of a string", () -> generator.format("%s.size()", ValueType.STRING))
         .node("toInteger", () -> generator.format("%s.toInteger()", ValueType.STRING))
@@ -294,7 +335,7 @@ final class ScalarGrammar {
               ValueType type = generator.anyType().single();
               return generator.format("%s.toString()", type);
             });
-    for (String name : List.of("toUpperCase", "toLowerCase", "trim")) {
+    for (String name : List.of("toUpperCase", "toLowerCase", "toUpper", "toLower", "trim")) {
       options.node(name, () -> generator.format("%s." + name + "()", ValueType.STRING));
     }
     for (String name : List.of("replaceAll", "replaceFirst", "substituteAll", "substituteFirst")) {

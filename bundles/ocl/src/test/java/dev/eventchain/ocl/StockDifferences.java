@@ -8,6 +8,8 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import org.eclipse.emf.common.util.Enumerator;
+import org.eclipse.ocl.util.Bag;
 import org.eclipse.ocl.utilities.PredefinedType;
 
 /**
@@ -15,6 +17,30 @@ import org.eclipse.ocl.utilities.PredefinedType;
  * of them while Eclipse OCL evaluates it is not compared with the value that it has there.
  */
 final class StockDifferences {
+
+  static final String FAILING_PART = "exception in a part of a tuple";
+
+  /** The names of the differences; {@code stock-differences.md} has an example of each. */
+  static final List<String> NAMES =
+      List.of(
+          "equal numbers in a set",
+          "equal numbers",
+          "large numbers",
+          "type of what is undefined",
+          "type of a large number",
+          "type of an enumeration's literal",
+          "floor or round beyond 32 bit",
+          "toInteger beyond 32 bit",
+          "isUnique with an invalid body",
+          "isUnique of equal numbers",
+          "isUnique of bags",
+          "sortedBy numbers of several types",
+          "a body without a value beside one that decides",
+          "undefined body over a set",
+          "no number in a collection",
+          "part of a tuple without a value",
+          "place in the empty string",
+          FAILING_PART);
 
   private StockDifferences() {}
 
@@ -32,36 +58,61 @@ final class StockDifferences {
 
   /** A set that holds numbers which are equal. */
   static Optional<String> ofValue(Object value) {
-    return value instanceof Set<?> && holdsEqualNumbers(List.of(value))
-        ? Optional.of("equal numbers in a set")
-        : Optional.empty();
+    return when(
+        "equal numbers in a set", value instanceof Set<?> && holdsEqualNumbers(List.of(value)));
   }
 
   static Optional<String> ofCall(int code, Object source, Collection<Object> operands) {
     return switch (code) {
       case PredefinedType.OCL_IS_KIND_OF, PredefinedType.OCL_IS_TYPE_OF ->
           when("type of what is undefined", source == null || source == Node.INVALID)
-              .or(() -> when("type of a large number", isLarge(source)));
+              .or(() -> when("type of a large number", isLarge(source)))
+              .or(() -> when("type of an enumeration's literal", source instanceof Enumerator));
       case PredefinedType.FLOOR, PredefinedType.ROUND ->
           when("floor or round beyond 32 bit", !fitsInt(source));
       case PredefinedType.TO_INTEGER ->
           when(
               "toInteger beyond 32 bit",
               source instanceof String text && text.strip().length() > 9);
-      default ->
-          when("large numbers", numbers(operands).stream().anyMatch(StockDifferences::isLarge))
-              .or(() -> when("equal numbers", holdsEqualNumbers(operands)));
+      case PredefinedType.COUNT,
+          PredefinedType.INDEX_OF,
+          PredefinedType.LAST_INDEX_OF,
+          PredefinedType.MIN,
+          PredefinedType.MAX ->
+          when("no number in a collection", numbers(operands).contains(Double.NaN))
+              .or(() -> when("place in the empty string", "".equals(source)))
+              .or(() -> ofNumbers(operands));
+      default -> ofNumbers(operands);
     };
   }
 
-  static Optional<String> ofLoop(String name, Collection<Object> bodies) {
+  /** Of a part of a tuple that is to be a collection. */
+  static Optional<String> ofPart(Object value) {
+    return when(
+        "part of a tuple without a value",
+        value instanceof Collection<?> part
+            && part.size() == 1
+            && (part.contains(null) || part.contains(Node.INVALID)));
+  }
+
+  private static Optional<String> ofNumbers(Collection<Object> operands) {
+    return when("large numbers", numbers(operands).stream().anyMatch(StockDifferences::isLarge))
+        .or(() -> when("equal numbers", holdsEqualNumbers(operands)));
+  }
+
+  static Optional<String> ofLoop(String name, boolean unordered, Collection<Object> bodies) {
     return switch (name) {
       case "exists", "forAll" ->
           when(
               "a body without a value beside one that decides",
               bodies.contains(Node.INVALID) || bodies.contains(null));
+      case "one" ->
+          when(
+              "undefined body over a set",
+              unordered && (bodies.contains(Node.INVALID) || bodies.contains(null)));
       case "isUnique" ->
           when("isUnique with an invalid body", bodies.contains(Node.INVALID))
+              .or(() -> when("isUnique of bags", bodies.stream().anyMatch(Bag.class::isInstance)))
               .or(() -> when("isUnique of equal numbers", holdsEqualNumbers(bodies)));
       case "sortedBy" ->
           when(
@@ -78,6 +129,9 @@ final class StockDifferences {
   }
 
   private static Optional<String> when(String difference, boolean met) {
+    if (!NAMES.contains(difference)) {
+      throw new IllegalArgumentException(difference);
+    }
     return met ? Optional.of(difference) : Optional.empty();
   }
 

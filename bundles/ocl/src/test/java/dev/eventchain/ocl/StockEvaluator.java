@@ -19,6 +19,11 @@ import org.eclipse.ocl.ecore.EvaluationVisitorImpl;
 import org.eclipse.ocl.expressions.IteratorExp;
 import org.eclipse.ocl.expressions.OCLExpression;
 import org.eclipse.ocl.expressions.OperationCallExp;
+import org.eclipse.ocl.expressions.PropertyCallExp;
+import org.eclipse.ocl.expressions.TupleLiteralExp;
+import org.eclipse.ocl.types.BagType;
+import org.eclipse.ocl.types.SetType;
+import org.eclipse.ocl.types.TupleType;
 
 /**
  * Eclipse OCL's own evaluator, with its own environments, on expressions that we have parsed. It is
@@ -108,14 +113,35 @@ final class StockEvaluator {
     }
 
     @Override
+    public Object visitPropertyCallExp(PropertyCallExp<EClassifier, EStructuralFeature> call) {
+      Object value = super.visitPropertyCallExp(call);
+      if (call.getSource().getType() instanceof TupleType) {
+        StockDifferences.ofPart(value).ifPresent(differences::add);
+      }
+      return value;
+    }
+
+    @Override
+    public Object visitTupleLiteralExp(TupleLiteralExp<EClassifier, EStructuralFeature> literal) {
+      try {
+        return super.visitTupleLiteralExp(literal);
+      } catch (RuntimeException e) {
+        differences.add(StockDifferences.FAILING_PART);
+        throw e;
+      }
+    }
+
+    @Override
     public Object visitIteratorExp(IteratorExp<EClassifier, EParameter> loop) {
       parts.push(new IdentityHashMap<>());
       try {
         return super.visitIteratorExp(loop);
       } finally {
         Map<Object, Object> known = parts.pop();
-        known.remove(loop.getSource());
-        StockDifferences.ofLoop(loop.getName(), known.values()).ifPresent(differences::add);
+        EClassifier source = loop.getSource().getType();
+        boolean unordered = source instanceof SetType || source instanceof BagType;
+        StockDifferences.ofLoop(loop.getName(), unordered, known.values())
+            .ifPresent(differences::add);
       }
     }
 
