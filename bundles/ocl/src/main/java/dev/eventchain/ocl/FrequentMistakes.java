@@ -113,8 +113,8 @@ final class FrequentMistakes {
       add(at, new Mistake("';' does not end an expression.", "Leave it out."));
     } else if (INFIX.contains(token) && endsOperand(at - 1) && startsOperand(at + 1)) {
       add(at, infix(token));
-    } else if (token.equals("let") && tokens.isName(at + 1) && tokens.is(at + 2, "=")) {
-      add(at + 1, new Mistake("A variable needs a type.", "Write let name : Type = ... in ..."));
+    } else if (token.equals("let") || token.equals("_")) {
+      lookAtName();
     } else if (token.equals("->")) {
       lookAtArrow();
     } else if (token.equals(".") && isIteration(at + 1)) {
@@ -123,6 +123,22 @@ final class FrequentMistakes {
           new Mistake("'" + tokens.text(at + 1) + "' follows an arrow.", "Write -> for the dot."));
     }
     at++;
+  }
+
+  private void lookAtName() {
+    if (isQuotedSelf()) {
+      add(
+          at,
+          new Mistake("_'self' is read as self, whatever has that name.", "Write self._'self'."));
+    } else if (tokens.is(at, "let") && tokens.isName(at + 1) && tokens.is(at + 2, "=")) {
+      add(at + 1, new Mistake("A variable needs a type.", "Write let name : Type = ... in ..."));
+    }
+  }
+
+  private boolean isQuotedSelf() {
+    return tokens.is(at, "_")
+        && tokens.is(at + 1, "'self'")
+        && !(at > 0 && (tokens.is(at - 1, ".") || tokens.is(at - 1, "::")));
   }
 
   private static Mistake unclosed(String token) {

@@ -11,6 +11,7 @@ import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.eclipse.emf.ecore.EAnnotation;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EModelElement;
@@ -82,6 +83,7 @@ final class MetamodelRules {
       invariants.add(invariant(type, each.getKey(), each.getValue()));
     }
     OclAnnotations.contradictions(type).forEach(text -> report(type, text));
+    OclAnnotations.unknown(type).forEach(annotation -> report(type, annotation));
     for (String name : OclAnnotations.constraintsInJava(type)) {
       problems.add(
           Diagnostic.warning(
@@ -91,6 +93,16 @@ final class MetamodelRules {
                   places.apply(type))
               .withHint("Write it in OCL to have it checked here."));
     }
+  }
+
+  private void report(EClassifier type, EAnnotation unknown) {
+    problems.add(
+        Diagnostic.warning(
+                "ocl.unsupported",
+                "The annotation '%s' of %s is not understood, and nothing is done with it."
+                    .formatted(unknown.getSource(), Names.of(type)),
+                places.apply(unknown))
+            .withHint("The source of constraints is http://www.eclipse.org/emf/2002/Ecore/OCL."));
   }
 
   private void report(EModelElement element, OclAnnotations.Text again) {

@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Pattern;
 import org.eclipse.emf.ecore.EAnnotation;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
@@ -31,7 +32,14 @@ final class OclAnnotations {
 
   /** The sources of annotations with expressions; those of the Pivot dialect as well. */
   private static final List<String> SOURCES =
-      List.of(ECORE + "/OCL", ECORE + "/OCL/Pivot", ECORE + "/OCL/LPG", ECORE + "/OCL/debug");
+      List.of(
+          ECORE + "/OCL",
+          ECORE + "/OCL/Pivot",
+          ECORE + "/OCL/LPG",
+          ECORE + "/OCL/debug",
+          "http://www.eclipse.org/ocl/examples/OCL");
+
+  private static final Pattern NAMES_OCL = Pattern.compile("(?i).*\\bocl\\b.*");
 
   /** The key of an invariant's message is that of the invariant and this. */
   private static final String MESSAGE = "$message";
@@ -124,6 +132,15 @@ final class OclAnnotations {
       texts(element, source).forEach(text -> details.putIfAbsent(text.key(), text));
     }
     return details;
+  }
+
+  /** Annotations that seem to hold OCL, by their sources, and that are not read. */
+  static List<EAnnotation> unknown(EModelElement element) {
+    return element.getEAnnotations().stream()
+        .filter(each -> each.getSource() != null && !SOURCES.contains(each.getSource()))
+        .filter(each -> NAMES_OCL.matcher(each.getSource()).matches())
+        .filter(each -> !each.getDetails().isEmpty())
+        .toList();
   }
 
   /** Texts whose key another one has in annotations of the same source, and that say otherwise. */

@@ -29,6 +29,7 @@ final class RuleParser {
 
   private final Contexts contexts;
   private final Definitions definitions;
+  private final List<MemberContext> members = new ArrayList<>();
 
   RuleParser(ExpressionLanguage language) {
     this.language = language;
@@ -49,7 +50,10 @@ final class RuleParser {
     return parse(documents, List.of());
   }
 
-  /** What the metamodels state may read what the documents compute, so that is known before. */
+  /**
+   * Reads all documents before any invariant: what they compute may use what they define, and what
+   * the metamodels state may read it.
+   */
   private OclRules parse(List<SourceText> documents, List<ResolvedClause> embedded) {
     List<String> names = documents.stream().map(SourceText::name).toList();
     List<ResolvedClause> clauses = new ArrayList<>();
@@ -61,8 +65,9 @@ final class RuleParser {
     if (empty.size() < documents.size()) {
       problems.addAll(empty);
     }
-    embedded.forEach(this::addAtItsPlace);
     definitions.addAll(clauses.stream().filter(each -> each.clause().definition()).toList());
+    members.forEach(this::implement);
+    embedded.forEach(this::addAtItsPlace);
     clauses.stream().filter(each -> !each.clause().definition()).forEach(this::addAtItsPlace);
     definitions.forgetUnusable();
     return new OclRules(constraints, List.copyOf(new TreeSet<>(problems)), names);
@@ -82,9 +87,9 @@ final class RuleParser {
     return resolve(parsed, documents);
   }
 
-  /** The clauses whose classes are known; members that the document computes are implemented. */
+  /** The clauses whose classes are known; members that the document computes are kept. */
   private List<ResolvedClause> resolve(RuleDocument document, List<String> documents) {
-    document.members().forEach(this::implement);
+    members.addAll(document.members());
     document.imports().forEach(each -> contexts.check(each, documents));
     List<ResolvedClause> clauses = new ArrayList<>();
     for (RuleDocument.Clause clause : document.clauses()) {

@@ -1,7 +1,6 @@
 package dev.eventchain.ocl;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Severity;
@@ -11,7 +10,6 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Stream;
-import org.eclipse.emf.ecore.EAnnotation;
 import org.eclipse.emf.ecore.EAttribute;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EDataType;
@@ -221,22 +219,6 @@ class MetamodelRulesTest {
     for (Diagnostic error : errors) {
       assertEquals("metamodel.ecore", error.location().file());
     }
-  }
-
-  @Test
-  void constraintsOfAllAnnotationsOfASourceAreReadAndNoneHidesAnother() {
-    for (String text : List.of("name = 'first'", "name = 'second'")) {
-      EAnnotation annotation = EcoreFactory.eINSTANCE.createEAnnotation();
-      annotation.setSource(OCL);
-      annotation.getDetails().put("Own" + text.length(), "false");
-      annotation.getDetails().put("Same", text);
-      type("Shop").getEAnnotations().add(annotation);
-    }
-    OclRules rules = rules();
-    assertEquals(
-        List.of("'Same' of Shop is there twice."),
-        errors(rules).stream().map(Diagnostic::message).toList());
-    assertTrue(rules.constraintNames().containsAll(List.of("Shop::Own14", "Shop::Own15")));
   }
 
   @Test
