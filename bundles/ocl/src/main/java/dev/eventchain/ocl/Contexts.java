@@ -4,7 +4,6 @@ import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
 import java.util.ArrayList;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -156,10 +155,11 @@ final class Contexts {
 
   private Diagnostic packageProblem(RuleDocument.Path path, List<EPackage> found) {
     String last = path.names().get(path.names().size() - 1);
+    String near = NearestName.question(last, packageNames());
     String candidates = String.join(", ", found.stream().map(PackageIndex::qualifiedName).toList());
     return found.isEmpty()
         ? Diagnostic.error("ocl.type", "There is no package '" + path + "'.", path.location())
-            .withHint(NearestName.question(last, packageNames()))
+            .withHint(near.isEmpty() ? new TypeHints(packages).metamodels() : near)
         : Diagnostic.error(
                 "ocl.type", "Several packages are called '" + path + "'.", path.location())
             .withHint("Write one of " + candidates + ".");
@@ -185,13 +185,9 @@ final class Contexts {
 
   private Diagnostic contextProblem(RuleDocument.Path path, List<EClassifier> found) {
     if (found.isEmpty()) {
-      Set<String> classes = new LinkedHashSet<>();
-      for (EPackage each : packages.all()) {
-        each.getEClassifiers().forEach(classifier -> classes.add(classifier.getName()));
-      }
-      String last = path.names().get(path.names().size() - 1);
-      return Diagnostic.error("ocl.type", "There is no class '" + path + "'.", path.location())
-          .withHint(NearestName.question(last, classes));
+      return Diagnostic.error(
+              "ocl.type", "No known metamodel has a class '" + path + "'.", path.location())
+          .withHint(new TypeHints(packages).of(path.names()));
     }
     List<String> candidates = found.stream().map(Names::qualified).toList();
     return Diagnostic.error(

@@ -196,7 +196,7 @@ final class OclAnalyzer extends OCLAnalyzer {
     MissingOperation wanted = missing;
     missing = null;
     if (wanted != null) {
-      if (!texts().isError(wanted.owner())) {
+      if (!texts().isError(wanted.owner()) && !isOfError(wanted)) {
         reportMissing(
             wanted.name(),
             texts().unknownOperation(wanted.owner(), wanted.name(), wanted.arguments()),
@@ -226,6 +226,11 @@ final class OclAnalyzer extends OCLAnalyzer {
     } else {
       super.ERROR(node, rule, message);
     }
+  }
+
+  /** Whether it was only looked for in vain because of another error. */
+  private boolean isOfError(MissingOperation wanted) {
+    return collector().failed() && ProblemTexts.isAnyError(wanted.arguments());
   }
 
   /** A definition that has an error is not reported again by all that use it. */

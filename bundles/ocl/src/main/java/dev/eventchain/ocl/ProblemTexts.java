@@ -54,11 +54,13 @@ final class ProblemTexts {
   private final OclEnvironment root;
   private final PackageIndex packages;
   private final CallHints hints;
+  private final TypeHints types;
 
   ProblemTexts(OclEnvironment root, PackageIndex packages) {
     this.root = root;
     this.packages = packages;
     this.hints = new CallHints(root);
+    this.types = new TypeHints(packages);
   }
 
   /** A name with nothing before it. */
@@ -69,7 +71,7 @@ final class ProblemTexts {
     if (environment.getSelfVariable() != null) {
       known.addAll(featuresOf(environment.getSelfVariable().getType()));
     }
-    known.addAll(types());
+    known.addAll(types.names());
     return new Problem(
         "There is no variable, feature or type '" + name + "' here.", nameHint(name, known));
   }
@@ -82,7 +84,9 @@ final class ProblemTexts {
     } else if (!enumerations.isEmpty()) {
       return "Write " + enumerations.get(0) + "::" + name + ".";
     }
-    return NearestName.question(name, known);
+    String nearest = NearestName.question(name, known);
+    boolean maybeType = nearest.isEmpty() && Character.isUpperCase(name.charAt(0));
+    return maybeType ? types.metamodels() : nearest;
   }
 
   private List<String> enumerationsWith(String literal) {
@@ -179,6 +183,12 @@ final class ProblemTexts {
     return each == null || each instanceof InvalidType<?> || each instanceof VoidType<?>;
   }
 
+  /** Whether one of the arguments stands for an error that has been reported. */
+  static boolean isAnyError(List<? extends TypedElement<EClassifier>> arguments) {
+    return arguments != null
+        && arguments.stream().anyMatch(each -> each.getType() instanceof InvalidType<?>);
+  }
+
   /** Whether a message says that a definition has the name of something that is there. */
   static Optional<Problem> duplicate(String message) {
     Matcher matcher = ALREADY_THERE.matcher(message);
@@ -203,10 +213,8 @@ final class ProblemTexts {
       List<String> names = List.of(type.group(1).replaceAll("^\\[|]$", "").split(", ", -1));
       String name = String.join("::", names);
       return names.size() == 1
-          ? new Problem("There is no type '" + name + "'.", NearestName.question(name, types()))
-          : new Problem(
-              "There is no type, literal or feature '" + name + "'.",
-              NearestName.question(names.get(0), types()));
+          ? new Problem("There is no type '" + name + "'.", types.of(names))
+          : new Problem("There is no type, literal or feature '" + name + "'.", types.of(names));
     }
     if (message.startsWith("Qualifiers do not conform")) {
       return new Problem(
@@ -239,15 +247,6 @@ final class ProblemTexts {
     for (EOperation operation : TypeUtil.getOperations(root, type)) {
       names.add(operation.getName());
     }
-    return names;
-  }
-
-  private Set<String> types() {
-    Set<String> names = new LinkedHashSet<>();
-    for (EPackage each : packages.all()) {
-      each.getEClassifiers().forEach(classifier -> names.add(classifier.getName()));
-    }
-    names.addAll(List.of("String", "Integer", "Real", "Boolean"));
     return names;
   }
 
