@@ -17,6 +17,18 @@ final class MappedUris {
 
   private static final List<String> PLATFORM = List.of("platform:/resource/", "platform:/plugin/");
 
+  /** What makes a folder a project, of Eclipse or of what builds without it. */
+  private static final List<String> PROJECT_FILES =
+      List.of(".project", "META-INF/MANIFEST.MF", "pom.xml", "build.gradle");
+
+  /**
+   * What a reference means.
+   *
+   * @param project the project that it was found in without being told where projects are; a
+   *     reference may lead into it, though nobody gave its folder
+   */
+  record Target(Path file, Optional<Path> project) {}
+
   private final Map<String, Path> map;
 
   /** The longest beginning wins. */
@@ -39,18 +51,23 @@ final class MappedUris {
    * @param base the file that holds the reference
    * @return empty if the reference is one as any other
    */
-  Optional<Path> fileOf(Path base, String reference) {
+  Optional<Target> fileOf(Path base, String reference) {
     Optional<String> prefix =
         map.keySet().stream()
             .filter(reference::startsWith)
             .max(Comparator.comparingInt(String::length));
     try {
       return prefix.isPresent()
-          ? Optional.of(below(map.get(prefix.get()), reference.substring(prefix.get().length())))
+          ? Optional.of(mapped(prefix.get(), reference))
           : inWorkspace(base, reference);
     } catch (InvalidPathException e) {
       return Optional.empty();
     }
+  }
+
+  private Target mapped(String prefix, String reference) {
+    Path file = below(map.get(prefix), reference.substring(prefix.length()));
+    return new Target(file, Optional.empty());
   }
 
   private static Path below(Path folder, String path) {
@@ -59,7 +76,7 @@ final class MappedUris {
   }
 
   /** The project is a folder beside the file, or beside or among the folders that it is in. */
-  private static Optional<Path> inWorkspace(Path base, String reference) {
+  private static Optional<Target> inWorkspace(Path base, String reference) {
     Optional<String> prefix = PLATFORM.stream().filter(reference::startsWith).findFirst();
     if (prefix.isEmpty()) {
       return Optional.empty();
@@ -67,13 +84,23 @@ final class MappedUris {
     String path = reference.substring(prefix.get().length());
     String project = URI.decode(path.replaceFirst("/.*", ""));
     for (Path up = base.getParent(); up != null; up = up.getParent()) {
-      if (up.endsWith(project) && Files.exists(below(up.resolveSibling(""), path))) {
-        return Optional.of(below(up.resolveSibling(""), path));
-      }
-      if (Files.exists(below(up, path))) {
-        return Optional.of(below(up, path));
+      Path workspace = up.endsWith(project) ? up.resolveSibling("") : up;
+      for (Path folder : List.of(workspace, up)) {
+        Path file = below(folder, path);
+        if (Files.exists(file)) {
+          return Optional.of(new Target(file, projectIn(folder, project)));
+        }
       }
     }
     return Optional.empty();
+  }
+
+  /** The folder of a project; empty if nothing in it says that it is one. */
+  private static Optional<Path> projectIn(Path workspace, String name) {
+    Path folder = workspace.resolve(name);
+    boolean simple = !name.isEmpty() && !name.equals(".") && !name.equals("..");
+    return simple && PROJECT_FILES.stream().anyMatch(file -> Files.exists(folder.resolve(file)))
+        ? Optional.of(folder)
+        : Optional.empty();
   }
 }

@@ -15,6 +15,7 @@ import org.eclipse.emf.ecore.EEnum;
 import org.eclipse.emf.ecore.ENamedElement;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EReference;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.EcorePackage;
 
@@ -68,8 +69,35 @@ final class MetamodelChecks {
     for (EStructuralFeature feature : eClass.getEStructuralFeatures()) {
       if (feature.getEType() == null) {
         report(feature, "Feature `" + feature.getName() + "` has no type.");
+      } else if (feature instanceof EReference reference && reference.getEOpposite() != null) {
+        checkOpposite(reference, reference.getEOpposite());
       }
     }
+  }
+
+  /** EMF's reader cannot hold what models say with a pair of which one end does not know. */
+  private void checkOpposite(EReference reference, EReference opposite) {
+    EReference back = opposite.getEOpposite();
+    if (back != reference) {
+      found.add(
+          Diagnostic.error(
+                  "xmi.metamodel.unsound",
+                  "%s names %s as its opposite, which names %s."
+                      .formatted(
+                          shown(reference), shown(opposite), back == null ? "none" : shown(back)),
+                  origins.locate(reference))
+              .withRelated(origins.locate(opposite))
+              .withHint("Declare eOpposite at both ends, or at neither."));
+    } else if (!opposite.getEContainingClass().isSuperTypeOf(reference.getEReferenceType())) {
+      report(
+          reference,
+          "The opposite of %s is %s, which elements of `%s` do not have."
+              .formatted(shown(reference), shown(opposite), reference.getEType().getName()));
+    }
+  }
+
+  private static String shown(EReference reference) {
+    return "`%s` of `%s`".formatted(reference.getName(), reference.getEContainingClass().getName());
   }
 
   private void checkDataType(EDataType type) {

@@ -5,6 +5,7 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.LinkOption;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
@@ -33,7 +34,7 @@ final class ProjectFiles {
           "XMLType", XMLTypePackage.eNS_URI,
           "XMLNamespace", XMLNamespacePackage.eNS_URI);
 
-  private final List<Root> roots;
+  private final List<Root> roots = new ArrayList<>();
   private final MappedUris map;
   private final EPackage.Registry registry;
 
@@ -45,7 +46,7 @@ final class ProjectFiles {
 
   ProjectFiles(Collection<Path> roots, MappedUris map, EPackage.Registry registry) {
     this.map = map;
-    this.roots = roots.stream().map(root -> new Root(root, realPath(root))).toList();
+    roots.forEach(root -> this.roots.add(new Root(root, realPath(root))));
     this.registry = registry;
   }
 
@@ -73,9 +74,27 @@ final class ProjectFiles {
     if (target.isEmpty() || registry.containsKey(target) || !base.isFile()) {
       return reference;
     }
-    return map.fileOf(Path.of(base.toFileString()), target)
-        .map(file -> URI.createFileURI(file.toString()) + fragment)
+    Optional<MappedUris.Target> found = map.fileOf(Path.of(base.toFileString()), target);
+    found.flatMap(MappedUris.Target::project).ifPresent(project -> open(project, base));
+    return found
+        .map(each -> URI.createFileURI(each.file().toString()) + fragment)
         .orElse(reference);
+  }
+
+  /** Lets references lead into a project, whose name is relative where that of the file is. */
+  private void open(Path project, URI base) {
+    Path real = realPath(project);
+    if (roots.stream().anyMatch(root -> real.startsWith(root.real))) {
+      return;
+    }
+    Path from = realPath(Path.of(base.toFileString()));
+    Path shown =
+        roots.stream()
+            .filter(root -> from.startsWith(root.real))
+            .findFirst()
+            .map(root -> root.path.resolve(root.real.relativize(real)).normalize())
+            .orElse(project);
+    roots.add(new Root(shown, real));
   }
 
   /**

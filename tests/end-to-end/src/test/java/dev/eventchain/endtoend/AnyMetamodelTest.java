@@ -54,6 +54,27 @@ class AnyMetamodelTest {
       [/template]
       """;
 
+  private static final String SHOP =
+      """
+      <?xml version="1.0" encoding="UTF-8"?>
+      <ecore:EPackage xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI" xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance" xmlns:ecore="http://www.eclipse.org/emf/2002/Ecore" name="shop" nsURI="http://example.org/shop" nsPrefix="shop">
+        <eClassifiers xsi:type="ecore:EClass" name="Shop">
+          <eStructuralFeatures xsi:type="ecore:EReference" name="offers" upperBound="-1" eType="ecore:EClass platform:/resource/org.example.library/model/library.ecore#//Book" containment="true"/>
+        </eClassifiers>
+      </ecore:EPackage>
+      """;
+
+  private static final String SHOP_MODEL =
+      """
+      <shop:Shop xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI" xmlns:shop="http://example.org/shop">
+        <offers title="Good" pages="100"/>
+        <offers title="Bad" pages="0"/>
+      </shop:Shop>
+      """;
+
+  private static final String OF_BOOKS =
+      "context Shop inv HasPages: self.offers->forAll(book | book.pages > 0)\n";
+
   @TempDir Path folder;
   private Path ecore;
   private Path model;
@@ -244,6 +265,42 @@ class AnyMetamodelTest {
         .run("validate", "--metamodel", library, "--ocl", ocl, linked)
         .expect(2)
         .says("xmi.href.refused");
+  }
+
+  /** Metamodels refer to each other as projects of a workspace, wherever that lies. */
+  @Test
+  void referencesIntoAWorkspaceAreFollowedWhereTheCommandSaysItIs() throws IOException {
+    Path workspace = Files.createDirectories(folder.resolve("elsewhere/workspace"));
+    Path base = Files.createDirectories(workspace.resolve("org.example.library/model"));
+    Files.move(ecore, base.resolve("library.ecore"));
+    Path shop = Files.writeString(folder.resolve("shop.ecore"), SHOP);
+    Files.writeString(model, SHOP_MODEL);
+    Object[] command = {"validate", "--metamodel", shop, "--ocl", ocl(OF_BOOKS), model};
+    new Program()
+        .run(command)
+        .expect(2)
+        .says("shop.ecore:4:")
+        .says("[xmi.href.refused]")
+        .says("--map platform:/resource/=FOLDER/");
+    Object[] mapped = Arrays.copyOf(command, command.length + 2);
+    mapped[command.length] = "--map";
+    mapped[command.length + 1] = "platform:/resource/=" + workspace + "/";
+    new Program()
+        .run(mapped)
+        .expect(1)
+        .says("model.xmi:1:1: error:")
+        .says("[ocl.violated Shop::HasPages]")
+        .says("1 constraint evaluated 1 time");
+    Files.writeString(model, SHOP_MODEL.replace("pages=\"0\"", "pages=\"7\""));
+    new Program().run(mapped).expect(0).says("1 constraint evaluated 1 time");
+    mapped[command.length + 1] = "platform:/resource/=" + base + "/";
+    new Program().run(mapped).expect(2).says("names a file that does not exist");
+    Files.delete(base.resolve("library.ecore"));
+    Files.writeString(workspace.resolve("org.example.library/.project"), "<projectDescription/>");
+    Files.writeString(base.resolve("library.ecore"), ECORE);
+    Path inside = Files.createDirectories(workspace.resolve("org.example.shop/model"));
+    command[2] = Files.move(shop, inside.resolve("shop.ecore"));
+    new Program().run(command).expect(0).says("1 constraint evaluated 1 time");
   }
 
   @Test
