@@ -93,7 +93,8 @@ final class GenerateCommand extends ProjectCommand {
             folder,
             overwrite(),
             trace,
-            suppressions);
+            suppressions,
+            timeLimit());
     return Outcome.of(files, suppressions);
   }
 }

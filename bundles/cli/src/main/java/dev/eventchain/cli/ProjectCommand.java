@@ -49,8 +49,9 @@ abstract class ProjectCommand implements Callable<Integer> {
       paramLabel = "SECONDS",
       defaultValue = "30",
       description =
-          "The processor time that a constraint may take on the whole model (default: "
-              + "${DEFAULT-VALUE}); all of them may take four times as much.")
+          "The processor time that a constraint, or the patterns of a data type, may take on the"
+              + " whole model (default: ${DEFAULT-VALUE}); all of them may take four times as"
+              + " much.")
   private int timeLimit;
 
   @Spec private CommandSpec spec;

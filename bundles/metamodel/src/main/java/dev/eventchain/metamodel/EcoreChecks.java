@@ -5,29 +5,25 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import org.eclipse.emf.ecore.EAttribute;
 import org.eclipse.emf.ecore.EClass;
-import org.eclipse.emf.ecore.EDataType;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EReference;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.resource.Resource;
 import org.eclipse.emf.ecore.util.EcoreUtil;
-import org.eclipse.emf.ecore.util.FeatureMap;
-import org.eclipse.emf.ecore.util.FeatureMapUtil;
 
 /**
  * Whether models are instances of their metamodels: what EMF's own validator checks of any object.
  * The findings are {@code ecore.required} and {@code ecore.bound} for multiplicities, {@code
- * ecore.opposite}, {@code ecore.unique}, {@code ecore.value} for what a data type does not allow,
- * {@code ecore.key} and {@code ecore.map}. Ids and references that lead nowhere are found when
- * files are read.
+ * ecore.opposite}, {@code ecore.unique}, {@code ecore.value} for what a data type does not allow
+ * (and {@code ecore.limit} where its patterns take too long to find that out), {@code ecore.key}
+ * and {@code ecore.map}. Ids and references that lead nowhere are found when files are read.
  */
 public final class EcoreChecks {
 
@@ -41,30 +37,42 @@ public final class EcoreChecks {
           "ecore.key",
           "ecore.map");
 
+  private static final Duration TIME_LIMIT = Duration.ofSeconds(30);
+
   private final Origins origins;
   private final Map<EClass, EcorePlan> plans = new HashMap<>();
   private final Map<String, Long> evaluations = new LinkedHashMap<>();
   private final List<Diagnostic> found = new ArrayList<>();
-  private final DataTypeLimits limits = new DataTypeLimits();
+  private final ValueChecks values;
 
-  private EcoreChecks(Origins origins) {
+  private EcoreChecks(Origins origins, Duration timeLimit) {
     this.origins = origins;
+    this.values = new ValueChecks(origins, timeLimit);
     IDS.forEach(id -> evaluations.put(id, 0L));
+  }
+
+  /** As {@link #of(List, Duration)} with 30 seconds for each type. */
+  public static EcoreChecks of(List<LoadedModel> models) {
+    return of(models, TIME_LIMIT);
   }
 
   /**
    * Checks models that were loaded together.
    *
    * @param models at least one, all of one {@link XmiStore#loadAll}
+   * @param timeLimit the processor time that the patterns of a data type may take on all of them;
+   *     those of all types may take four times as much
    */
-  public static EcoreChecks of(List<LoadedModel> models) {
-    EcoreChecks checks = new EcoreChecks(models.get(0).origins());
+  public static EcoreChecks of(List<LoadedModel> models, Duration timeLimit) {
+    EcoreChecks checks = new EcoreChecks(models.get(0).origins(), timeLimit);
     for (LoadedModel model : models) {
       XmiResource file = (XmiResource) model.resource();
       DiagnosticException.runAt(file.place(), () -> checks.check(file));
     }
     ProjectResources resources = (ProjectResources) models.get(0).resource().getResourceSet();
     checks.found.addAll(new Faults(resources).find());
+    checks.found.addAll(checks.values.findings());
+    checks.count("ecore.value", checks.values.evaluations());
     checks.found.sort(null);
     return checks;
   }
@@ -100,7 +108,7 @@ public final class EcoreChecks {
     EcorePlan plan = plans.computeIfAbsent(element.eClass(), EcorePlan::of);
     plan.required().forEach(feature -> checkRequired(element, feature));
     plan.bounded().forEach(feature -> checkBound(element, feature));
-    plan.values().forEach(attribute -> checkValues(element, attribute));
+    plan.values().forEach(attribute -> values.check(element, attribute));
     plan.keyed().forEach(reference -> checkKeys(element, reference));
     plan.maps().forEach(reference -> checkMap(element, reference));
     count("ecore.unique", plan.unique().size());
@@ -158,40 +166,6 @@ public final class EcoreChecks {
               .formatted(
                   feature.getName(), Coverage.counted(size, "value"), feature.getUpperBound()),
           "Take some out, or raise the feature's upperBound.");
-    }
-  }
-
-  private void checkValues(EObject element, EAttribute attribute) {
-    if (!element.eIsSet(attribute)) {
-      return;
-    }
-    Object value = element.eGet(attribute, false);
-    if (FeatureMapUtil.isFeatureMap(attribute)) {
-      for (FeatureMap.Entry entry : ((FeatureMap.Internal) value).basicList()) {
-        if (entry.getEStructuralFeature() instanceof EAttribute inner) {
-          checkValue(element, inner, entry.getValue());
-        }
-      }
-    } else if (attribute.isMany()) {
-      ((List<?>) value).forEach(each -> checkValue(element, attribute, each));
-    } else {
-      checkValue(element, attribute, value);
-    }
-  }
-
-  private void checkValue(EObject element, EAttribute attribute, Object value) {
-    EDataType type = attribute.getEAttributeType();
-    if (value == null || !EcorePlan.isLimited(type)) {
-      return;
-    }
-    count("ecore.value", 1);
-    Optional<String> fault = limits.fault(type, value);
-    if (fault.isPresent()) {
-      report(
-          "ecore.value",
-          element,
-          "`%s` of `%s` %s.".formatted(value, attribute.getName(), fault.get()),
-          "The type `%s` of the metamodel says what is allowed.".formatted(type.getName()));
     }
   }
 

@@ -2,9 +2,12 @@ package dev.eventchain.metamodel;
 
 import dev.eventchain.diagnostics.NearestName;
 import java.util.Collection;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Set;
 import java.util.regex.Pattern;
+import org.eclipse.emf.common.notify.impl.AdapterImpl;
+import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.xml.namespace.XMLNamespacePackage;
 import org.eclipse.emf.ecore.xml.type.XMLTypePackage;
@@ -24,6 +27,9 @@ final class Namespaces {
   private static final Set<String> OF_TYPES =
       Set.of(NONE, XMLTypePackage.eNS_URI, XMLNamespacePackage.eNS_URI);
 
+  /** Marks a package that had no nsURI of its own. */
+  private static final class Nameless extends AdapterImpl {}
+
   private Namespaces() {}
 
   /**
@@ -33,13 +39,29 @@ final class Namespaces {
   static void complete(EPackage ePackage, String file, EPackage.Registry registry) {
     if (isMissing(ePackage)) {
       ePackage.setNsURI(file);
-      if (ePackage.getESuperPackage() == null) {
-        registry.putIfAbsent(NONE, ePackage);
-      }
+      ePackage.eAdapters().add(new Nameless());
+      registry.putIfAbsent(NONE, ePackage);
     }
     for (EPackage inner : ePackage.getESubpackages()) {
       complete(inner, ePackage.getNsURI() + "/" + inner.getName(), registry);
     }
+  }
+
+  /**
+   * The classes that a name without namespace may mean: EMF writes no namespace for the classes of
+   * any package without nsURI, wherever it lies.
+   */
+  static List<EClass> withoutNamespace(String name, EPackage.Registry registry) {
+    return registry.values().stream()
+        .filter(EPackage.class::isInstance)
+        .map(EPackage.class::cast)
+        .distinct()
+        .filter(each -> each.eAdapters().stream().anyMatch(Nameless.class::isInstance))
+        .sorted(Comparator.comparing(EPackage::getNsURI))
+        .map(each -> each.getEClassifier(name))
+        .filter(EClass.class::isInstance)
+        .map(EClass.class::cast)
+        .toList();
   }
 
   private static boolean isMissing(EPackage ePackage) {

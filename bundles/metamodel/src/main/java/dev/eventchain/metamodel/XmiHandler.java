@@ -2,6 +2,7 @@ package dev.eventchain.metamodel;
 
 import java.io.StringReader;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.regex.Pattern;
@@ -51,6 +52,12 @@ final class XmiHandler extends SAXXMIHandler {
   private int extension;
 
   private boolean ended;
+
+  /** Who makes the objects of classes that are named without a namespace. */
+  private final Map<String, Optional<EFactory>> unqualified = new HashMap<>();
+
+  /** Whether the class that is looked for was named without a namespace. */
+  private boolean withoutNamespace;
 
   /** The text of ids that is being taken apart, which has been noted as a whole; or null. */
   private Statements.End idsOf;
@@ -143,12 +150,35 @@ final class XmiHandler extends SAXXMIHandler {
     return known;
   }
 
+  private Optional<EFactory> factoryOf(String typeName) {
+    List<EClass> meant = Namespaces.withoutNamespace(typeName, packageRegistry);
+    return meant.size() == 1
+        ? Optional.of(meant.get(0).getEPackage().getEFactoryInstance())
+        : Optional.empty();
+  }
+
+  @Override
+  protected EObject createObjectFromFeatureType(EObject owner, EStructuralFeature feature) {
+    withoutNamespace = false;
+    return super.createObjectFromFeatureType(owner, feature);
+  }
+
+  @Override
+  protected EFactory getFactoryForPrefix(String prefix) {
+    withoutNamespace = prefix.isEmpty() && helper.getURI(prefix) == null;
+    return super.getFactoryForPrefix(prefix);
+  }
+
   @Override
   @SuppressWarnings("deprecation") // The path that EMF takes for XMI.
   protected EObject createObjectFromFactory(EFactory factory, String typeName) {
+    EFactory owner = factory;
+    if (withoutNamespace && factory != null) {
+      owner = unqualified.computeIfAbsent(typeName, this::factoryOf).orElse(null);
+    }
     boolean isClass =
-        factory != null && factory.getEPackage().getEClassifier(typeName) instanceof EClass;
-    return isClass ? super.createObjectFromFactory(factory, typeName) : null;
+        owner != null && owner.getEPackage().getEClassifier(typeName) instanceof EClass;
+    return isClass ? super.createObjectFromFactory(owner, typeName) : null;
   }
 
   /** Ecore itself has features whose values EMF would deserialise or load as classes. */

@@ -133,15 +133,14 @@ final class XmiProblems {
         "Leave one of them, or declare the feature with upperBound=\"-1\".");
   }
 
-  /** Adds that two elements have one id. */
-  void addDuplicate(String id, int tag, int first) {
-    found.add(
-        Diagnostic.error(
-                "xmi.id.duplicate",
-                "The id `" + id + "` belongs to two elements.",
-                text.at(valueIn(tag, "\"" + id + "\"")))
-            .withRelated(text.at(first))
-            .withHint("Give one of them another id: references could mean either."));
+  /** That two elements have one id, which leaves a model that can be checked all the same. */
+  Diagnostic duplicate(String id, int tag, int first) {
+    return Diagnostic.error(
+            "xmi.id.duplicate",
+            "The id `" + id + "` belongs to two elements.",
+            text.at(valueIn(tag, "\"" + id + "\"")))
+        .withRelated(text.at(first))
+        .withHint("Give one of them another id: references could mean either.");
   }
 
   /** Adds that a reference would make an element a part of itself. */
@@ -172,23 +171,40 @@ final class XmiProblems {
       return; // The missing package is reported already.
     }
     EPackage ePackage = problem.getFactory().getEPackage();
-    EClassifier classifier = ePackage.getEClassifier(problem.getName());
     String name = "`" + problem.getName() + "`";
     int place = attributeIn(tag, "type");
-    List<String> known =
-        ePackage.getEClassifiers().stream()
-            .filter(c -> c instanceof EClass eClass && !eClass.isAbstract())
-            .map(EClassifier::getName)
-            .toList();
-    if (classifier instanceof EClass) {
+    List<EClass> meant =
+        ePackage == registry.getEPackage(Namespaces.NONE)
+            ? Namespaces.withoutNamespace(problem.getName(), registry)
+            : List.of();
+    boolean isAbstract = meant.size() == 1 && meant.get(0).isAbstract();
+    if (meant.size() > 1) {
+      addAmbiguousClass(name, meant, place);
+    } else if (isAbstract || ePackage.getEClassifier(problem.getName()) instanceof EClass) {
       add("xmi.class.abstract", "Class " + name + " is abstract.", place, "Use a concrete class.");
     } else {
       add(
           "xmi.class.unknown",
           "Metamodel `" + ePackage.getName() + "` has no class " + name + ".",
           place,
-          NearestName.hint(problem.getName(), known));
+          NearestName.hint(problem.getName(), concreteClasses(ePackage)));
     }
+  }
+
+  private static List<String> concreteClasses(EPackage ePackage) {
+    return ePackage.getEClassifiers().stream()
+        .filter(c -> c instanceof EClass eClass && !eClass.isAbstract())
+        .map(EClassifier::getName)
+        .toList();
+  }
+
+  private void addAmbiguousClass(String name, List<EClass> meant, int place) {
+    List<String> owners = meant.stream().map(each -> each.getEPackage().getNsURI()).toList();
+    add(
+        "xmi.class.unknown",
+        "Several packages without nsURI have a class " + name + ".",
+        place,
+        "Write its namespace: one of `%s`.".formatted(String.join("`, `", owners)));
   }
 
   private void addUnknownPackage(PackageNotFoundException problem, int tag) {

@@ -52,7 +52,7 @@ final class XmiResource extends XMIResourceImpl {
   void noteId(String id, EObject element, int tag) {
     EObject first = ids.putIfAbsent(id, element);
     if (first != null && first != element) {
-      problems.addDuplicate(id, tag, offsetOf(first, tag));
+      statements.addFault(problems.duplicate(id, tag, offsetOf(first, tag)));
     }
   }
 

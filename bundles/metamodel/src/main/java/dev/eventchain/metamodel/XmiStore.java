@@ -22,8 +22,9 @@ import org.eclipse.emf.ecore.impl.EPackageRegistryImpl;
  * Reads and writes the XMI files of one project, for the event-chain metamodel and any other.
  *
  * <p>Files are read as data: no document type, no entity, no schema location and no Java class that
- * a file names is followed, and references between files only inside the project's folder. Not
- * meant for several threads.
+ * a file names is followed, and references between files only inside the project's folder, or into
+ * a project of Eclipse that they name ({@code platform:/resource/NAME/}) and that lies above or
+ * beside a folder that the file is in. Not meant for several threads.
  */
 public final class XmiStore {
 
@@ -99,6 +100,9 @@ public final class XmiStore {
       List<EPackage> own = packagesIn(each);
       if (metamodels.getResources().indexOf(each) >= before) {
         DiagnosticException.runAt(each.place(), () -> complete(own, each, problems));
+        each.statements().faults().stream()
+            .filter(fault -> fault.id().equals("xmi.id.duplicate"))
+            .forEach(problems::add);
       }
       packages.addAll(own);
     }

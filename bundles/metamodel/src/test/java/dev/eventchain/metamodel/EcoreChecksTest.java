@@ -1,6 +1,7 @@
 package dev.eventchain.metamodel;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.DiagnosticException;
@@ -9,12 +10,15 @@ import dev.eventchain.fixtures.ExpectedFile;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.eclipse.emf.common.util.Diagnostic;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.util.Diagnostician;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
@@ -60,6 +64,36 @@ class EcoreChecksTest {
   void whatAFileSaysIsInTheModelAndWhatTheMetamodelDemandsToo(String name) throws IOException {
     Path folder = CASES.resolve(name);
     ExpectedFile.check(folder.resolve("expected.txt"), outcome(folder));
+  }
+
+  /** No machine is so fast that it would find the end. */
+  @Test
+  void aPatternThatTakesTooLongIsGivenUpAndNothingElse() throws IOException {
+    Path folder = Path.of("src/test/resources/patterns");
+    EcoreChecks checks = EcoreChecks.of(load(folder), Duration.ofMillis(50));
+    String found = DiagnosticFormat.TEXT.render(checks.diagnostics()).replace(folder + "/", "");
+    ExpectedFile.check(folder.resolve("expected.txt"), found);
+    long values =
+        checks.coverage().checks().stream()
+            .filter(check -> check.id().equals("ecore.value"))
+            .findFirst()
+            .orElseThrow()
+            .evaluations();
+    assertEquals(3, values);
+  }
+
+  @Test
+  void aPatternThatIsNestedTooDeeplyIsABrokenLimit(@TempDir Path folder) throws IOException {
+    Path patterns = Path.of("src/test/resources/patterns");
+    String nested = "(".repeat(100_000) + "a" + ")".repeat(100_000);
+    String metamodel = Files.readString(patterns.resolve("metamodel.ecore"));
+    Files.writeString(
+        folder.resolve("metamodel.ecore"), metamodel.replace("(a?){60}a{60}", nested));
+    Files.copy(patterns.resolve("model.xmi"), folder.resolve("model.xmi"));
+    List<dev.eventchain.diagnostics.Diagnostic> found = EcoreChecks.of(load(folder)).diagnostics();
+    assertEquals(4, found.size());
+    assertTrue(
+        found.stream().anyMatch(each -> each.message().contains("limit of its type is broken")));
   }
 
   @ParameterizedTest

@@ -18,6 +18,9 @@ import org.eclipse.emf.ecore.EPackage;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Which files references lead to, by whichever name. */
 class ReferredFilesTest {
@@ -92,6 +95,56 @@ class ReferredFilesTest {
     assertEquals("xmi.href.refused", refused.id());
   }
 
+  @ParameterizedTest
+  @CsvSource({
+    "work space/car/model, lib/model/base.ecore",
+    "work space/car/deep/er, lib/model/base.ecore",
+    "work space/lib/other, lib/model/base.ecore",
+    "work space/features/car, lib/model/base.ecore",
+  })
+  void aProjectAboveOrBesideTheFoldersOfAFileIsFound(String home, String reference)
+      throws IOException {
+    given = Files.createDirectories(folder.resolve(home));
+    Files.writeString(workspace.resolve("lib/.project"), "<projectDescription/>");
+    assertEquals("base", superTypeOf(loadExtending("platform:/resource/" + reference, Map.of())));
+    assertEquals("base", superTypeOf(loadExtending("platform:/plugin/" + reference, Map.of())));
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "lib/model/base.ecore",
+        "../work%20space/lib/model/base.ecore",
+        "car/../lib/model/base.ecore",
+        "car/link/model/base.ecore",
+        "./lib/model/base.ecore",
+        "lib/missing.ecore",
+      })
+  void aFolderThatIsNoProjectIsNoneNorWhatLiesOutsideOfOne(String reference) throws IOException {
+    given = Files.createDirectories(workspace.resolve("car/model"));
+    Files.writeString(workspace.resolve("car/.project"), "<projectDescription/>");
+    Files.createSymbolicLink(workspace.resolve("car/link"), workspace.resolve("lib"));
+    Diagnostic refused = refusal("platform:/resource/" + reference, Map.of());
+    assertEquals("xmi.href.refused", refused.id());
+    assertTrue(refused.hint().contains("--map platform:/resource/=FOLDER/"), refused.hint());
+  }
+
+  @Test
+  void aProjectThatIsFoundHasTheNameThatTheFileHas() throws IOException {
+    given = Files.createDirectories(workspace.resolve("car/model"));
+    Files.writeString(workspace.resolve("lib/.project"), "<projectDescription/>");
+    Files.writeString(workspace.resolve("lib/model/base.ecore"), "<a");
+    Path here = Path.of("").toAbsolutePath();
+    given = here.relativize(given);
+    String reference = "platform:/resource/lib/model/base.ecore";
+    String expected = here.relativize(workspace.resolve("lib/model/base.ecore")).toString();
+    assertTrue(
+        refusals(reference, Map.of()).stream()
+            .anyMatch(
+                found ->
+                    found.id().equals("xmi.syntax") && found.location().file().equals(expected)));
+  }
+
   @Test
   void aWorkspaceThatIsNotGivenIsNamedWithTheOptionThatGivesIt() {
     Diagnostic refused = refusal("platform:/resource/lib/model/base.ecore", Map.of());
@@ -100,9 +153,12 @@ class ReferredFilesTest {
   }
 
   private Diagnostic refusal(String reference, Map<String, Path> map) {
+    return refusals(reference, map).get(0);
+  }
+
+  private List<Diagnostic> refusals(String reference, Map<String, Path> map) {
     return assertThrows(DiagnosticException.class, () -> loadExtending(reference, map))
-        .diagnostics()
-        .get(0);
+        .diagnostics();
   }
 
   @Test
@@ -122,6 +178,25 @@ class ReferredFilesTest {
     EObject car = models.get(0).roots().get(0);
     Object next = ((List<?>) car.eGet(car.eClass().getEStructuralFeature("next"))).get(0);
     assertSame(models.get(1).roots().get(0), next);
+  }
+
+  @Test
+  void twoFilesMayUseTheSameId() throws IOException {
+    String second =
+        Files.readString(model("second.xmi", "")).replace("<car:Car", "<car:Car xmi:id='a'");
+    Files.writeString(given.resolve("second.xmi"), second);
+    String hrefs = "<next href=\"#a\"/><next href=\"second.xmi#a\"/>";
+    String first =
+        Files.readString(model("first.xmi", hrefs)).replace("<car:Car", "<car:Car xmi:id='a'");
+    Path file = Files.writeString(given.resolve("first.xmi"), first);
+    XmiStore store = new XmiStore(given);
+    store.loadMetamodel(given.resolve("car.ecore"));
+    List<LoadedModel> models = XmiStore.withReferred(store.loadAll(List.of(file)));
+    EObject car = models.get(0).roots().get(0);
+    assertEquals(
+        List.of(car, models.get(1).roots().get(0)),
+        car.eGet(car.eClass().getEStructuralFeature("next")));
+    assertEquals(List.of(), EcoreChecks.of(models).diagnostics());
   }
 
   @Test

@@ -46,7 +46,8 @@ public final class AnyModel {
   private final Origins origins;
   private final EcoreChecks ecore;
 
-  private AnyModel(List<Path> metamodels, Map<String, Path> map, List<Path> models) {
+  private AnyModel(
+      List<Path> metamodels, Map<String, Path> map, List<Path> models, Duration timeLimit) {
     store = new XmiStore(folders(metamodels, models), map);
     for (Path metamodel : metamodels) {
       SourceLocation place = SourceLocation.of(metamodel);
@@ -60,7 +61,7 @@ public final class AnyModel {
     this.models = store.loadAll(models);
     all = XmiStore.withReferred(this.models);
     origins = all.get(0).origins();
-    ecore = EcoreChecks.of(all);
+    ecore = EcoreChecks.of(all, timeLimit);
   }
 
   /**
@@ -81,7 +82,8 @@ public final class AnyModel {
    * @param map the folders that beginnings of references stand for: {@code platform:/resource/}
    * @param messages folders of {@code PACKAGE/msg/NAME.msg} that event chains use, beside the
    *     standard types of ROS 2
-   * @param timeLimit the processor time that a constraint may take on all of the models
+   * @param timeLimit the processor time that a constraint, or the patterns of a data type, may take
+   *     on all of the models
    * @throws DiagnosticException INPUT if a file cannot be read
    */
   public static Validation validate(
@@ -91,7 +93,7 @@ public final class AnyModel {
       List<Path> models,
       List<Path> messages,
       Duration timeLimit) {
-    AnyModel any = new AnyModel(metamodels, map, models);
+    AnyModel any = new AnyModel(metamodels, map, models, timeLimit);
     List<SourceText> documents = new ArrayList<>();
     if (metamodels.isEmpty()) {
       documents.add(XmiStore.standardConstraints());
@@ -161,6 +163,7 @@ public final class AnyModel {
    * @param overwrite whether files that a person has edited are replaced
    * @param trace whether {@code trace.json} is written, too, which says where each line comes from
    * @param suppressions what is wrong with the models and is not to count
+   * @param timeLimit the processor time that the patterns of a data type may take
    * @return what was found, and nothing written if one of it is an error: also where a model is no
    *     instance of its metamodel
    * @throws DiagnosticException INPUT if a file cannot be read, or the output not written
@@ -174,8 +177,9 @@ public final class AnyModel {
       Path folder,
       boolean overwrite,
       boolean trace,
-      Suppressions suppressions) {
-    AnyModel any = new AnyModel(metamodels, map, models);
+      Suppressions suppressions,
+      Duration timeLimit) {
+    AnyModel any = new AnyModel(metamodels, map, models, timeLimit);
     try (JavaServices classes = JavaServices.of(services)) {
       TemplateModule module = TemplateModule.compile(template, any.packages, classes.loader());
       WrittenFiles files = new WrittenFiles(folder);

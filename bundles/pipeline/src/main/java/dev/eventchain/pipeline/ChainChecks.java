@@ -7,6 +7,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.metamodel.EcoreChecks;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.modeler.SoftwareBase;
 import dev.eventchain.ocl.OclResult;
@@ -17,8 +18,8 @@ import java.util.function.Function;
 import org.eclipse.emf.ecore.EObject;
 
 /**
- * What has to hold for the event chain of a project: its constraints, its contracts on messages,
- * and the use of existing components as they are.
+ * What has to hold for the event chain of a project: its metamodel, its constraints, its contracts
+ * on messages, and the use of existing components as they are.
  */
 final class ChainChecks {
 
@@ -41,12 +42,14 @@ final class ChainChecks {
   /**
    * What was checked and found.
    *
+   * @param ecore what the metamodel demands
    * @param constraints the standard constraints, the project's own and the generated ones
    * @param analysis the contracts
    * @param reuse how existing components are used otherwise than they are
    * @param uncovered the design rules that no constraint stands for
    */
   record Outcome(
+      EcoreChecks ecore,
       OclResult constraints,
       AnalysisResult analysis,
       List<Diagnostic> reuse,
@@ -54,7 +57,8 @@ final class ChainChecks {
 
     /** All findings. */
     List<Diagnostic> diagnostics() {
-      List<Diagnostic> all = new ArrayList<>(constraints.diagnostics());
+      List<Diagnostic> all = new ArrayList<>(ecore.diagnostics());
+      all.addAll(constraints.diagnostics());
       all.addAll(analysis.diagnostics());
       all.addAll(reuse);
       all.addAll(uncovered);
@@ -75,10 +79,12 @@ final class ChainChecks {
 
     /** What was done, in words. */
     String words() {
+      Coverage all = coverage(List.of());
       return Constraints.words(constraints)
           + ", "
-          + Coverage.counted(
-              coverage(List.of()).evaluations(Coverage.Kind.CONTRACT), "message contract");
+          + Coverage.counted(all.evaluations(Coverage.Kind.CONTRACT), "message contract")
+          + ", "
+          + Coverage.counted(all.evaluations(Coverage.Kind.METAMODEL), "metamodel check");
     }
 
     /**
@@ -88,6 +94,7 @@ final class ChainChecks {
      */
     Coverage coverage(List<String> files) {
       return Constraints.coverage(files, constraints)
+          .and(ecore.coverage())
           .and(new Coverage(List.of(), 0, analysis.checks()));
     }
   }
@@ -119,8 +126,15 @@ final class ChainChecks {
     return files;
   }
 
-  Outcome check(EventChain chain, Function<EObject, SourceLocation> locator) {
+  /**
+   * Checks a chain.
+   *
+   * @param locator tells where its elements stand
+   */
+  Outcome check(RunContext.LoadedChain model, Function<EObject, SourceLocation> locator) {
+    EventChain chain = model.chain();
     return new Outcome(
+        model.ecore(),
         constraints.check(chain, locator),
         analysis.check(chain, locator),
         base.check(chain, locator),

@@ -10,6 +10,7 @@ import dev.eventchain.llm.ChatModel;
 import dev.eventchain.llm.ChatModels;
 import dev.eventchain.m2t.OutputFolder;
 import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.metamodel.EcoreChecks;
 import dev.eventchain.metamodel.LoadedModel;
 import dev.eventchain.metamodel.Origins;
 import dev.eventchain.metamodel.XmiStore;
@@ -44,8 +45,9 @@ final class RunContext {
    * A chain and where its elements stand.
    *
    * @param origins where in the model's file each element stands
+   * @param ecore whether the model is what its metamodel demands
    */
-  record LoadedChain(EventChain chain, Origins origins) {}
+  record LoadedChain(EventChain chain, Origins origins, EcoreChecks ecore) {}
 
   RunContext(Project project, RunOptions options, OutputFolder output, Progress progress) {
     this.project = project;
@@ -134,9 +136,10 @@ final class RunContext {
   private LoadedChain readModel(Path model) {
     progress.read(model);
     Path root = model.startsWith(options.output()) ? options.output() : project.folder();
-    LoadedModel loaded = new XmiStore(root).load(model);
+    List<LoadedModel> all = XmiStore.withReferred(new XmiStore(root).loadAll(List.of(model)));
+    LoadedModel loaded = all.get(0);
     if (loaded.resource().getContents().get(0) instanceof EventChain chain) {
-      return new LoadedChain(chain, loaded.origins());
+      return new LoadedChain(chain, loaded.origins(), EcoreChecks.of(all, options.timeLimit()));
     }
     throw new DiagnosticException(
         DiagnosticException.Reason.INPUT,

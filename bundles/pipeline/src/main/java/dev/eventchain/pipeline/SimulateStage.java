@@ -61,12 +61,15 @@ final class SimulateStage implements StageWork {
     List<Diagnostic> found = new ArrayList<>(result.diagnostics());
     result.verdicts().forEach(verdict -> found.addAll(verdict.diagnostics()));
     Function<EObject, SourceLocation> locator = new Origins()::locate;
+    Coverage ecore = Coverage.NONE;
     if (!run.options().isPartial()) {
       run.writeResult(MEASUREMENTS, result.toJson());
       run.writeResult(MEASURED_MODEL, XmiStore.toBytes(measured));
       RunContext.LoadedChain reread = run.loadChain(run.file(MEASURED_MODEL));
       measured = reread.chain();
       locator = reread.origins()::locate;
+      found.addAll(reread.ecore().diagnostics());
+      ecore = reread.ecore().coverage();
     }
     OclResult validation = Constraints.of(run).check(measured, locator);
     found.addAll(validation.diagnostics());
@@ -76,11 +79,19 @@ final class SimulateStage implements StageWork {
       // Last, so that it is never there without what it is about.
       run.writeResult(VERDICT, SimulationReport.verdict(chain, result, errors(run, found)));
     }
-    ObjectNode report = SimulationReport.of(result);
-    String measuredFile = SourceLocation.of(run.file(MEASURED_MODEL)).file();
-    report.set("validation", Constraints.report(measuredFile, validation));
-    Coverage coverage = Constraints.coverage(List.of(measuredFile), validation);
+    ObjectNode report = report(run, result, validation);
+    Coverage coverage = Constraints.coverage(List.of(measuredFile(run)), validation).and(ecore);
     return new StageResult(details(result), files, found, report, coverage);
+  }
+
+  private static String measuredFile(RunContext run) {
+    return SourceLocation.of(run.file(MEASURED_MODEL)).file();
+  }
+
+  private static ObjectNode report(RunContext run, SimulationResult result, OclResult validation) {
+    ObjectNode report = SimulationReport.of(result);
+    report.set("validation", Constraints.report(measuredFile(run), validation));
+    return report;
   }
 
   /** The requirements, where the project has written any. */

@@ -106,7 +106,8 @@ class AnyModelTest {
         folder.resolve("out"),
         false,
         false,
-        Suppressions.NONE);
+        Suppressions.NONE,
+        Duration.ofSeconds(30));
   }
 
   @Test

@@ -10,6 +10,7 @@ import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -120,7 +121,8 @@ class JavaServicesTest {
             folder.resolve("out"),
             false,
             false,
-            Suppressions.NONE)
+            Suppressions.NONE,
+            Duration.ofSeconds(30))
         .diagnostics();
   }
 

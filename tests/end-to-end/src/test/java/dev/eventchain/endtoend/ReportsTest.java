@@ -44,7 +44,9 @@ class ReportsTest {
     new Program()
         .run("validate", project, "--report", "sarif=" + sarif, "--report", "junit=" + junit)
         .expect(0)
-        .says("0 errors, 0 warnings in 2 files: 75 elements");
+        .says("0 errors, 0 warnings in 2 files: 75 elements")
+        .says(" message contracts, ")
+        .says(" metamodel checks; ");
     JsonNode run = json(Files.readString(sarif)).at("/runs/0");
     assertEquals(0, run.get("results").size());
     assertEquals(true, run.at("/invocations/0/executionSuccessful").asBoolean());
@@ -105,6 +107,29 @@ class ReportsTest {
     Files.copy(project.resolve("out/chain.xmi"), fresh.resolve("model/chain.xmi"));
     new Program().run("validate", fresh).expect(0);
     assertTrue(Files.isRegularFile(fresh.resolve("out/generated.ocl")));
+  }
+
+  @Test
+  void aModelOfAProjectMustBeWhatItsMetamodelDemands() throws IOException {
+    Path fresh = Program.exampleIn(folder.resolve("demanded"));
+    Path model = Files.createDirectories(fresh.resolve("model")).resolve("chain.xmi");
+    String good = Files.readString(project.resolve("out/chain.xmi"));
+    Files.writeString(
+        model, good.replace("input=\"//@data.24\"", "input=\"//@data.24 //@data.24\""));
+    new Program()
+        .run("validate", fresh)
+        .expect(1)
+        .says("model/chain.xmi:5:")
+        .says("holds EventChain[aeb]/data[")
+        .says("[ecore.unique]");
+    Files.writeString(
+        fresh.resolve("eventchain-suppressions.yaml"),
+        "- id: ecore.unique\n  reason: It is written twice.\n  expires: 2999-01-01\n");
+    new Program()
+        .run("validate", fresh)
+        .expect(0)
+        .says("0 errors, 0 warnings, 1 suppressed")
+        .says(" metamodel checks; ");
   }
 
   @Test
