@@ -212,21 +212,23 @@ abstract class ProjectCommand implements Callable<Integer> {
 
   private void printVerdict(RunResult result) {
     for (RunResult.ScenarioLine line : result.scenarios()) {
-      console
-          .out()
-          .printf(
-              Locale.ROOT,
-              "%s  %-28s %s%n",
-              line.passed() ? "passed" : "FAILED",
-              line.name(),
-              line.text());
+      console.out().printf(Locale.ROOT, "%-6s  %-28s %s%n", word(line), line.name(), line.text());
     }
     boolean judged =
-        result.verdict() != RunResult.Verdict.INCOMPLETE || result.failure().isPresent();
+        result.verdict() != RunResult.Verdict.INCOMPLETE
+            || result.failure().isPresent()
+            || Diagnostic.anyError(result.diagnostics());
     boolean summarized = !judged && !result.coverage().equals(Coverage.NONE);
     if (!summarized || !result.scenarios().isEmpty()) {
       console.out().println((judged ? result.verdict() + ": " : "") + result.summary());
     }
     result.report().ifPresent(report -> console.out().println("Report: " + report));
+  }
+
+  private static String word(RunResult.ScenarioLine line) {
+    if (!line.tested()) {
+      return "-";
+    }
+    return line.passed() ? "passed" : "FAILED";
   }
 }

@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.Suppressions.Suppressed;
 import dev.eventchain.pipeline.Progress.Status;
 import dev.eventchain.pipeline.RunResult.ScenarioLine;
@@ -17,11 +18,19 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 
 /** What a run comes to: the verdict, and the report about it. */
 final class Conclusion {
 
   static final String REPORT = "report.html";
+
+  /** What says that something was not tested, and not that it is wrong. */
+  private static final Set<String> UNTESTED =
+      Set.of(
+          "project.requirement.untested",
+          "simulation.latency.unmeasured",
+          "simulation.node.silent");
 
   private final RunContext run;
   private final Map<Stage, StageOutcome> outcomes;
@@ -84,8 +93,11 @@ final class Conclusion {
     if (failure.isPresent()) {
       return failure.get() == Reason.FINDINGS ? Verdict.FAILED : Verdict.INCOMPLETE;
     }
-    if (Diagnostic.anyError(found)) {
-      return Verdict.FAILED;
+    List<Diagnostic> errors =
+        found.stream().filter(each -> each.severity() == Severity.ERROR).toList();
+    if (!errors.isEmpty()) {
+      boolean untested = errors.stream().allMatch(each -> UNTESTED.contains(each.id()));
+      return untested ? Verdict.INCOMPLETE : Verdict.FAILED;
     }
     boolean judged =
         outcome(Stage.SIMULATE).status() != Status.NOT_RUN && !run.options().isPartial();
@@ -95,15 +107,13 @@ final class Conclusion {
   private String summary(Verdict verdict, List<ScenarioLine> scenarios, List<Diagnostic> found) {
     long passed = scenarios.stream().filter(ScenarioLine::passed).count();
     String scenarioText = passed + " of " + scenarios.size() + " scenarios passed";
-    long errors =
-        found.stream()
-            .filter(finding -> finding.severity() == dev.eventchain.diagnostics.Severity.ERROR)
-            .count();
+    long errors = found.stream().filter(finding -> finding.severity() == Severity.ERROR).count();
     String errorText = Coverage.counted(errors, "error");
     return switch (verdict) {
       case PASSED -> scenarioText;
       case FAILED -> scenarios.isEmpty() ? errorText : scenarioText + ", " + errorText;
-      case INCOMPLETE -> failure.isPresent() ? stopped() : unjudged(scenarios, scenarioText);
+      case INCOMPLETE ->
+          failure.isPresent() ? stopped() : unjudged(scenarios, scenarioText, errors);
     };
   }
 
@@ -121,7 +131,10 @@ final class Conclusion {
         .orElse("stopped");
   }
 
-  private String unjudged(List<ScenarioLine> scenarios, String scenarioText) {
+  private String unjudged(List<ScenarioLine> scenarios, String scenarioText, long untested) {
+    if (untested > 0) {
+      return scenarioText + ", but not all was tested: see " + Coverage.counted(untested, "error");
+    }
     return scenarios.isEmpty()
         ? lastDetails()
         : scenarioText + "; no verdict, because the others were not simulated";
@@ -145,6 +158,7 @@ final class Conclusion {
         lines.add(
             new ScenarioLine(
                 scenario.path("name").asText(),
+                scenario.path("tested").asBoolean(),
                 scenario.path("passed").asBoolean(),
                 scenario.path("text").asText()));
       }

@@ -36,7 +36,10 @@ public record RunResult(
     PASSED,
     /** Something was found wanting. */
     FAILED,
-    /** Nothing was found wanting, but not everything was run that a verdict needs. */
+    /**
+     * Nothing was found wrong, but not everything was run or tested that a verdict needs: then it
+     * is a finding, unless it was not asked for.
+     */
     INCOMPLETE
   }
 
@@ -44,8 +47,9 @@ public record RunResult(
    * A scenario in a line.
    *
    * @param name the scenario's name
+   * @param tested whether all components worked
    * @param passed whether it met its criteria
    * @param text what happened, in a sentence
    */
-  public record ScenarioLine(String name, boolean passed, String text) {}
+  public record ScenarioLine(String name, boolean tested, boolean passed, String text) {}
 }

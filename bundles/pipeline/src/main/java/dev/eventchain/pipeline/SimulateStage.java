@@ -9,6 +9,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.metamodel.Origins;
 import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.LatencyConstraint;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import dev.eventchain.modeler.Requirements;
 import dev.eventchain.ocl.OclResult;
@@ -76,6 +77,7 @@ final class SimulateStage implements StageWork {
     List<String> files = run.options().isPartial() ? List.of() : RESULTS;
     if (!run.options().isPartial()) {
       found.addAll(untested(run, scenarios));
+      found.addAll(unmeasured(chain, result, run.chain()));
       // Last, so that it is never there without what it is about.
       run.writeResult(VERDICT, SimulationReport.verdict(chain, result, errors(run, found)));
     }
@@ -118,6 +120,34 @@ final class SimulateStage implements StageWork {
                         "Name it under 'requirements' of a scenario that does, or suppress this"
                             + " finding with a reason and a last day."))
         .toList();
+  }
+
+  /** A bound on a time that was never measured is not kept, but not tested. */
+  private static List<Diagnostic> unmeasured(
+      EventChain chain, SimulationResult result, RunContext.LoadedChain loaded) {
+    List<Diagnostic> found = new ArrayList<>();
+    for (int i = 0; i < chain.getLatencyConstraints().size(); i++) {
+      LatencyConstraint constraint = chain.getLatencyConstraints().get(i);
+      int index = i;
+      if (result.verdicts().stream().allMatch(each -> each.latencies().get(index).isEmpty())) {
+        found.add(unmeasured(constraint, loaded.origins().locate(constraint)));
+      }
+    }
+    return found;
+  }
+
+  private static Diagnostic unmeasured(LatencyConstraint constraint, SourceLocation place) {
+    return Diagnostic.error(
+            "simulation.latency.unmeasured",
+            "The latency constraint '%s' was not measured in any scenario: nothing that '%s' did was based on what came to '%s'."
+                .formatted(
+                    constraint.getName(), name(constraint.getLast()), name(constraint.getFirst())),
+            place)
+        .withHint("Bound the time between components that data connect, both simulated.");
+  }
+
+  private static String name(SoftwareNode node) {
+    return node == null ? "?" : node.getName();
   }
 
   /** The errors that count: a verdict must not be better than the run that reached it. */
@@ -169,9 +199,9 @@ final class SimulateStage implements StageWork {
       return Simulation.run(
           request,
           run.python(Stage.SIMULATE),
-          verdict -> {
+          name -> {
             String count = done.incrementAndGet() + " of " + scenarios.size();
-            run.progress().step(Stage.SIMULATE, count + ": " + verdict.scenario());
+            run.progress().step(Stage.SIMULATE, count + ": " + name);
           });
     } catch (DiagnosticException e) {
       throw new DiagnosticException(

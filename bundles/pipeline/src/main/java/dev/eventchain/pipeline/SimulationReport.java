@@ -72,7 +72,8 @@ final class SimulationReport {
     ArrayNode scenarios = json.putArray("scenarios");
     for (ScenarioVerdict verdict : result.verdicts()) {
       ObjectNode scenario = scenarios.addObject();
-      scenario.put("name", verdict.scenario()).put("passed", verdict.passed());
+      scenario.put("name", verdict.scenario()).put("tested", verdict.tested());
+      scenario.put("passed", verdict.passed());
       ArrayNode requirements = scenario.putArray("requirements");
       verdict.requirements().forEach(requirements::add);
       criteria(scenario, verdict);
@@ -117,7 +118,8 @@ final class SimulationReport {
   private static ObjectNode scenario(ScenarioVerdict verdict) {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     json.put("name", verdict.scenario()).put("title", verdict.title());
-    json.put("passed", verdict.passed()).put("text", words(verdict));
+    json.put("tested", verdict.tested()).put("passed", verdict.passed());
+    json.put("text", verdict.tested() ? words(verdict) : "not tested: not all components worked");
     ArrayNode requirements = json.putArray("requirements");
     verdict.requirements().forEach(requirements::add);
     criteria(json, verdict);

@@ -3,6 +3,8 @@ package dev.eventchain.simulation;
 import dev.eventchain.metamodel.eventchain.ChainMeasurement;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainFactory;
+import dev.eventchain.metamodel.eventchain.LatencyConstraint;
+import dev.eventchain.metamodel.eventchain.LatencyMeasurement;
 import dev.eventchain.metamodel.eventchain.NodeMeasurement;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import dev.eventchain.metamodel.eventchain.Statistics;
@@ -49,12 +51,24 @@ final class MeasuredModel {
     find(chain, measurements.firstNode()).ifPresent(measurement::setFirst);
     find(chain, measurements.lastNode()).ifPresent(measurement::setLast);
     statistics(verdict.latency()).ifPresent(measurement::setLatency);
+    for (int i = 0; i < verdict.latencies().size(); i++) {
+      LatencyConstraint constraint = chain.getLatencyConstraints().get(i);
+      statistics(verdict.latencies().get(i))
+          .ifPresent(latency -> measurement.getLatencies().add(latency(constraint, latency)));
+    }
     verdict.minimalGap().ifPresent(measurement::setMinimalGap);
     verdict.impactSpeed().ifPresent(measurement::setImpactSpeed);
     verdict
         .timeToCollisionAtFirstBraking()
         .ifPresent(measurement::setTimeToCollisionAtFirstBraking);
     measurement.setPassed(verdict.passed());
+    return measurement;
+  }
+
+  private static LatencyMeasurement latency(LatencyConstraint constraint, Statistics latency) {
+    LatencyMeasurement measurement = FACTORY.createLatencyMeasurement();
+    measurement.setConstraint(constraint);
+    measurement.setLatency(latency);
     return measurement;
   }
 

@@ -62,6 +62,7 @@ final class MeasurementsWriter {
       json.writeString(requirement);
     }
     json.writeEndArray();
+    json.writeBooleanField("tested", verdict.tested());
     json.writeBooleanField("passed", verdict.passed());
     json.writeArrayFieldStart("criteria");
     for (ScenarioVerdict.CriterionResult criterion : verdict.criteria()) {
@@ -77,6 +78,11 @@ final class MeasurementsWriter {
     optional("timeToCollisionAtFirstBraking", verdict.timeToCollisionAtFirstBraking());
     optional("firstBraking", verdict.firstBraking());
     statistics("latency", verdict.latency());
+    json.writeArrayFieldStart("latencies");
+    for (Optional<Measurements.Statistics> latency : verdict.latencies()) {
+      statistics(latency);
+    }
+    json.writeEndArray();
     series(verdict.series());
     json.writeEndObject();
   }
@@ -139,6 +145,10 @@ final class MeasurementsWriter {
   private void statistics(String name, Optional<Measurements.Statistics> values)
       throws IOException {
     json.writeFieldName(name);
+    statistics(values);
+  }
+
+  private void statistics(Optional<Measurements.Statistics> values) throws IOException {
     if (values.isEmpty()) {
       json.writeNull();
       return;

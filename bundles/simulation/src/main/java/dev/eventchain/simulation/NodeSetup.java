@@ -9,6 +9,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.metamodel.TopicIndex;
 import dev.eventchain.metamodel.eventchain.ComponentImplementation;
+import dev.eventchain.metamodel.eventchain.LatencyConstraint;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -86,6 +87,38 @@ final class NodeSetup {
         .filter(topic -> topic.subscribers().stream().anyMatch(this::isSimulated))
         .map(TopicIndex.Topic::name)
         .collect(Collectors.toCollection(TreeSet::new));
+  }
+
+  /** The latency constraints of the chain. */
+  List<LatencyConstraint> latencyConstraints() {
+    return request.chain().getLatencyConstraints();
+  }
+
+  /** The full names of the topics that a node reads. */
+  Set<String> topicsReadBy(SoftwareNode node) {
+    return topicsOf(node, TopicIndex.Topic::subscribers);
+  }
+
+  /** The full names of the topics that a node writes. */
+  Set<String> topicsWrittenBy(SoftwareNode node) {
+    return topicsOf(node, TopicIndex.Topic::publishers);
+  }
+
+  private Set<String> topicsOf(
+      SoftwareNode node, Function<TopicIndex.Topic, List<TopicIndex.Endpoint>> side) {
+    return topics.topics().stream()
+        .filter(topic -> side.apply(topic).stream().anyMatch(end -> end.node() == node))
+        .map(TopicIndex.Topic::name)
+        .collect(Collectors.toCollection(TreeSet::new));
+  }
+
+  /** The components of the chain that write a topic, simulated or not. */
+  List<String> writers(String topic) {
+    return topics.find(topic).stream()
+        .flatMap(found -> found.publishers().stream())
+        .map(endpoint -> endpoint.node().getName())
+        .distinct()
+        .toList();
   }
 
   /** Name of the first node that reads a topic; empty if none does. */

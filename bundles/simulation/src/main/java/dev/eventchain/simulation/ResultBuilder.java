@@ -8,12 +8,9 @@ import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import dev.eventchain.simulation.RunLog.Activation;
 import dev.eventchain.simulation.ScenarioRunner.Run;
 import java.nio.charset.StandardCharsets;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
-import java.util.OptionalDouble;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import java.util.zip.CRC32;
@@ -22,7 +19,6 @@ import java.util.zip.CRC32;
 final class ResultBuilder {
 
   private static final double MILLISECOND = 1e6;
-  private static final long SERIES_STEP = 50_000_000L;
 
   private final NodeSetup setup;
   private final List<Run> runs;
@@ -33,7 +29,10 @@ final class ResultBuilder {
   }
 
   SimulationResult build(String confinement, int processes, double wallSeconds) {
-    List<ScenarioVerdict> verdicts = runs.stream().map(ResultBuilder::verdict).toList();
+    List<Diagnostic> silent = Silence.in(runs.stream().map(Run::log).toList(), setup);
+    ScenarioJudge judge = new ScenarioJudge(setup);
+    List<ScenarioVerdict> verdicts =
+        runs.stream().map(run -> judge.verdict(run, silent.isEmpty())).toList();
     List<Measurements.Node> nodes = setup.nodes().stream().map(this::measure).toList();
     Measurements measurements =
         new Measurements(
@@ -49,65 +48,8 @@ final class ResultBuilder {
             runs.stream().mapToDouble(run -> World.seconds(run.trace().end().time())).sum(),
             wallSeconds,
             runs.stream().mapToDouble(run -> World.seconds(run.hostNanos())).sum());
-    return new SimulationResult(verdicts, measurements, warnings(), host);
-  }
-
-  static ScenarioVerdict verdict(Run run) {
-    Scenario scenario = run.scenario();
-    Trace trace = run.trace();
-    List<ScenarioVerdict.CriterionResult> criteria =
-        scenario.criteria().stream().map(criterion -> judge(criterion, trace)).toList();
-    return new ScenarioVerdict(
-        scenario.name(),
-        scenario.title(),
-        scenario.requirements(),
-        criteria.stream().allMatch(ScenarioVerdict.CriterionResult::passed),
-        criteria,
-        trace.minimalGap(),
-        trace.impactSpeed(),
-        trace.timeToCollisionAtFirstBraking(),
-        trace
-            .firstBraking()
-            .map(command -> OptionalDouble.of(World.seconds(command.time())))
-            .orElse(OptionalDouble.empty()),
-        latency(run.log()),
-        series(trace));
-  }
-
-  private static ScenarioVerdict.CriterionResult judge(Criterion criterion, Trace trace) {
-    Criterion.Outcome outcome = criterion.judge(trace);
-    return new ScenarioVerdict.CriterionResult(
-        criterion.text(), outcome.passed(), outcome.detail(), criterion.location());
-  }
-
-  private static Optional<Measurements.Statistics> latency(RunLog log) {
-    List<Long> latencies =
-        ChainLatency.of(log, CarlaBridge.LIDAR.name(), CarlaBridge.CONTROL.name());
-    return Measurements.Statistics.of(
-        latencies.stream().mapToDouble(value -> value / MILLISECOND).toArray());
-  }
-
-  private static List<ScenarioVerdict.Moment> series(Trace trace) {
-    List<ScenarioVerdict.Moment> moments = new ArrayList<>();
-    List<Trace.Command> commands = trace.commands();
-    double brake = 0;
-    int next = 0;
-    for (Trace.State state : trace.states()) {
-      while (next < commands.size() && commands.get(next).time() <= state.time()) {
-        brake = commands.get(next++).pedal();
-      }
-      if (state.time() % SERIES_STEP == 0 || state.equals(trace.end())) {
-        moments.add(
-            new ScenarioVerdict.Moment(
-                World.seconds(state.time()),
-                state.speed(),
-                state.gap(),
-                state.timeToCollision(),
-                brake,
-                state.deceleration()));
-      }
-    }
-    return moments;
+    List<Diagnostic> found = Stream.of(silent, warnings()).flatMap(List::stream).toList();
+    return new SimulationResult(verdicts, measurements, found, host);
   }
 
   private Measurements.Node measure(SoftwareNode node) {

@@ -12,7 +12,8 @@ import java.util.OptionalDouble;
  * @param scenario the scenario's name
  * @param title the scenario's title
  * @param requirements ids of the requirements that it tests
- * @param passed whether every criterion holds
+ * @param tested whether every component worked, so that the criteria are about the software
+ * @param passed whether it was tested and every criterion holds
  * @param criteria each criterion with what was measured
  * @param minimalGap smallest distance to a vehicle in the own lane, in m; empty without one
  * @param impactSpeed relative speed at the impact, in m/s; empty without an impact
@@ -20,12 +21,14 @@ import java.util.OptionalDouble;
  * @param firstBraking time of the first brake command, in s; empty without braking
  * @param latency from a point cloud to the first brake command that is based on it, in ms; empty if
  *     no command is based on one
+ * @param latencies what was measured of each latency constraint of the chain, in its order
  * @param series what happened, every 50 ms
  */
 public record ScenarioVerdict(
     String scenario,
     String title,
     List<String> requirements,
+    boolean tested,
     boolean passed,
     List<CriterionResult> criteria,
     OptionalDouble minimalGap,
@@ -33,12 +36,14 @@ public record ScenarioVerdict(
     OptionalDouble timeToCollisionAtFirstBraking,
     OptionalDouble firstBraking,
     Optional<Measurements.Statistics> latency,
+    List<Optional<Measurements.Statistics>> latencies,
     List<Moment> series) {
 
   /** Copies the lists. */
   public ScenarioVerdict {
     requirements = List.copyOf(requirements);
     criteria = List.copyOf(criteria);
+    latencies = List.copyOf(latencies);
     series = List.copyOf(series);
   }
 
@@ -72,9 +77,13 @@ public record ScenarioVerdict(
       double brake,
       double deceleration) {}
 
-  /** A finding {@code simulation.criterion.failed} for each criterion that does not hold. */
+  /**
+   * A finding {@code simulation.criterion.failed} for each criterion that does not hold; none if
+   * the software was not tested.
+   */
   public List<Diagnostic> diagnostics() {
     return criteria.stream()
+        .filter(criterion -> tested)
         .filter(criterion -> !criterion.passed())
         .map(
             criterion ->

@@ -21,7 +21,7 @@ public final class Simulation {
 
   private final SimulationRequest request;
   private final NodeSetup setup;
-  private final Consumer<ScenarioVerdict> progress;
+  private final Consumer<String> progress;
   private final PythonEnvironment python;
   private final Confinement confinement = Confinement.detect();
   private final AtomicInteger next = new AtomicInteger();
@@ -31,7 +31,7 @@ public final class Simulation {
   private final SortedMap<Integer, Throwable> failures = new TreeMap<>();
 
   private Simulation(
-      SimulationRequest request, PythonEnvironment python, Consumer<ScenarioVerdict> progress) {
+      SimulationRequest request, PythonEnvironment python, Consumer<String> progress) {
     this.request = request;
     this.setup = new NodeSetup(request);
     this.python = python;
@@ -42,8 +42,8 @@ public final class Simulation {
    * Simulates all scenarios and judges them.
    *
    * @param python the Python that runs the nodes
-   * @param progress gets each verdict as it is found, one at a time, from threads of the
-   *     simulation; the order may differ from that of the request
+   * @param progress gets the name of each scenario when it has been simulated, one at a time, from
+   *     threads of the simulation; the order may differ from that of the request
    * @throws DiagnosticException (INPUT) if the messages of the vehicle are not defined ({@code
    *     message.unknown}, {@code message.field.missing}), or the manifest is not that of the chain
    *     ({@code simulation.manifest}); (FINDINGS) if the nodes cannot be driven through a scenario:
@@ -55,7 +55,7 @@ public final class Simulation {
    * @throws InterruptedException if the calling thread was interrupted; the processes are ended
    */
   public static SimulationResult run(
-      SimulationRequest request, PythonEnvironment python, Consumer<ScenarioVerdict> progress)
+      SimulationRequest request, PythonEnvironment python, Consumer<String> progress)
       throws InterruptedException {
     return new Simulation(request, python, progress).run();
   }
@@ -125,7 +125,7 @@ public final class Simulation {
 
   private synchronized void done(int scenario, Run run) {
     runs.put(scenario, run);
-    progress.accept(ResultBuilder.verdict(run));
+    progress.accept(run.scenario().name());
   }
 
   private synchronized void failed(int scenario, Throwable failure) {

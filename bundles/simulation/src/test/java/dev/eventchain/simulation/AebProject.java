@@ -12,6 +12,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 
 /**
@@ -27,15 +28,26 @@ final class AebProject {
   private final EventChain chain;
 
   AebProject(Path folder) throws IOException {
+    this(folder, load(), Generated.FILES);
+  }
+
+  private AebProject(Path folder, EventChain chain, Map<String, byte[]> files) throws IOException {
     this.folder = folder;
-    this.chain = load();
-    for (Map.Entry<String, byte[]> file : Generated.FILES.entrySet()) {
+    this.chain = chain;
+    for (Map.Entry<String, byte[]> file : files.entrySet()) {
       Path target = folder.resolve(file.getKey());
       Files.createDirectories(target.getParent());
       Files.write(target, file.getValue());
     }
     copyComponents(RESOURCES.resolve("aeb/components"));
     copyComponents(EXAMPLE.resolve("software-base/components"));
+  }
+
+  /** The project with the nodes of another chain of the same components. */
+  static AebProject of(Path folder, Consumer<EventChain> change) throws IOException {
+    EventChain chain = load();
+    change.accept(chain);
+    return new AebProject(folder, chain, Generated.filesOf(chain));
   }
 
   private void copyComponents(Path from) throws IOException {
@@ -55,12 +67,14 @@ final class AebProject {
 
   /** The nodes are generated once: a template is compiled in a second. */
   private static final class Generated {
-    private static final Map<String, byte[]> FILES =
+    private static final TemplateModule MODULE =
         TemplateModule.compile(
-                Path.of("../../templates/ros2-python/main.mtl"),
-                List.of(EventchainPackage.eINSTANCE))
-            .generate(List.of(load()), element -> SourceLocation.NONE)
-            .files();
+            Path.of("../../templates/ros2-python/main.mtl"), List.of(EventchainPackage.eINSTANCE));
+    private static final Map<String, byte[]> FILES = filesOf(load());
+
+    private static Map<String, byte[]> filesOf(EventChain chain) {
+      return MODULE.generate(List.of(chain), element -> SourceLocation.NONE).files();
+    }
   }
 
   /** The chain; tests may change it. */

@@ -1,0 +1,104 @@
+package dev.eventchain.simulation;
+
+import dev.eventchain.metamodel.eventchain.LatencyConstraint;
+import dev.eventchain.metamodel.eventchain.LatencyKind;
+import dev.eventchain.simulation.ScenarioRunner.Run;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/** Judges what happened in a scenario. */
+final class ScenarioJudge {
+
+  private static final double MILLISECOND = 1e6;
+  private static final long SERIES_STEP = 50_000_000L;
+
+  private final NodeSetup setup;
+
+  ScenarioJudge(NodeSetup setup) {
+    this.setup = setup;
+  }
+
+  /**
+   * Judges a scenario.
+   *
+   * @param tested whether every component worked
+   */
+  ScenarioVerdict verdict(Run run, boolean tested) {
+    Scenario scenario = run.scenario();
+    Trace trace = run.trace();
+    List<ScenarioVerdict.CriterionResult> criteria =
+        scenario.criteria().stream().map(criterion -> judge(criterion, trace)).toList();
+    return new ScenarioVerdict(
+        scenario.name(),
+        scenario.title(),
+        scenario.requirements(),
+        tested,
+        tested && criteria.stream().allMatch(ScenarioVerdict.CriterionResult::passed),
+        criteria,
+        trace.minimalGap(),
+        trace.impactSpeed(),
+        trace.timeToCollisionAtFirstBraking(),
+        trace
+            .firstBraking()
+            .map(command -> OptionalDouble.of(World.seconds(command.time())))
+            .orElse(OptionalDouble.empty()),
+        latency(run.log()),
+        setup.latencyConstraints().stream().map(each -> latency(run.log(), each)).toList(),
+        series(trace));
+  }
+
+  private static ScenarioVerdict.CriterionResult judge(Criterion criterion, Trace trace) {
+    Criterion.Outcome outcome = criterion.judge(trace);
+    return new ScenarioVerdict.CriterionResult(
+        criterion.text(), outcome.passed(), outcome.detail(), criterion.location());
+  }
+
+  private static Optional<Measurements.Statistics> latency(RunLog log) {
+    return statistics(
+        ChainLatency.reactions(log, CarlaBridge.LIDAR.name(), CarlaBridge.CONTROL.name()));
+  }
+
+  /** What was measured of a constraint; an incomplete one is a finding of the model. */
+  private static Optional<Measurements.Statistics> latency(
+      RunLog log, LatencyConstraint constraint) {
+    if (constraint.getFirst() == null || constraint.getLast() == null) {
+      return Optional.empty();
+    }
+    return statistics(
+        ChainLatency.between(
+            log,
+            constraint.getFirst().getName(),
+            constraint.getLast().getName(),
+            constraint.getKind() == LatencyKind.DATA_AGE));
+  }
+
+  private static Optional<Measurements.Statistics> statistics(List<Long> nanoseconds) {
+    return Measurements.Statistics.of(
+        nanoseconds.stream().mapToDouble(value -> value / MILLISECOND).toArray());
+  }
+
+  private static List<ScenarioVerdict.Moment> series(Trace trace) {
+    List<ScenarioVerdict.Moment> moments = new ArrayList<>();
+    List<Trace.Command> commands = trace.commands();
+    double brake = 0;
+    int next = 0;
+    for (Trace.State state : trace.states()) {
+      while (next < commands.size() && commands.get(next).time() <= state.time()) {
+        brake = commands.get(next++).pedal();
+      }
+      if (state.time() % SERIES_STEP == 0 || state.equals(trace.end())) {
+        moments.add(
+            new ScenarioVerdict.Moment(
+                World.seconds(state.time()),
+                state.speed(),
+                state.gap(),
+                state.timeToCollision(),
+                brake,
+                state.deceleration()));
+      }
+    }
+    return moments;
+  }
+}
