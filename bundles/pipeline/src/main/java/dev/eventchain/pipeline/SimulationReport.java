@@ -119,7 +119,7 @@ final class SimulationReport {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     json.put("name", verdict.scenario()).put("title", verdict.title());
     json.put("tested", verdict.tested()).put("passed", verdict.passed());
-    json.put("text", verdict.tested() ? words(verdict) : "not tested: not all components worked");
+    json.put("text", verdict.tested() ? words(verdict) : untested(verdict));
     ArrayNode requirements = json.putArray("requirements");
     verdict.requirements().forEach(requirements::add);
     criteria(json, verdict);
@@ -143,9 +143,18 @@ final class SimulationReport {
       criteria
           .addObject()
           .put("text", criterion.text())
+          .put("tested", criterion.tested())
           .put("passed", criterion.passed())
           .put("measured", criterion.measured());
     }
+  }
+
+  private static String untested(ScenarioVerdict verdict) {
+    return verdict.criteria().stream()
+        .filter(criterion -> !criterion.tested())
+        .findFirst()
+        .map(criterion -> "not tested: " + criterion.measured())
+        .orElse("not tested");
   }
 
   /** What happened, in a sentence. */

@@ -36,7 +36,13 @@ final class BrakingRules {
                 seconds(trace.stateAt(command.time()).timeToCollision())));
       }
     }
-    return new Outcome(true, firstText(trace, kind));
+    boolean tested =
+        !trace.commands().isEmpty()
+            && trace.states().stream()
+                .anyMatch(s -> s.timeToCollision() >= limit && s.speed() >= SLOWEST);
+    return tested
+        ? new Outcome(true, firstText(trace, kind))
+        : Outcome.untested(format("TTC was never %.1f s or more", criterion.limit()));
   }
 
   private static boolean unjustified(Trace trace, long time, Criterion criterion, double limit) {
@@ -56,6 +62,7 @@ final class BrakingRules {
     long reaction = World.nanoseconds(criterion.tolerances().reaction());
     long since = -1;
     int next = 0;
+    boolean tested = false;
     Trace.Command inForce = new Trace.Command(0, 0.0);
     List<Trace.Command> commands = trace.commands();
     for (Trace.State state : trace.states()) {
@@ -64,7 +71,9 @@ final class BrakingRules {
       }
       boolean below = state.timeToCollision() < limit && state.speed() >= SLOWEST;
       since = below ? (since < 0 ? state.time() : since) : -1;
-      if (since >= 0 && state.time() - since >= reaction && !kind.test(inForce)) {
+      boolean due = since >= 0 && state.time() - since >= reaction;
+      tested |= due;
+      if (due && !kind.test(inForce)) {
         return new Outcome(
             false,
             format(
@@ -72,7 +81,9 @@ final class BrakingRules {
                 inForce.pedal(), World.seconds(state.time()), seconds(state.timeToCollision())));
       }
     }
-    return new Outcome(true, firstText(trace, kind));
+    return tested
+        ? new Outcome(true, firstText(trace, kind))
+        : Outcome.untested(format("TTC was never below %.1f s long enough", criterion.limit()));
   }
 
   static Outcome commandsArrive(Trace trace) {

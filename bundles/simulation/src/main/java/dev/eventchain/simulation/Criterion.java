@@ -25,8 +25,24 @@ record Criterion(CriterionKind kind, double limit, Tolerances tolerances, Source
     static final Tolerances USUAL = new Tolerances(0.1, 0.3);
   }
 
-  /** What was found: whether it holds, and the figures that say so. */
-  record Outcome(boolean passed, String detail) {}
+  /**
+   * What was found.
+   *
+   * @param tested whether what it is about ever came up; if not, it neither holds nor fails
+   * @param passed whether it was tested and holds
+   * @param detail the figures that say so
+   */
+  record Outcome(boolean tested, boolean passed, String detail) {
+
+    Outcome(boolean passed, String detail) {
+      this(true, passed, detail);
+    }
+
+    /** Of a criterion whose premise never came true. */
+    static Outcome untested(String why) {
+      return new Outcome(false, false, why);
+    }
+  }
 
   Outcome judge(Trace trace) {
     return switch (kind) {

@@ -11,7 +11,15 @@ final class ImpactRules {
 
   private ImpactRules() {}
 
+  /** Without a vehicle in the path there is nothing to hit and no gap to keep. */
+  private static Outcome nothingAhead() {
+    return Outcome.untested("nothing ahead");
+  }
+
   static Outcome noImpact(Trace trace) {
+    if (trace.minimalGap().isEmpty()) {
+      return nothingAhead();
+    }
     OptionalDouble impact = trace.impactSpeed();
     return impact.isPresent()
         ? new Outcome(
@@ -23,22 +31,29 @@ final class ImpactRules {
   }
 
   private static String gapText(Trace trace) {
-    OptionalDouble gap = trace.minimalGap();
-    return gap.isPresent() ? format("smallest gap %.2f m", gap.getAsDouble()) : "nothing ahead";
+    return format("smallest gap %.2f m", trace.minimalGap().orElseThrow());
   }
 
   static Outcome stops(Trace trace) {
+    if (trace.states().get(0).speed() == 0.0) {
+      return Outcome.untested("the vehicle stood from the start");
+    }
     double speed = trace.end().speed();
     boolean stands = speed == 0.0 && trace.impactSpeed().isEmpty();
     return new Outcome(stands, format("speed at the end %.1f km/h", speed * 3.6));
   }
 
   static Outcome minimalGap(Trace trace, double limit) {
-    double gap = trace.minimalGap().orElse(Double.POSITIVE_INFINITY);
-    return new Outcome(gap >= limit, gapText(trace));
+    OptionalDouble gap = trace.minimalGap();
+    return gap.isPresent()
+        ? new Outcome(gap.getAsDouble() >= limit, gapText(trace))
+        : nothingAhead();
   }
 
   static Outcome maximalImpactSpeed(Trace trace, double limit) {
+    if (trace.minimalGap().isEmpty()) {
+      return nothingAhead();
+    }
     OptionalDouble impact = trace.impactSpeed();
     return impact.isPresent()
         ? new Outcome(
@@ -48,6 +63,9 @@ final class ImpactRules {
   }
 
   static Outcome neverBrakes(Trace trace) {
+    if (trace.commands().isEmpty()) {
+      return Outcome.untested("no command came");
+    }
     Optional<Trace.Command> first = trace.firstBraking();
     return first.isPresent()
         ? new Outcome(
@@ -59,6 +77,9 @@ final class ImpactRules {
   }
 
   static Outcome brakeNormalized(Trace trace) {
+    if (trace.commands().isEmpty()) {
+      return Outcome.untested("no command came");
+    }
     for (Trace.Command command : trace.commands()) {
       if (!(command.pedal() >= 0.0 && command.pedal() <= 1.0)) {
         return new Outcome(

@@ -68,6 +68,7 @@ final class MeasurementsWriter {
     for (ScenarioVerdict.CriterionResult criterion : verdict.criteria()) {
       json.writeStartObject();
       json.writeStringField("text", criterion.text());
+      json.writeBooleanField("tested", criterion.tested());
       json.writeBooleanField("passed", criterion.passed());
       json.writeStringField("measured", criterion.measured());
       json.writeEndObject();

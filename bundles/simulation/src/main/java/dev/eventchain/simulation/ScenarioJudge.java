@@ -3,6 +3,7 @@ package dev.eventchain.simulation;
 import dev.eventchain.metamodel.eventchain.LatencyConstraint;
 import dev.eventchain.metamodel.eventchain.LatencyKind;
 import dev.eventchain.simulation.ScenarioRunner.Run;
+import dev.eventchain.simulation.ScenarioVerdict.CriterionResult;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -23,19 +24,22 @@ final class ScenarioJudge {
   /**
    * Judges a scenario.
    *
-   * @param tested whether every component worked
+   * @param worked whether every component worked
    */
-  ScenarioVerdict verdict(Run run, boolean tested) {
+  ScenarioVerdict verdict(Run run, boolean worked) {
     Scenario scenario = run.scenario();
     Trace trace = run.trace();
-    List<ScenarioVerdict.CriterionResult> criteria =
-        scenario.criteria().stream().map(criterion -> judge(criterion, trace)).toList();
+    List<CriterionResult> criteria =
+        scenario.criteria().stream().map(each -> judge(each, trace, worked)).toList();
+    boolean passed = criteria.stream().allMatch(CriterionResult::passed);
+    boolean failed = criteria.stream().anyMatch(each -> each.tested() && !each.passed());
+    boolean tested = failed || criteria.stream().allMatch(CriterionResult::tested);
     return new ScenarioVerdict(
         scenario.name(),
         scenario.title(),
         scenario.requirements(),
         tested,
-        tested && criteria.stream().allMatch(ScenarioVerdict.CriterionResult::passed),
+        passed,
         criteria,
         trace.minimalGap(),
         trace.impactSpeed(),
@@ -49,10 +53,15 @@ final class ScenarioJudge {
         series(trace));
   }
 
-  private static ScenarioVerdict.CriterionResult judge(Criterion criterion, Trace trace) {
-    Criterion.Outcome outcome = criterion.judge(trace);
-    return new ScenarioVerdict.CriterionResult(
-        criterion.text(), outcome.passed(), outcome.detail(), criterion.location());
+  private static CriterionResult judge(Criterion criterion, Trace trace, boolean worked) {
+    Criterion.Outcome outcome =
+        worked ? criterion.judge(trace) : Criterion.Outcome.untested("not all components worked");
+    return new CriterionResult(
+        criterion.text(),
+        outcome.tested(),
+        outcome.passed(),
+        outcome.detail(),
+        criterion.location());
   }
 
   private static Optional<Measurements.Statistics> latency(RunLog log) {

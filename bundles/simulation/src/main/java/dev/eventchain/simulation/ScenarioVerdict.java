@@ -12,7 +12,7 @@ import java.util.OptionalDouble;
  * @param scenario the scenario's name
  * @param title the scenario's title
  * @param requirements ids of the requirements that it tests
- * @param tested whether every component worked, so that the criteria are about the software
+ * @param tested whether every component worked and every criterion could be judged, or one fails
  * @param passed whether it was tested and every criterion holds
  * @param criteria each criterion with what was measured
  * @param minimalGap smallest distance to a vehicle in the own lane, in m; empty without one
@@ -51,12 +51,13 @@ public record ScenarioVerdict(
    * A criterion and its outcome.
    *
    * @param text what must hold, in words
-   * @param passed whether it does
+   * @param tested whether what it is about ever came up
+   * @param passed whether it was tested and holds
    * @param measured the figures that say so, in words
    * @param location where the scenario asks for it
    */
   public record CriterionResult(
-      String text, boolean passed, String measured, SourceLocation location) {}
+      String text, boolean tested, boolean passed, String measured, SourceLocation location) {}
 
   /**
    * A moment, in simulated time and SI units.
@@ -78,21 +79,36 @@ public record ScenarioVerdict(
       double deceleration) {}
 
   /**
-   * A finding {@code simulation.criterion.failed} for each criterion that does not hold; none if
-   * the software was not tested.
+   * A finding {@code simulation.criterion.failed} for each criterion that does not hold, and {@code
+   * simulation.criterion.untested} for each whose premise never came true; none if not all
+   * components worked, so that no criterion was judged.
    */
   public List<Diagnostic> diagnostics() {
+    if (criteria.stream().noneMatch(CriterionResult::tested)) {
+      return List.of();
+    }
     return criteria.stream()
-        .filter(criterion -> tested)
         .filter(criterion -> !criterion.passed())
-        .map(
-            criterion ->
-                Diagnostic.error(
-                    "simulation.criterion.failed",
-                    String.format(
-                        "Scenario %s: expected %s, but found: %s.",
-                        scenario, criterion.text(), criterion.measured()),
-                    criterion.location()))
+        .map(criterion -> criterion.tested() ? failed(criterion) : untested(criterion))
         .toList();
+  }
+
+  private Diagnostic failed(CriterionResult criterion) {
+    return Diagnostic.error(
+        "simulation.criterion.failed",
+        String.format(
+            "Scenario %s: expected %s, but found: %s.",
+            scenario, criterion.text(), criterion.measured()),
+        criterion.location());
+  }
+
+  private Diagnostic untested(CriterionResult criterion) {
+    return Diagnostic.error(
+            "simulation.criterion.untested",
+            String.format(
+                "Scenario %s: '%s' was not tested: %s.",
+                scenario, criterion.text(), criterion.measured()),
+            criterion.location())
+        .withHint("Change the scenario so that it comes up, or leave the criterion out.");
   }
 }

@@ -3,6 +3,7 @@ package dev.eventchain.simulation;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import dev.eventchain.diagnostics.SourceLocation;
+import java.util.List;
 import java.util.function.LongFunction;
 import java.util.function.LongToDoubleFunction;
 import org.junit.jupiter.api.Test;
@@ -79,8 +80,51 @@ class CriterionTest {
   @Test
   void brakingOrNotAtWalkingSpeedIsNotJudged() {
     LongFunction<Trace.State> standing = time -> new Trace.State(time, 1, 0.5, 0.5, 0);
-    assertEquals(true, holds(CriterionKind.BRAKE_BELOW_TTC, 2, trace(standing, time -> 0)));
-    assertEquals(true, holds(CriterionKind.NO_BRAKE_AT_TTC, 0.1, trace(standing, time -> 1)));
+    assertEquals(false, tested(CriterionKind.BRAKE_BELOW_TTC, 2, trace(standing, time -> 0)));
+    assertEquals(false, tested(CriterionKind.NO_BRAKE_AT_TTC, 0.1, trace(standing, time -> 1)));
+  }
+
+  /** A criterion whose premise never came true is neither kept nor broken. */
+  @ParameterizedTest
+  @CsvSource({
+    "NO_IMPACT, 0, false, true",
+    "MINIMAL_GAP, 1, false, true",
+    "MAXIMAL_IMPACT_SPEED, 1, false, true",
+    "STOPS, 0, true, true",
+    "NEVER_BRAKES, 0, true, true",
+    "NO_BRAKE_AT_TTC, 2, true, true",
+    "BRAKE_BELOW_TTC, 2, false, true",
+    "BRAKE_BELOW_TTC, 0.1, false, false",
+    "FULL_BRAKE_BELOW_TTC, 1, false, true",
+    "NO_FULL_BRAKE_AT_TTC, 2.9, true, true",
+    "NO_FULL_BRAKE_AT_TTC, 4, true, false"
+  })
+  void whatNeverCameUpIsNotTested(
+      CriterionKind kind, double limit, boolean onEmptyRoad, boolean onApproach) {
+    double nothing = Double.POSITIVE_INFINITY;
+    Trace empty = trace(time -> new Trace.State(time, SPEED, nothing, nothing, 0), time -> 0);
+    assertEquals(onEmptyRoad, tested(kind, limit, empty));
+    assertEquals(onApproach, tested(kind, limit, approach(time -> 0)));
+  }
+
+  @Test
+  void withoutCommandsNothingIsSaidOfBraking() {
+    Trace silent = new Trace();
+    silent.state(new Trace.State(0, 0, 20, 9, 0));
+    for (CriterionKind kind :
+        List.of(
+            CriterionKind.NEVER_BRAKES,
+            CriterionKind.BRAKE_NORMALIZED,
+            CriterionKind.NO_BRAKE_AT_TTC,
+            CriterionKind.STOPS)) {
+      assertEquals(false, tested(kind, 1, silent), kind.toString());
+    }
+  }
+
+  private static boolean tested(CriterionKind kind, double limit, Trace trace) {
+    return new Criterion(kind, limit, Criterion.Tolerances.USUAL, SourceLocation.NONE)
+        .judge(trace)
+        .tested();
   }
 
   @ParameterizedTest

@@ -94,6 +94,14 @@ function sign(tone) {
   return svg("svg", { viewBox: "0 0 16 16", "aria-hidden": "true", class: tone }, path);
 }
 
+/** What a scenario or a criterion came to: neither passed nor failed if it was not tested. */
+function outcomeOf(judged) {
+  if (judged.passed === true) {
+    return { tone: "good", word: "passed" };
+  }
+  return judged.tested === false ? { tone: "warn", word: "not tested" } : { tone: "bad", word: "failed" };
+}
+
 /** A sign with its word. */
 function status(tone, word) {
   return html("span", { class: "status " + tone }, sign(tone), word);

@@ -60,7 +60,8 @@ function reasons() {
   for (const scenario of failedScenarios) {
     const missed = records(scenario.criteria).filter((criterion) => criterion.passed !== true)
       .map((criterion) => text(criterion.text) + (text(criterion.measured) ? ` (${text(criterion.measured)})` : ""));
-    result.push([html("a", { href: "#" + scenarioId(scenario) }, titleOf(scenario)), detailOf(missed.join("; "), "not met: ")]);
+    const said = outcomeOf(scenario).word === "failed" ? "not met: " : "not tested: ";
+    result.push([html("a", { href: "#" + scenarioId(scenario) }, titleOf(scenario)), detailOf(missed.join("; "), said)]);
   }
   errors.forEach((error) => result.push([html("a", { href: "#diagnostics" }, code(text(error.id))), detailOf(error.message)]));
   return result;
@@ -191,12 +192,13 @@ function generatedItem(file) {
 }
 
 function proofItem(proof) {
-  const passed = proof.passed === true;
   const scenario = text(proof.kind) === "scenario" ? scenarios.find((one) => text(one.name) === text(proof.name)) : null;
+  const { tone, word } = outcomeOf(scenario ?? proof);
+  const passed = tone === "good";
   const name = scenario ? html("a", { href: "#" + scenarioId(scenario) }, titleOf(scenario)) : code(text(proof.name));
   const kind = scenario ? "" : text(proof.kind);
-  return html("li", { class: "proof" }, sign(passed ? "good" : "bad"), html("span", null, passed ? unseen("passed: ") : null, name,
-    html("span", { class: "small muted" }, kind ? " " + kind : ""), passed ? null : html("strong", { class: "bad" }, " failed")));
+  return html("li", { class: "proof" }, sign(tone), html("span", null, passed ? unseen("passed: ") : null, name,
+    html("span", { class: "small muted" }, kind ? " " + kind : ""), passed ? null : html("strong", { class: tone }, " " + word)));
 }
 
 /** Adds files and proofs to the requirements of the model, and the design rules, which it does not hold. */

@@ -3,7 +3,7 @@
 function scenarioFacts(scenario) {
   const impact = number(scenario.impactSpeed);
   const facts = [
-    scenario.passed === true ? null : "failed",
+    scenario.passed === true ? null : outcomeOf(scenario).word,
     impact !== null ? `impact ${figure(impact * 3.6, 1, "km/h")}` : number(scenario.minimalGap) !== null ? `gap ${figure(scenario.minimalGap, 1, "m")}` : null,
     list(record(scenario.series).brake).some((value) => value > 0) ? null : list(record(scenario.series).brake).length ? "never brakes" : null,
     number(record(scenario.latency).maximum) !== null ? latency(scenario.latency.maximum) : null,
@@ -12,7 +12,7 @@ function scenarioFacts(scenario) {
 }
 
 function scenarioTab(scenario) {
-  const tone = scenario.passed === true ? "good" : "bad";
+  const { tone } = outcomeOf(scenario);
   const id = scenarioId(scenario);
   return html("button", { type: "button", role: "tab", id: id + "-tab", "aria-controls": id, "aria-selected": "false", tabindex: -1 },
     sign(tone), html("span", null, scenario.passed === true ? unseen("passed: ") : null,
@@ -20,21 +20,22 @@ function scenarioTab(scenario) {
 }
 
 function criterionItem(criterion) {
-  const passed = criterion.passed === true;
-  return html("li", null, sign(passed ? "good" : "bad"),
-    html("span", null, unseen(passed ? "met: " : "not met: "), text(criterion.text)),
-    html("span", { class: "measured" + (passed ? "" : " bad") }, text(criterion.measured)));
+  const { tone, word } = outcomeOf(criterion);
+  const said = { passed: "met: ", failed: "not met: " }[word] ?? word + ": ";
+  const measured = (tone === "warn" ? word + ": " : "") + text(criterion.measured);
+  return html("li", null, sign(tone), html("span", null, unseen(said), text(criterion.text)),
+    html("span", { class: "measured" + (tone === "good" ? "" : " " + tone) }, measured));
 }
 
 function scenarioCard(scenario) {
-  const passed = scenario.passed === true;
+  const { tone, word } = outcomeOf(scenario);
   const id = scenarioId(scenario);
   const plots = plotsOf(scenario);
   const measured = record(scenario.latency);
   const impact = number(scenario.impactSpeed);
   const about = [code(text(scenario.name)), ...list(scenario.requirements).map((name) => requirementLink(text(name)))];
   const card = html("article", { class: "card", id, role: "tabpanel", "aria-labelledby": id + "-tab" },
-    html("header", null, html("h3", null, titleOf(scenario)), status(passed ? "good" : "bad", passed ? "Passed" : "Failed")),
+    html("header", null, html("h3", null, titleOf(scenario)), status(tone, word[0].toUpperCase() + word.slice(1))),
     html("p", { class: "about" }, about.flatMap((part, index) => (index > 0 ? [" \u00b7 ", part] : [part]))),
     html("ul", { class: "criteria", "aria-label": "Criteria" }, records(scenario.criteria).map(criterionItem)),
     figures("figures", [
