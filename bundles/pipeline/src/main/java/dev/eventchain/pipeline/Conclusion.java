@@ -29,6 +29,7 @@ final class Conclusion {
   private static final Set<String> UNTESTED =
       Set.of(
           "project.requirement.untested",
+          "simulation.command.ignored",
           "simulation.criterion.untested",
           "simulation.latency.unmeasured",
           "simulation.node.silent");

@@ -77,7 +77,7 @@ final class SimulateStage implements StageWork {
     List<String> files = run.options().isPartial() ? List.of() : RESULTS;
     if (!run.options().isPartial()) {
       found.addAll(untested(run, scenarios));
-      found.addAll(unmeasured(chain, result, run.chain()));
+      found.addAll(unmeasured(chain, result, run.chain()::locate));
       // Last, so that it is never there without what it is about.
       run.writeResult(VERDICT, SimulationReport.verdict(chain, result, errors(run, found)));
     }
@@ -124,13 +124,13 @@ final class SimulateStage implements StageWork {
 
   /** A bound on a time that was never measured is not kept, but not tested. */
   private static List<Diagnostic> unmeasured(
-      EventChain chain, SimulationResult result, RunContext.LoadedChain loaded) {
+      EventChain chain, SimulationResult result, Function<EObject, SourceLocation> locator) {
     List<Diagnostic> found = new ArrayList<>();
     for (int i = 0; i < chain.getLatencyConstraints().size(); i++) {
       LatencyConstraint constraint = chain.getLatencyConstraints().get(i);
       int index = i;
       if (result.verdicts().stream().allMatch(each -> each.latencies().get(index).isEmpty())) {
-        found.add(unmeasured(constraint, loaded.origins().locate(constraint)));
+        found.add(unmeasured(constraint, locator.apply(constraint)));
       }
     }
     return found;

@@ -66,7 +66,7 @@ final class CarlaBridge {
             .toList();
     this.messages = published.stream().map(this::message).toList();
     this.control = type(CONTROL);
-    checked(CONTROL, () -> brake(MessageValue.of(control)));
+    checked(CONTROL, () -> command(MessageValue.of(control)));
   }
 
   private MessageType type(Topic topic) {
@@ -148,7 +148,8 @@ final class CarlaBridge {
       stamp(message, "control.header.stamp", world.now());
       message.set("velocity", (float) world.egoSpeed());
       message.set("acceleration.linear.x", -world.egoDeceleration());
-      message.set("control.brake", (float) world.pedal());
+      message.set("control.throttle", (float) world.lastCommand().throttle());
+      message.set("control.brake", (float) world.lastCommand().brake());
     } else if (topic.equals(ODOMETRY)) {
       stamp(message, "header.stamp", world.now());
       message.set("pose.pose.position.x", world.egoPosition());
@@ -165,15 +166,27 @@ final class CarlaBridge {
     message.set(field + ".nanosec", now % SECOND);
   }
 
-  /** The brake of a control message. */
-  double brake(ByteBuffer message) {
+  /** What a control message asks for. */
+  VehicleCommand command(ByteBuffer message) {
     byte[] bytes = new byte[message.remaining()];
     message.duplicate().get(bytes);
-    return brake(CdrCodec.decode(control, bytes));
+    return command(CdrCodec.decode(control, bytes));
   }
 
-  private static double brake(MessageValue message) {
-    return message.number("brake");
+  /** The simulated vehicle has pedals only: it keeps its lane and drives forwards. */
+  private static VehicleCommand command(MessageValue message) {
+    double steer = message.number("steer");
+    String ignored = "";
+    if (steer != 0.0) {
+      ignored = "steer " + steer;
+    } else if (Boolean.TRUE.equals(message.get("hand_brake"))) {
+      ignored = "hand_brake";
+    } else if (Boolean.TRUE.equals(message.get("reverse"))) {
+      ignored = "reverse";
+    } else if (Boolean.TRUE.equals(message.get("manual_gear_shift"))) {
+      ignored = "manual_gear_shift";
+    }
+    return new VehicleCommand(message.number("throttle"), message.number("brake"), ignored);
   }
 
   private void checked(Topic topic, Runnable access) {

@@ -2,22 +2,28 @@ package dev.eventchain.simulation;
 
 /**
  * Where the ego is and how it moves: a point mass whose deceleration follows a demand with a
- * limited slope. Between two changes of the demand the jerk is piecewise constant, so each piece is
- * integrated exactly and the result does not depend on a step size.
+ * limited slope; an acceleration is a negative one. Between two changes of the demand the jerk is
+ * piecewise constant, so each piece is integrated exactly and the result does not depend on a step
+ * size.
  */
 final class EgoMotion {
 
   private final double slope;
   private final double maximalDeceleration;
   private final double coastingDeceleration;
+  private final double maximalAcceleration;
   private double position;
   private double speed;
   private double deceleration;
   private double demand;
 
+  /** Whether the driver holds the speed, as long as the software asks for nothing. */
+  private boolean held = true;
+
   EgoMotion(EgoVehicle vehicle) {
     this.maximalDeceleration = vehicle.maximalDeceleration();
     this.coastingDeceleration = vehicle.coastingDeceleration();
+    this.maximalAcceleration = vehicle.maximalAcceleration();
     this.slope =
         vehicle.brakeBuildUp() > 0.0
             ? maximalDeceleration / vehicle.brakeBuildUp()
@@ -29,10 +35,12 @@ final class EgoMotion {
     this.slope = other.slope;
     this.maximalDeceleration = other.maximalDeceleration;
     this.coastingDeceleration = other.coastingDeceleration;
+    this.maximalAcceleration = other.maximalAcceleration;
     this.position = other.position;
     this.speed = other.speed;
     this.deceleration = other.deceleration;
     this.demand = other.demand;
+    this.held = other.held;
   }
 
   /** The same state, to try out a piece of time. */
@@ -50,44 +58,53 @@ final class EgoMotion {
     return speed;
   }
 
-  /** In m/s2; zero at standstill. */
+  /** In m/s2; zero at standstill, negative while it speeds up. */
   double deceleration() {
     return speed > 0.0 ? deceleration : 0.0;
   }
 
   /**
-   * The brake pedal takes effect. The driver holds the speed until the first brake command and
-   * lifts the throttle pedal then, so the vehicle coasts when the brake is released.
-   *
-   * @param pedal 0.0 to 1.0; what lies outside is limited, what is no number does not brake
+   * A command takes effect. The driver holds the speed until the software first asks for throttle
+   * or brake, and lifts the pedal then: with neither, the vehicle coasts. Braking wins over
+   * driving; the throttle adds to coasting in proportion, up to the maximal acceleration.
    */
-  void brake(double pedal) {
-    double limited = pedal > 0.0 ? Math.min(pedal, 1.0) : 0.0;
-    boolean throttle = demand == 0.0 && limited == 0.0;
-    demand = throttle ? 0.0 : Math.max(coastingDeceleration, limited * maximalDeceleration);
+  void follow(VehicleCommand command) {
+    double brake = command.limitedBrake();
+    double throttle = command.limitedThrottle();
+    held &= brake == 0.0 && throttle == 0.0;
+    if (held) {
+      demand = 0.0;
+    } else if (brake > 0.0) {
+      demand = Math.max(coastingDeceleration, brake * maximalDeceleration);
+    } else {
+      demand = coastingDeceleration - throttle * (coastingDeceleration + maximalAcceleration);
+    }
   }
 
   /** Moves on for some seconds. */
   void advance(double seconds) {
     double left = seconds;
     while (left > 0.0) {
-      double ramp = Math.abs(demand - deceleration) / slope;
-      if (ramp == 0.0 || slope == Double.POSITIVE_INFINITY) {
+      // In a piece the deceleration keeps its sign, so that the speed only falls or only grows.
+      double target = deceleration * demand < 0.0 ? 0.0 : demand;
+      double ramp = Math.abs(target - deceleration) / slope;
+      if (slope == Double.POSITIVE_INFINITY || deceleration == demand) {
         deceleration = demand;
         integrate(left, 0.0);
         return;
       }
       double piece = Math.min(ramp, left);
-      double jerk = Math.copySign(slope, demand - deceleration);
+      double jerk = Math.copySign(slope, target - deceleration);
       integrate(piece, jerk);
-      deceleration = piece == ramp ? demand : deceleration + jerk * piece;
+      deceleration = piece == ramp ? target : deceleration + jerk * piece;
       left -= piece;
     }
   }
 
   /** One piece with a constant change of the deceleration, in m/s3. */
   private void integrate(double seconds, double jerk) {
-    double moving = speed > 0.0 ? movingTime(seconds, jerk) : 0.0;
+    boolean drives = deceleration < 0.0 || (deceleration == 0.0 && jerk < 0.0);
+    double moving = drives ? seconds : speed > 0.0 ? movingTime(seconds, jerk) : 0.0;
     double before = speed;
     position +=
         before * moving
@@ -100,7 +117,7 @@ final class EgoMotion {
     return Math.max(0.0, speed - deceleration * seconds - jerk * seconds * seconds / 2.0);
   }
 
-  /** The part of a piece until standstill; the speed never grows, so bisection finds it. */
+  /** The part of a piece until standstill; the speed does not grow, so bisection finds it. */
   private double movingTime(double seconds, double jerk) {
     if (speedAfter(seconds, jerk) > 0.0) {
       return seconds;

@@ -4,10 +4,11 @@ package dev.eventchain.simulation;
  * The vehicle that carries the software.
  *
  * @param speed at the start, in m/s
- * @param brakeDelay from the brake command to the first change of the deceleration, in s
+ * @param brakeDelay from a brake or throttle command to the first change of the deceleration, in s
  * @param brakeBuildUp from no to full deceleration, in s; the ramp is linear, also for less
  * @param maximalDeceleration at full brake, in m/s2
  * @param coastingDeceleration of a vehicle whose driver has lifted the throttle pedal, in m/s2
+ * @param maximalAcceleration at full throttle, in m/s2
  * @param lidarBehindBumper from the front bumper back to the lidar, in m
  * @param lidarAboveRoad from the road up to the lidar, in m
  * @param lidarNoise standard deviation of a measured range, in m
@@ -18,6 +19,7 @@ record EgoVehicle(
     double brakeBuildUp,
     double maximalDeceleration,
     double coastingDeceleration,
+    double maximalAcceleration,
     double lidarBehindBumper,
     double lidarAboveRoad,
     double lidarNoise) {
@@ -27,6 +29,6 @@ record EgoVehicle(
 
   /** A passenger car with the mounting that the AEB example's object detection knows. */
   static EgoVehicle withSpeed(double speed) {
-    return new EgoVehicle(speed, 0.2, 0.3, 9.0, 0.5, 2.4, 2.4, 0.01);
+    return new EgoVehicle(speed, 0.2, 0.3, 9.0, 0.5, 3.0, 2.4, 2.4, 0.01);
   }
 }

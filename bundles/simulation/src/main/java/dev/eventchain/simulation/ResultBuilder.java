@@ -48,7 +48,8 @@ final class ResultBuilder {
             runs.stream().mapToDouble(run -> World.seconds(run.trace().end().time())).sum(),
             wallSeconds,
             runs.stream().mapToDouble(run -> World.seconds(run.hostNanos())).sum());
-    List<Diagnostic> found = Stream.of(silent, warnings()).flatMap(List::stream).toList();
+    List<Diagnostic> found =
+        Stream.of(silent, ignored(), warnings()).flatMap(List::stream).toList();
     return new SimulationResult(verdicts, measurements, found, host);
   }
 
@@ -82,6 +83,23 @@ final class ResultBuilder {
         Measurements.Statistics.of(jitter),
         Measurements.Statistics.of(executionTimes.build().toArray()),
         Measurements.Statistics.of(hostTimes.build().toArray()));
+  }
+
+  /** What the software told the vehicle and the simulated one does not do was not tested. */
+  private List<Diagnostic> ignored() {
+    return runs.stream()
+        .filter(run -> !run.trace().ignored().isEmpty())
+        .limit(1)
+        .map(
+            run ->
+                Diagnostic.error(
+                        "simulation.command.ignored",
+                        "Scenario %s: the software commanded %s; the simulated vehicle follows throttle and brake only."
+                            .formatted(run.scenario().name(), run.trace().ignored()),
+                        SourceLocation.NONE.withElement(setup.writer(CarlaBridge.CONTROL.name())))
+                    .withHint(
+                        "Test what needs it where the vehicle does it, or do not command it."))
+        .toList();
   }
 
   /** Connections that the nodes wanted but that were not made: the same in every scenario. */

@@ -73,6 +73,7 @@ final class ScenarioReader {
             number(section, "brake_build_up_s", usual.brakeBuildUp(), 0, 5),
             number(section, "maximal_deceleration_mps2", usual.maximalDeceleration(), 0.1, 20),
             number(section, "coasting_deceleration_mps2", usual.coastingDeceleration(), 0, 5),
+            number(section, "maximal_acceleration_mps2", usual.maximalAcceleration(), 0, 20),
             number(section, "lidar_behind_bumper_m", usual.lidarBehindBumper(), 0, 10),
             number(section, "lidar_above_road_m", usual.lidarAboveRoad(), 0.5, 5),
             number(section, "lidar_noise_m", usual.lidarNoise(), 0, 1));

@@ -39,10 +39,12 @@ final class ScenarioRunner {
     while (world.now() < end && !world.impacted() && world.now() - AFTER_STOP < stoppedAt) {
       long until = Math.min(end, world.now() + SENSOR_PERIOD);
       for (Outbound command : session.step(until, bridge.sense(world, lidar))) {
-        world.command(command.time(), bridge.brake(command.message()));
+        world.command(command.time(), bridge.command(command.message()));
       }
       world.advanceTo(until);
-      if (world.egoSpeed() == 0.0 && stoppedAt == Long.MAX_VALUE) {
+      if (world.egoSpeed() > 0.0) {
+        stoppedAt = Long.MAX_VALUE;
+      } else if (stoppedAt == Long.MAX_VALUE) {
         stoppedAt = world.now();
       }
     }

@@ -3,6 +3,7 @@ package dev.eventchain.simulation;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
@@ -39,13 +40,23 @@ final class Trace {
   private final List<State> states = new ArrayList<>();
   private final List<Command> commands = new ArrayList<>();
   private OptionalDouble impactSpeed = OptionalDouble.empty();
+  private String ignored = "";
 
   void state(State state) {
     states.add(state);
   }
 
-  void command(long time, double pedal) {
-    commands.add(new Command(time, pedal));
+  void command(long time, VehicleCommand command) {
+    commands.add(new Command(time, command.brake()));
+    if (ignored.isEmpty() && !command.ignored().isEmpty()) {
+      ignored =
+          String.format(Locale.ROOT, "%s after %.2f s", command.ignored(), World.seconds(time));
+    }
+  }
+
+  /** What the vehicle was first told and did not do, and when; empty if there was nothing. */
+  String ignored() {
+    return ignored;
   }
 
   void impact(double speed) {

@@ -14,15 +14,15 @@ final class World {
   /** Distance of two states in the trace, in ns. */
   static final long TRACE_STEP = 10_000_000L;
 
-  private record PendingPedal(long effectiveAt, double pedal) {}
+  private record Pending(long effectiveAt, VehicleCommand command) {}
 
   private final EgoVehicle vehicle;
   private final List<TargetVehicle> targets;
   private final EgoMotion ego;
   private final Trace trace = new Trace();
-  private final Deque<PendingPedal> pendingPedals = new ArrayDeque<>();
+  private final Deque<Pending> pending = new ArrayDeque<>();
   private long now;
-  private double pedal;
+  private VehicleCommand last = VehicleCommand.brake(0.0);
   private double impactSpeed = Double.NaN;
 
   World(EgoVehicle vehicle, List<TargetVehicle> targets) {
@@ -52,9 +52,9 @@ final class World {
     return ego.deceleration();
   }
 
-  /** The brake pedal of the last command received, as it was received. */
-  double pedal() {
-    return pedal;
+  /** The last command received. */
+  VehicleCommand lastCommand() {
+    return last;
   }
 
   /** Whether the ego has hit another vehicle. */
@@ -78,27 +78,27 @@ final class World {
   }
 
   /**
-   * Takes a brake command; it takes effect after the delay of the brake.
+   * Takes a command; it takes effect after the delay of the brake.
    *
    * @param time when it was published, in ns: not before now and not before the last one
    */
-  void command(long time, double newPedal) {
-    pendingPedals.add(new PendingPedal(time + nanoseconds(vehicle.brakeDelay()), newPedal));
-    trace.command(time, newPedal);
-    pedal = newPedal;
+  void command(long time, VehicleCommand command) {
+    pending.add(new Pending(time + nanoseconds(vehicle.brakeDelay()), command));
+    trace.command(time, command);
+    last = command;
   }
 
   /** Moves time on, or up to the impact. */
   void advanceTo(long until) {
     while (now < until && !impacted()) {
       long next = Math.min(until, (now / TRACE_STEP + 1) * TRACE_STEP);
-      PendingPedal pending = pendingPedals.peek();
-      if (pending != null && pending.effectiveAt() <= now) {
-        ego.brake(pendingPedals.remove().pedal());
+      Pending following = pending.peek();
+      if (following != null && following.effectiveAt() <= now) {
+        ego.follow(pending.remove().command());
         continue;
       }
-      if (pending != null) {
-        next = Math.min(next, pending.effectiveAt());
+      if (following != null) {
+        next = Math.min(next, following.effectiveAt());
       }
       advancePiece(next);
     }

@@ -27,7 +27,7 @@ class CriterionTest {
     for (long time = 0; time <= 2_800 * MILLISECOND; time += World.TRACE_STEP) {
       trace.state(state.apply(time));
       if (time % (50 * MILLISECOND) == 0) {
-        trace.command(time, pedal.applyAsDouble(time / MILLISECOND));
+        trace.command(time, VehicleCommand.brake(pedal.applyAsDouble(time / MILLISECOND)));
       }
     }
     return trace;
@@ -143,9 +143,9 @@ class CriterionTest {
         trace.state(new Trace.State(time, SPEED, 20, 9, 0));
       }
     }
-    late.command(500 * MILLISECOND, 0);
+    late.command(500 * MILLISECOND, VehicleCommand.brake(0));
     for (long second = 0; second <= 3; second++) {
-      steady.command(second * 900 * MILLISECOND, 0);
+      steady.command(second * 900 * MILLISECOND, VehicleCommand.brake(0));
     }
     assertEquals(false, holds(CriterionKind.COMMANDS_ARRIVE, 0, silent));
     assertEquals(false, holds(CriterionKind.COMMANDS_ARRIVE, 0, late));
@@ -167,7 +167,7 @@ class CriterionTest {
         new World(
             EgoVehicle.withSpeed(10), java.util.List.of(TargetVehicle.passengerCar(50, 0, 0)));
     assertEquals(false, holds(CriterionKind.STOPS, 0, stopped.trace()));
-    stopped.command(0, 1);
+    stopped.command(0, VehicleCommand.brake(1));
     stopped.advanceTo(5_000 * MILLISECOND);
     assertEquals(true, holds(CriterionKind.NO_IMPACT, 0, stopped.trace()));
     assertEquals(true, holds(CriterionKind.STOPS, 0, stopped.trace()));

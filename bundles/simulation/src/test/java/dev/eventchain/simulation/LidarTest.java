@@ -89,8 +89,8 @@ class LidarTest {
 
   @Test
   void rangesHaveTheNoiseOfTheScenario() {
-    EgoVehicle ego = new EgoVehicle(10, 0.2, 0.3, 9, 0.5, 2.4, 2.4, 0.02);
-    EgoVehicle silent = new EgoVehicle(10, 0.2, 0.3, 9, 0.5, 2.4, 2.4, 0);
+    EgoVehicle ego = new EgoVehicle(10, 0.2, 0.3, 9, 0.5, 3, 2.4, 2.4, 0.02);
+    EgoVehicle silent = new EgoVehicle(10, 0.2, 0.3, 9, 0.5, 3, 2.4, 2.4, 0);
     List<Point> noisy = scan(ego, 3);
     List<Point> exact = scan(silent, 3);
     double squares = 0;

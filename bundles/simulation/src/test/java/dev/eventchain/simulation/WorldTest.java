@@ -23,7 +23,7 @@ class WorldTest {
   @Test
   void driverHoldsTheSpeedUntilTheFirstBrakeCommand() {
     World world = empty(20);
-    world.command(0, 0.0);
+    world.command(0, VehicleCommand.brake(0.0));
     world.advanceTo(3 * SECOND);
     assertEquals(20, world.egoSpeed());
     assertEquals(60, world.egoPosition(), 1e-9);
@@ -32,7 +32,7 @@ class WorldTest {
   @Test
   void brakeActsAfterTheDelayAndBuildsUpLinearly() {
     World world = empty(20);
-    world.command(0, 1.0);
+    world.command(0, VehicleCommand.brake(1.0));
     world.advanceTo(SECOND / 5);
     assertEquals(20, world.egoSpeed());
     world.advanceTo(SECOND / 5 + SECOND * 15 / 100);
@@ -47,7 +47,7 @@ class WorldTest {
   @Test
   void stoppingDistanceIsThatOfThePointMass() {
     World world = empty(50 / 3.6);
-    world.command(0, 1.0);
+    world.command(0, VehicleCommand.brake(1.0));
     world.advanceTo(5 * SECOND);
     double v = 50 / 3.6;
     double afterRamp = v - 0.5 * 9 * 0.3;
@@ -70,9 +70,9 @@ class WorldTest {
 
   private static World braked(long step) {
     World world = empty(30);
-    world.command(123_456_789L, 0.5);
-    world.command(SECOND, 0.0);
-    world.command(2 * SECOND, 0.7);
+    world.command(123_456_789L, VehicleCommand.brake(0.5));
+    world.command(SECOND, VehicleCommand.brake(0.0));
+    world.command(2 * SECOND, VehicleCommand.brake(0.7));
     while (world.now() < 4 * SECOND) {
       world.advanceTo(Math.min(4 * SECOND, world.now() + step));
     }
@@ -82,8 +82,8 @@ class WorldTest {
   @Test
   void releasedVehicleCoastsAndNeverDrivesBackwards() {
     World world = empty(5);
-    world.command(0, 1.0);
-    world.command(SECOND * 3 / 10, 0.0);
+    world.command(0, VehicleCommand.brake(1.0));
+    world.command(SECOND * 3 / 10, VehicleCommand.brake(0.0));
     world.advanceTo(SECOND);
     assertEquals(0.5, world.egoDeceleration(), 1e-9);
     double before = world.egoSpeed();
@@ -96,12 +96,12 @@ class WorldTest {
   @Test
   void pedalIsLimitedAndNoNumberDoesNotBrake() {
     World over = empty(20);
-    over.command(0, 7.0);
+    over.command(0, VehicleCommand.brake(7.0));
     over.advanceTo(SECOND);
     assertEquals(9, over.egoDeceleration(), 1e-9);
     World none = empty(20);
-    none.command(0, Double.NaN);
-    none.command(0, -1.0);
+    none.command(0, VehicleCommand.brake(Double.NaN));
+    none.command(0, VehicleCommand.brake(-1.0));
     none.advanceTo(SECOND);
     assertEquals(20, none.egoSpeed());
   }
@@ -160,7 +160,7 @@ class WorldTest {
       double partial,
       double kmh,
       double impact) {
-    EgoVehicle ego = new EgoVehicle(kmh / 3.6, delay, buildUp, deceleration, 0, 2.4, 2.4, 0);
+    EgoVehicle ego = new EgoVehicle(kmh / 3.6, delay, buildUp, deceleration, 0, 3, 2.4, 2.4, 0);
     DoubleSummaryStatistics impacts = new DoubleSummaryStatistics();
     for (double early = 0.0005; early < 0.05; early += 0.007) {
       World world =
@@ -176,8 +176,76 @@ class WorldTest {
   private static void drive(World world, double partial) {
     while (!world.impacted() && world.egoSpeed() > 0.01 && world.now() < 20 * SECOND) {
       double ttc = world.trace().end().timeToCollision();
-      world.command(world.now(), ttc < 1 ? 1 : ttc < 2 ? partial : 0);
+      world.command(world.now(), VehicleCommand.brake(ttc < 1 ? 1 : ttc < 2 ? partial : 0));
       world.advanceTo(world.now() + PERIOD);
     }
+  }
+
+  @Test
+  void throttleSpeedsUpInProportionAndEndsTheHoldOfTheDriver() {
+    World world = empty(10);
+    world.advanceTo(SECOND);
+    assertEquals(10, world.egoSpeed(), 1e-9, "the driver holds the speed");
+    world.command(SECOND, VehicleCommand.drive(1.0));
+    world.advanceTo(3 * SECOND);
+    // 0.2 s delay, then a ramp of 30 m/s3 to 3 m/s2: 0.1 s at half of it, 1.7 s in full.
+    assertEquals(10 + 0.1 * 1.5 + 1.7 * 3, world.egoSpeed(), 1e-6);
+    assertEquals(-3, world.egoDeceleration(), 1e-9);
+    world.command(3 * SECOND, VehicleCommand.drive(0.0));
+    world.advanceTo(4 * SECOND);
+    assertEquals(0.5, world.egoDeceleration(), 1e-9, "it coasts");
+  }
+
+  @Test
+  void halfThrottleIsBetweenCoastingAndFullAcceleration() {
+    World world = empty(10);
+    world.command(0, VehicleCommand.drive(0.5));
+    world.advanceTo(2 * SECOND);
+    assertEquals(-(0.5 * 3.5 - 0.5), world.egoDeceleration(), 1e-9);
+  }
+
+  @Test
+  void standingVehicleDrivesOffAndStopsAgain() {
+    World world = empty(0);
+    world.command(0, VehicleCommand.drive(0.3));
+    world.advanceTo(3 * SECOND);
+    assertTrue(world.egoSpeed() > 1, () -> "speed " + world.egoSpeed());
+    double before = world.egoPosition();
+    assertTrue(before > 1);
+    world.command(3 * SECOND, VehicleCommand.brake(1.0));
+    world.advanceTo(6 * SECOND);
+    assertEquals(0, world.egoSpeed());
+    double stood = world.egoPosition();
+    world.advanceTo(7 * SECOND);
+    assertEquals(stood, world.egoPosition());
+    world.command(7 * SECOND, VehicleCommand.drive(1.0));
+    world.advanceTo(9 * SECOND);
+    assertTrue(world.egoPosition() > stood + 1);
+  }
+
+  @Test
+  void brakeWinsOverThrottle() {
+    World world = empty(20);
+    world.command(0, new VehicleCommand(1.0, 1.0, ""));
+    world.advanceTo(SECOND);
+    assertEquals(9, world.egoDeceleration(), 1e-9);
+  }
+
+  @Test
+  void speedDoesNotDependOnTheStepsWithThrottleEither() {
+    World fine = empty(5);
+    World coarse = empty(5);
+    for (World world : new World[] {fine, coarse}) {
+      world.command(0, VehicleCommand.drive(0.8));
+      world.command(SECOND, VehicleCommand.brake(0.4));
+      world.command(2 * SECOND, VehicleCommand.drive(0.2));
+    }
+    for (long time = 0; time <= 4 * SECOND; time += 7_777_777L) {
+      fine.advanceTo(time);
+    }
+    fine.advanceTo(4 * SECOND);
+    coarse.advanceTo(4 * SECOND);
+    assertEquals(coarse.egoPosition(), fine.egoPosition(), 1e-6);
+    assertEquals(coarse.egoSpeed(), fine.egoSpeed(), 1e-6);
   }
 }
