@@ -1,7 +1,9 @@
 package dev.eventchain.ocl;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collection;
+import java.util.Deque;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -12,38 +14,83 @@ import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.ENamedElement;
 import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EcorePackage;
+import org.eclipse.emf.ecore.impl.EPackageImpl;
 import org.eclipse.emf.ecore.impl.EPackageRegistryImpl;
 import org.eclipse.ocl.parser.AbstractOCLAnalyzer;
 
-/** The packages that expressions can name, with all that are nested in them. */
+/**
+ * The packages that expressions can name, with all that are nested in them: those that were given,
+ * then those that they refer to, by classes above theirs and types of their members.
+ */
 final class PackageIndex {
 
-  private final Set<EPackage> packages = new LinkedHashSet<>();
+  private final Set<EPackage> given = new LinkedHashSet<>();
+  private final Set<EPackage> all = new LinkedHashSet<>();
 
   /** What was found by each path, which each parse of an expression asks for again. */
   private final Map<List<String>, List<EClassifier>> classifiers = new ConcurrentHashMap<>();
 
   private final Map<EClass, List<EClass>> classesBelow = new ConcurrentHashMap<>();
 
-  PackageIndex(Collection<EPackage> given) {
-    given.forEach(this::add);
-  }
-
-  private void add(EPackage each) {
-    if (packages.add(each)) {
-      each.getESubpackages().forEach(this::add);
+  PackageIndex(Collection<EPackage> packages) {
+    packages.forEach(each -> add(each, given));
+    all.addAll(given);
+    Deque<EPackage> open = new ArrayDeque<>(given);
+    while (!open.isEmpty()) {
+      for (EPackage referred : referredBy(open.remove())) {
+        Set<EPackage> more = new LinkedHashSet<>();
+        add(referred, more);
+        more.stream().filter(this::isNew).forEach(open::add);
+      }
     }
   }
 
-  /** All packages, those that were given and those nested in them. */
+  private static void add(EPackage each, Set<EPackage> packages) {
+    if (packages.add(each)) {
+      each.getESubpackages().forEach(nested -> add(nested, packages));
+    }
+  }
+
+  /** Adds a package, unless it is there already or is another one of the same namespace. */
+  private boolean isNew(EPackage referred) {
+    String namespace = referred.getNsURI();
+    boolean known =
+        namespace != null && all.stream().anyMatch(each -> namespace.equals(each.getNsURI()));
+    return !known && all.add(referred);
+  }
+
+  /** The outermost packages of all types that a metamodel names; none of those that Java knows. */
+  private static Set<EPackage> referredBy(EPackage metamodel) {
+    Set<EPackage> referred = new LinkedHashSet<>();
+    for (EClassifier classifier : metamodel.getEClassifiers()) {
+      List<EClassifier> types = new ArrayList<>();
+      if (classifier instanceof EClass type) {
+        types.addAll(type.getESuperTypes());
+        type.getEStructuralFeatures().forEach(each -> types.add(each.getEType()));
+        type.getEOperations().forEach(each -> types.add(each.getEType()));
+      }
+      for (EClassifier type : types) {
+        EPackage owner = type == null ? null : type.getEPackage();
+        while (owner != null && owner.getESuperPackage() != null) {
+          owner = owner.getESuperPackage();
+        }
+        if (owner != null && owner.getClass() == EPackageImpl.class) {
+          referred.add(owner);
+        }
+      }
+    }
+    return referred;
+  }
+
+  /** All packages: those that were given, those that they refer to, and those nested in them. */
   Set<EPackage> all() {
-    return packages;
+    return all;
   }
 
   /** A registry of these packages and no others. */
   EPackage.Registry registry() {
     EPackage.Registry registry = new EPackageRegistryImpl();
-    for (EPackage each : packages) {
+    for (EPackage each : all) {
       if (each.getNsURI() != null) {
         registry.put(each.getNsURI(), each);
       }
@@ -53,14 +100,13 @@ final class PackageIndex {
 
   /**
    * The packages whose qualified name ends with this path; only the one whose whole name it is, if
-   * there is one; Ecore only if there are no others.
+   * there is one; those that are only referred to if none is given, and Ecore if there are no
+   * others.
    */
   List<EPackage> packages(List<String> path) {
-    List<EPackage> found = new ArrayList<>();
-    for (EPackage each : packages) {
-      if (endsWith(each, path)) {
-        found.add(each);
-      }
+    List<EPackage> found = given.stream().filter(each -> endsWith(each, path)).toList();
+    if (found.isEmpty()) {
+      found = all.stream().filter(each -> endsWith(each, path)).toList();
     }
     if (found.isEmpty() && endsWith(EcorePackage.eINSTANCE, path)) {
       return List.of(EcorePackage.eINSTANCE);
@@ -74,7 +120,7 @@ final class PackageIndex {
     return classesBelow.computeIfAbsent(
         type,
         upper ->
-            packages.stream()
+            all.stream()
                 .flatMap(each -> each.getEClassifiers().stream())
                 .filter(EClass.class::isInstance)
                 .map(EClass.class::cast)
@@ -98,7 +144,8 @@ final class PackageIndex {
 
   /**
    * The classifiers of this simple or qualified name; only the one whose whole name it is, if there
-   * is one; those of Ecore only if there are no others.
+   * is one; those of packages that are only referred to if no given one has any, and those of Ecore
+   * if there are no others.
    */
   List<EClassifier> classifiers(List<String> path) {
     return classifiers.computeIfAbsent(List.copyOf(path), this::find);
@@ -106,8 +153,9 @@ final class PackageIndex {
 
   private List<EClassifier> find(List<String> path) {
     List<EClassifier> found = new ArrayList<>();
-    for (EPackage each : packages) {
-      addClassifier(each, path, found);
+    given.forEach(each -> addClassifier(each, path, found));
+    if (found.isEmpty()) {
+      all.forEach(each -> addClassifier(each, path, found));
     }
     if (found.isEmpty()) {
       addClassifier(EcorePackage.eINSTANCE, path, found);
