@@ -1,5 +1,6 @@
 package dev.eventchain.ocl;
 
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
@@ -37,14 +38,18 @@ final class DocumentImports {
     }
     for (int i = 0; i < files.size(); i++) {
       Path importer = files.get(i);
-      RuleDocument document = RuleDocument.read(SourceText.read(importer), new ArrayList<>());
-      for (Import each : document.imports()) {
+      SourceLocation place = SourceLocation.of(importer);
+      for (Import each : DiagnosticException.at(place, () -> importsOf(importer))) {
         fileOf(each, importer)
             .filter(file -> Files.isRegularFile(file) && seen.add(identity(file)))
             .ifPresent(files::add);
       }
     }
     return files;
+  }
+
+  private static List<Import> importsOf(Path document) {
+    return RuleDocument.read(SourceText.read(document), new ArrayList<>()).imports();
   }
 
   /** Whether an import names one of some documents. */

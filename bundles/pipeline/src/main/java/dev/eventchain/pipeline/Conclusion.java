@@ -92,18 +92,23 @@ final class Conclusion {
   }
 
   private Verdict verdict(List<Diagnostic> found) {
-    if (failure.isPresent()) {
-      return failure.get() == Reason.FINDINGS ? Verdict.FAILED : Verdict.INCOMPLETE;
+    if (failure.isPresent() && failure.get() != Reason.FINDINGS) {
+      return Verdict.INCOMPLETE;
     }
-    List<Diagnostic> errors =
-        found.stream().filter(each -> each.severity() == Severity.ERROR).toList();
-    if (!errors.isEmpty()) {
-      boolean untested = errors.stream().allMatch(each -> UNTESTED.contains(each.id()));
-      return untested ? Verdict.INCOMPLETE : Verdict.FAILED;
+    if (failure.isPresent() || Diagnostic.anyError(found)) {
+      return onlyUntested(found) ? Verdict.INCOMPLETE : Verdict.FAILED;
     }
     boolean judged =
         outcome(Stage.SIMULATE).status() != Status.NOT_RUN && !run.options().isPartial();
     return judged ? Verdict.PASSED : Verdict.INCOMPLETE;
+  }
+
+  /** Whether all that was found wanting is that something was not tested. */
+  private static boolean onlyUntested(List<Diagnostic> found) {
+    return Diagnostic.anyError(found)
+        && found.stream()
+            .filter(each -> each.severity() == Severity.ERROR)
+            .allMatch(each -> UNTESTED.contains(each.id()));
   }
 
   private String summary(Verdict verdict, List<ScenarioLine> scenarios, List<Diagnostic> found) {
@@ -115,7 +120,9 @@ final class Conclusion {
       case PASSED -> scenarioText;
       case FAILED -> scenarios.isEmpty() ? errorText : scenarioText + ", " + errorText;
       case INCOMPLETE ->
-          failure.isPresent() ? stopped() : unjudged(scenarios, scenarioText, errors);
+          onlyUntested(found)
+              ? scenarioText + ", but not all was tested: " + errorText
+              : failure.isPresent() ? stopped() : unjudged(scenarios, scenarioText);
     };
   }
 
@@ -133,10 +140,7 @@ final class Conclusion {
         .orElse("stopped");
   }
 
-  private String unjudged(List<ScenarioLine> scenarios, String scenarioText, long untested) {
-    if (untested > 0) {
-      return scenarioText + ", but not all was tested: see " + Coverage.counted(untested, "error");
-    }
+  private String unjudged(List<ScenarioLine> scenarios, String scenarioText) {
     return scenarios.isEmpty()
         ? lastDetails()
         : scenarioText + "; no verdict, because the others were not simulated";

@@ -163,6 +163,7 @@ public final class Pipeline {
     try {
       if (stage == run.options().first()) {
         new EarlierStages(run, memory, WORK).require(stage).forEach(run::find);
+        checkScenarios();
       }
       Fingerprint fingerprint = fingerprint(stage);
       String key = fingerprint.value();
@@ -174,6 +175,17 @@ public final class Pipeline {
     } catch (DiagnosticException e) {
       failure = Optional.of(e.reason());
       return stopped(stage, e, start);
+    }
+  }
+
+  /** Ends a run that is to reach a verdict about scenarios that cannot lead to one. */
+  private void checkScenarios() {
+    if (run.options().runs(Stage.SIMULATE)) {
+      List<Diagnostic> found = ProjectScenarios.check(run);
+      if (Diagnostic.anyError(run.options().suppressions().part(found).remaining())) {
+        throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, found);
+      }
+      found.forEach(run::find);
     }
   }
 

@@ -11,7 +11,6 @@ import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.LatencyConstraint;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
-import dev.eventchain.modeler.Requirements;
 import dev.eventchain.ocl.OclResult;
 import dev.eventchain.simulation.Scenario;
 import dev.eventchain.simulation.ScenarioVerdict;
@@ -23,7 +22,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
-import java.util.TreeSet;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Function;
 import java.util.stream.Collectors;
@@ -50,17 +48,16 @@ final class SimulateStage implements StageWork {
     fingerprint.addFile(run.file(Constraints.GENERATED));
     fingerprint.addFiles(Project.below(run.file(GeneratedPackage.required(run).folder())));
     fingerprint.addFiles(project.messageFiles());
-    requirements(run).forEach(item -> fingerprint.add(item.id()));
+    ProjectScenarios.requirements(run).forEach(item -> fingerprint.add(item.id()));
   }
 
   @Override
   public StageResult execute(RunContext run) {
     EventChain chain = run.chain().chain();
-    List<Scenario> scenarios = scenarios(run);
+    List<Scenario> scenarios = ProjectScenarios.selected(run);
     SimulationResult result = simulate(run, chain, scenarios);
     EventChain measured = result.measuredModel(chain);
-    List<Diagnostic> found = new ArrayList<>(result.diagnostics());
-    result.verdicts().forEach(verdict -> found.addAll(verdict.diagnostics()));
+    List<Diagnostic> found = found(result);
     Function<EObject, SourceLocation> locator = new Origins()::locate;
     Coverage ecore = Coverage.NONE;
     if (!run.options().isPartial()) {
@@ -76,7 +73,7 @@ final class SimulateStage implements StageWork {
     found.addAll(validation.diagnostics());
     List<String> files = run.options().isPartial() ? List.of() : RESULTS;
     if (!run.options().isPartial()) {
-      found.addAll(untested(run, scenarios));
+      found.addAll(ProjectScenarios.untested(run, scenarios));
       found.addAll(unmeasured(chain, result, run.chain()::locate));
       // Last, so that it is never there without what it is about.
       run.writeResult(VERDICT, SimulationReport.verdict(chain, result, errors(run, found)));
@@ -96,30 +93,10 @@ final class SimulateStage implements StageWork {
     return report;
   }
 
-  /** The requirements, where the project has written any. */
-  private static List<Requirements.Item> requirements(RunContext run) {
-    return Project.isAbsent(run.project().requirements()) ? List.of() : run.requirements().items();
-  }
-
-  /** What no scenario tests is not proved by all scenarios passing. */
-  private static List<Diagnostic> untested(RunContext run, List<Scenario> scenarios) {
-    Set<String> tested =
-        scenarios.stream()
-            .flatMap(scenario -> scenario.requirements().stream())
-            .collect(Collectors.toSet());
-    return requirements(run).stream()
-        .filter(item -> !tested.contains(item.id()))
-        .map(
-            item ->
-                Diagnostic.error(
-                        "project.requirement.untested",
-                        "No scenario tests the requirement " + item.id() + ".",
-                        item.location())
-                    .withRule(item.id())
-                    .withHint(
-                        "Name it under 'requirements' of a scenario that does, or suppress this"
-                            + " finding with a reason and a last day."))
-        .toList();
+  private static List<Diagnostic> found(SimulationResult result) {
+    List<Diagnostic> found = new ArrayList<>(result.diagnostics());
+    result.verdicts().forEach(verdict -> found.addAll(verdict.diagnostics()));
+    return found;
   }
 
   /** A bound on a time that was never measured is not kept, but not tested. */
@@ -166,28 +143,6 @@ final class SimulateStage implements StageWork {
         result.verdicts().size(),
         result.host().realTimeFactor(),
         result.host().confinement());
-  }
-
-  private static List<Scenario> scenarios(RunContext run) {
-    List<Scenario> all = Scenario.readFolder(run.project().scenarios(), run::find);
-    Set<String> wanted = new TreeSet<>(run.options().scenarios());
-    if (wanted.isEmpty()) {
-      return all;
-    }
-    Set<String> names =
-        all.stream().map(Scenario::name).collect(Collectors.toCollection(TreeSet::new));
-    for (String name : wanted) {
-      if (!names.contains(name)) {
-        throw new DiagnosticException(
-            DiagnosticException.Reason.INPUT,
-            Diagnostic.error(
-                    "project.scenario.unknown",
-                    "There is no scenario '" + name + "'.",
-                    SourceLocation.of(run.project().scenarios()))
-                .withHint("The scenarios are " + String.join(", ", names) + "."));
-      }
-    }
-    return all.stream().filter(scenario -> wanted.contains(scenario.name())).toList();
   }
 
   private static SimulationResult simulate(

@@ -64,16 +64,7 @@ final class MeasurementsWriter {
     json.writeEndArray();
     json.writeBooleanField("tested", verdict.tested());
     json.writeBooleanField("passed", verdict.passed());
-    json.writeArrayFieldStart("criteria");
-    for (ScenarioVerdict.CriterionResult criterion : verdict.criteria()) {
-      json.writeStartObject();
-      json.writeStringField("text", criterion.text());
-      json.writeBooleanField("tested", criterion.tested());
-      json.writeBooleanField("passed", criterion.passed());
-      json.writeStringField("measured", criterion.measured());
-      json.writeEndObject();
-    }
-    json.writeEndArray();
+    criteria(verdict.criteria());
     optional("minimalGap", verdict.minimalGap());
     optional("impactSpeed", verdict.impactSpeed());
     optional("timeToCollisionAtFirstBraking", verdict.timeToCollisionAtFirstBraking());
@@ -86,6 +77,19 @@ final class MeasurementsWriter {
     json.writeEndArray();
     series(verdict.series());
     json.writeEndObject();
+  }
+
+  private void criteria(List<ScenarioVerdict.CriterionResult> criteria) throws IOException {
+    json.writeArrayFieldStart("criteria");
+    for (ScenarioVerdict.CriterionResult criterion : criteria) {
+      json.writeStartObject();
+      json.writeStringField("text", criterion.text());
+      json.writeBooleanField("tested", criterion.tested());
+      json.writeBooleanField("passed", criterion.passed());
+      json.writeStringField("measured", criterion.measured());
+      json.writeEndObject();
+    }
+    json.writeEndArray();
   }
 
   private void series(List<ScenarioVerdict.Moment> moments) throws IOException {

@@ -24,6 +24,7 @@ public final class Scenario {
   private final EgoVehicle ego;
   private final List<TargetVehicle> targets;
   private final List<Criterion> criteria;
+  private final SourceLocation requirementsLocation;
   private final SourceLocation location;
 
   Scenario(
@@ -37,6 +38,7 @@ public final class Scenario {
     this.title = heading.title();
     this.description = heading.description();
     this.requirements = List.copyOf(heading.requirements());
+    this.requirementsLocation = heading.requirementsLocation();
     this.location = heading.location();
     this.seed = seed;
     this.duration = duration;
@@ -51,6 +53,7 @@ public final class Scenario {
       String title,
       String description,
       List<String> requirements,
+      SourceLocation requirementsLocation,
       SourceLocation location) {}
 
   /**
@@ -104,6 +107,11 @@ public final class Scenario {
   /** Ids of the requirements that it tests. */
   public List<String> requirements() {
     return requirements;
+  }
+
+  /** Where it names the requirements; the whole of it if it names none. */
+  public SourceLocation requirementsLocation() {
+    return requirementsLocation;
   }
 
   /** Where it was read from. */

@@ -51,6 +51,7 @@ final class ScenarioReader {
             section.requiredText("title"),
             section.text("description").orElse("").strip(),
             section.texts("requirements"),
+            section.has("requirements") ? section.atKey("requirements") : section.location(),
             section.location());
     long seed = section.wholeNumber("seed", SEED).orElse(1);
     double duration = section.requiredNumber("duration_s", NumberRange.of(0.1, 600));

@@ -1,0 +1,141 @@
+package dev.eventchain.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A verdict says what was tested: what was not is neither passed nor failed, and named. */
+class VerdictTest {
+
+  @TempDir private Path folder;
+  private Path project;
+
+  @BeforeEach
+  void copyExample() throws IOException {
+    project = Program.exampleIn(folder);
+    // One scenario that all requirements name is enough, and quick.
+    try (Stream<Path> files = Files.list(project.resolve("scenarios"))) {
+      for (Path file : files.filter(each -> !each.endsWith("stopped-vehicle-50.yaml")).toList()) {
+        Files.delete(file);
+      }
+    }
+  }
+
+  private void replace(String file, String text, String by) throws IOException {
+    String content = Files.readString(project.resolve(file));
+    assertTrue(content.contains(text), file);
+    Files.writeString(project.resolve(file), content.replace(text, by));
+  }
+
+  private Program.Ended run() throws IOException {
+    return new Program().run("run", project);
+  }
+
+  private void assertNoPass() throws IOException {
+    String verdict = Files.readString(project.resolve("out/verdict.json"));
+    assertFalse(verdict.contains("\"passed\" : true,\n  \"scenarios"), verdict);
+  }
+
+  @Test
+  void oneScenarioThatAllRequirementsNameProvesThem() throws IOException {
+    run().expect(0).says("PASSED: 1 of 1 scenarios passed");
+  }
+
+  @Test
+  void criterionWhosePremiseNeverCameTrueIsNotTested() throws IOException {
+    replace(
+        "scenarios/stopped-vehicle-50.yaml", "  - gap_m:", "  - lateral_offset_m: 5\n    gap_m:");
+    replace("scenarios/stopped-vehicle-50.yaml", "  stops: true\n", "");
+    run()
+        .expect(1)
+        .says("INCOMPLETE: 0 of 1 scenarios passed, but not all was tested")
+        .says("stopped-vehicle-50.yaml:")
+        .says("'no impact' was not tested: nothing ahead.")
+        .says("[simulation.criterion.untested]");
+    assertNoPass();
+  }
+
+  @Test
+  void commandThatTheSimulatedVehicleDoesNotFollowIsNotTested() throws IOException {
+    replace(
+        "software-base/components/Carla_Vehicle_Control.py", "\"steer\": 0.0", "\"steer\": 0.5");
+    run()
+        .expect(1)
+        .says("INCOMPLETE")
+        .says("the software commanded steer 0.5 after")
+        .says("[simulation.command.ignored]");
+    assertNoPass();
+  }
+
+  @Test
+  void requirementThatThereIsNotIsFoundBeforeALanguageModelIsAsked() throws IOException {
+    replace("scenarios/stopped-vehicle-50.yaml", "AEB-2", "AEB2");
+    new Program()
+        .run("run", project, "--llm", "handoff:" + folder.resolve("handoff"))
+        .expect(1)
+        .says("stopped-vehicle-50.yaml:")
+        .says("tests 'AEB2', which is no requirement of this project.")
+        .says("[project.requirement.unknown]")
+        .says("Did you mean `AEB-2`?");
+    assertFalse(Files.exists(folder.resolve("handoff")));
+  }
+
+  @Test
+  void scenarioThatCannotBeReadIsFoundBeforeALanguageModelIsAsked() throws IOException {
+    replace("scenarios/stopped-vehicle-50.yaml", "duration_s", "duration");
+    new Program()
+        .run("run", project, "--llm", "handoff:" + folder.resolve("handoff"))
+        .expect(2)
+        .says("[scenario.key.unknown]");
+    assertFalse(Files.exists(folder.resolve("handoff")));
+  }
+
+  @Test
+  void latencyConstraintBetweenAnyTwoComponentsIsMeasured() throws IOException {
+    editModel(
+        "</eventchain:EventChain>\n",
+        """
+          <latencyConstraints name="Tight" first="//@software.1" last="//@software.2" maximum="1"/>
+        </eventchain:EventChain>
+        """);
+    run()
+        .expect(1)
+        .says("FAILED")
+        .says("'Tight' allows 1.0 ms from TTC_Calculation to Braking_Decision, but");
+  }
+
+  @Test
+  void componentThatIsNotSimulatedLeavesWhatDependsOnItUntested() throws IOException {
+    editModel("name=\"Braking_Decision\"", "name=\"Braking_Decision\" implementation=\"NODE\"");
+    replace(
+        "model/chain.xmi",
+        "</eventchain:EventChain>\n",
+        """
+          <latencyConstraints name="Quick" first="//@software.1" last="//@software.2" maximum="500"/>
+        </eventchain:EventChain>
+        """);
+    run()
+        .expect(1)
+        .says("INCOMPLETE")
+        .says("'Carla_Vehicle_Control' never executed: /")
+        .says("never came; 'Braking_Decision' should have written it.")
+        .says("[simulation.node.silent]")
+        .says("The latency constraint 'Quick' was not measured in any scenario")
+        .says("[simulation.latency.unmeasured]");
+    assertNoPass();
+  }
+
+  private void editModel(String text, String by) throws IOException {
+    run().expect(0);
+    Files.createDirectories(project.resolve("model"));
+    Files.copy(project.resolve("out/chain.xmi"), project.resolve("model/chain.xmi"));
+    replace("model/chain.xmi", text, by);
+  }
+}
