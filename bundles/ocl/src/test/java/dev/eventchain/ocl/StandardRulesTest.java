@@ -68,8 +68,8 @@ class StandardRulesTest {
   void theGoodModelBreaksNoRule() throws IOException {
     OclResult result = validate(standardRules(), models.load("good.xmi"));
     assertEquals("", DiagnosticFormat.TEXT.render(result.diagnostics()));
-    assertEquals(24, result.constraints());
-    assertEquals(24, result.lowered());
+    assertEquals(23, result.constraints());
+    assertEquals(23, result.lowered());
   }
 
   @Test
@@ -87,11 +87,23 @@ class StandardRulesTest {
 
   @Test
   void thePapersConstraintsStandWordForWordAndRunWithoutPackageClause() throws IOException {
-    assertTrue(Files.readString(METAMODEL.resolve("eventchain.ocl")).contains(PAPER));
+    String first = PAPER.substring(0, PAPER.indexOf("  inv NextstepFrequency"));
+    assertTrue(Files.readString(METAMODEL.resolve("eventchain.ocl")).contains(first));
     OclResult result = validate(rules(PAPER), models.load("good.xmi"));
     assertEquals(2, result.constraints());
     assertEquals(4, result.evaluations());
     assertEquals(List.of(), result.diagnostics());
+  }
+
+  /** Falling frequencies are against a design rule of the paper's project, and usual elsewhere. */
+  @Test
+  void aFastSensorBeforeASlowComponentBreaksNoRule() throws IOException {
+    EObject chain = models.load("good.xmi");
+    EObject sensor = chain.eContents().get(0);
+    sensor.eSet(sensor.eClass().getEStructuralFeature("frequency"), 100.0);
+    sensor.eSet(sensor.eClass().getEStructuralFeature("worstCaseExecutionTime"), 5.0);
+    assertEquals(List.of(), validate(standardRules(), chain).diagnostics());
+    assertEquals(1, validate(rules(PAPER), chain).diagnostics().size());
   }
 
   @Test
