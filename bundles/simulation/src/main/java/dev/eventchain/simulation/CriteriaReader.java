@@ -11,6 +11,9 @@ final class CriteriaReader {
   private static final NumberRange TOLERANCE = NumberRange.of(0, 10);
   private static final NumberRange LIMIT = NumberRange.of(0, 1000);
 
+  /** A command that may come two seconds late is none. */
+  private static final NumberRange REACTION = NumberRange.of(0, 2);
+
   private CriteriaReader() {}
 
   /** The criteria in the order of the file, then those that every scenario has. */
@@ -19,7 +22,7 @@ final class CriteriaReader {
     Criterion.Tolerances tolerances =
         new Criterion.Tolerances(
             section.number("tolerance_ttc_s", TOLERANCE).orElse(usual.timeToCollision()),
-            section.number("tolerance_reaction_s", TOLERANCE).orElse(usual.reaction()));
+            section.number("tolerance_reaction_s", REACTION).orElse(usual.reaction()));
     List<Criterion> criteria = new ArrayList<>();
     for (CriterionKind kind : CriterionKind.values()) {
       if (kind.always() || section.has(kind.key())) {
@@ -32,6 +35,18 @@ final class CriteriaReader {
           "Nothing is asked of the software in this scenario.",
           section.location());
     }
+    criteria.stream()
+        .filter(each -> each.kind().comparesTimeToCollision())
+        .filter(each -> each.limit() <= tolerances.timeToCollision())
+        .findFirst()
+        .ifPresent(
+            each ->
+                section.find(
+                    "scenario.value.range",
+                    Criterion.format(
+                        "A tolerance of %.1f s leaves nothing of the limit of %.1f s.",
+                        tolerances.timeToCollision(), each.limit()),
+                    section.at("tolerance_ttc_s")));
     section.refuseOthers();
     return criteria;
   }

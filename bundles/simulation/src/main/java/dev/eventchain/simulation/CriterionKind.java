@@ -47,6 +47,11 @@ enum CriterionKind {
     return unit > 0;
   }
 
+  /** Whether its limit is one of the time to collision. */
+  boolean comparesTimeToCollision() {
+    return key.endsWith("_ttc_s");
+  }
+
   /** Whether it holds for every scenario and has no key. */
   boolean always() {
     return unit < 0;
