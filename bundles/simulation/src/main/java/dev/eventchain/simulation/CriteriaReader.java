@@ -35,6 +35,14 @@ final class CriteriaReader {
           "Nothing is asked of the software in this scenario.",
           section.location());
     }
+    checkTolerance(section, tolerances, criteria);
+    section.refuseOthers();
+    return criteria;
+  }
+
+  /** With a tolerance of the whole limit every command would pass. */
+  private static void checkTolerance(
+      ObjectReader section, Criterion.Tolerances tolerances, List<Criterion> criteria) {
     criteria.stream()
         .filter(each -> each.kind().comparesTimeToCollision())
         .filter(each -> each.limit() <= tolerances.timeToCollision())
@@ -47,8 +55,6 @@ final class CriteriaReader {
                         "A tolerance of %.1f s leaves nothing of the limit of %.1f s.",
                         tolerances.timeToCollision(), each.limit()),
                     section.at("tolerance_ttc_s")));
-    section.refuseOthers();
-    return criteria;
   }
 
   private static Criterion criterion(
