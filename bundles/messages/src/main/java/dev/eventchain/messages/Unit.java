@@ -91,7 +91,19 @@ public final class Unit {
     return Double.isFinite(scale) && scale > 0.0;
   }
 
-  Unit times(Unit other, int power) {
+  /**
+   * A number of this unit in the coherent unit of the same dimension, such as m/s for km/h.
+   *
+   * @return for cm and the like the nearest double: 29 % is 0.29, which 29 times 0.01 is not always
+   */
+  public double coherent(double number) {
+    double parts = 1.0 / scale;
+    boolean divides = scale < 1.0 && parts == Math.rint(parts);
+    return (divides ? number / parts : number * scale) + offset;
+  }
+
+  /** The unit of a product with a power of another one: with -1 that of the quotient. */
+  public Unit times(Unit other, int power) {
     int[] sum = exponents.clone();
     for (int i = 0; i < sum.length; i++) {
       sum[i] += power * other.exponents[i];

@@ -3,6 +3,7 @@ package dev.eventchain.messages;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import java.util.Optional;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -102,5 +103,20 @@ class UnitTest {
       })
   void whatIsNotUnderstoodIsNoUnit(String text) {
     assertEquals(Optional.empty(), Unit.parse(text));
+  }
+
+  /** To the nearest double: 29 % is 0.29, which 29 times 0.01 is not. */
+  @ParameterizedTest
+  @CsvSource({"29, %, 0.29", "250, ms, 0.25", "36, km/h, 10", "0, degC, 273.15", "7, cm, 0.07"})
+  void numbersInCoherentUnits(double number, String unit, double expected) {
+    assertEquals(expected, Unit.parse(unit).orElseThrow().coherent(number));
+  }
+
+  @Test
+  void productsAndQuotientsHaveUnits() {
+    Unit metre = Unit.parse("m").orElseThrow();
+    Unit second = Unit.parse("s").orElseThrow();
+    assertEquals(
+        Unit.Relation.SAME, metre.times(second, -1).relationTo(Unit.parse("m/s").orElseThrow()));
   }
 }

@@ -16,8 +16,10 @@ final class CriteriaReader {
 
   private CriteriaReader() {}
 
-  /** The criteria in the order of the file, then those that every scenario has. */
-  static List<Criterion> read(ObjectReader section) {
+  /**
+   * The criteria in the order of their kinds, with those that every scenario has; formulas last.
+   */
+  static List<Expectation> read(ObjectReader section, FormulasReader formulas) {
     Criterion.Tolerances usual = Criterion.Tolerances.USUAL;
     Criterion.Tolerances tolerances =
         new Criterion.Tolerances(
@@ -29,15 +31,18 @@ final class CriteriaReader {
         criteria.add(criterion(section, kind, tolerances));
       }
     }
-    if (criteria.stream().allMatch(criterion -> criterion.kind().always())) {
+    List<ObjectReader> written = section.objects("formulas");
+    if (written.isEmpty() && criteria.stream().allMatch(each -> each.kind().always())) {
       section.find(
           "scenario.key.missing",
           "Nothing is asked of the software in this scenario.",
           section.location());
     }
     checkTolerance(section, tolerances, criteria);
+    List<Expectation> all = new ArrayList<>(criteria);
+    all.addAll(formulas.read(written));
     section.refuseOthers();
-    return criteria;
+    return all;
   }
 
   /** With a tolerance of the whole limit every command would pass. */

@@ -11,7 +11,8 @@ import java.util.Locale;
  * @param tolerances what is granted to the sensors and to the chain
  * @param location where the scenario asks for it
  */
-record Criterion(CriterionKind kind, double limit, Tolerances tolerances, SourceLocation location) {
+record Criterion(CriterionKind kind, double limit, Tolerances tolerances, SourceLocation location)
+    implements Expectation {
 
   /**
    * What a comparison with the true time to collision grants.
@@ -44,7 +45,8 @@ record Criterion(CriterionKind kind, double limit, Tolerances tolerances, Source
     }
   }
 
-  Outcome judge(Trace trace) {
+  @Override
+  public Outcome judge(Trace trace) {
     return switch (kind) {
       case NO_IMPACT -> ImpactRules.noImpact(trace);
       case STOPS -> ImpactRules.stops(trace);
@@ -60,8 +62,8 @@ record Criterion(CriterionKind kind, double limit, Tolerances tolerances, Source
     };
   }
 
-  /** What must hold, in words. */
-  String text() {
+  @Override
+  public String text() {
     return switch (kind) {
       case NO_IMPACT -> "no impact";
       case STOPS -> "the vehicle stops";

@@ -23,7 +23,7 @@ public final class Scenario {
   private final double duration;
   private final EgoVehicle ego;
   private final List<TargetVehicle> targets;
-  private final List<Criterion> criteria;
+  private final List<Expectation> criteria;
   private final SourceLocation requirementsLocation;
   private final SourceLocation location;
 
@@ -33,7 +33,7 @@ public final class Scenario {
       double duration,
       EgoVehicle ego,
       List<TargetVehicle> targets,
-      List<Criterion> criteria) {
+      List<Expectation> criteria) {
     this.name = heading.name();
     this.title = heading.title();
     this.description = heading.description();
@@ -61,7 +61,8 @@ public final class Scenario {
    *
    * @throws DiagnosticException (INPUT) with every problem of the file: {@code scenario.syntax},
    *     {@code scenario.key.unknown}, {@code scenario.key.duplicate}, {@code scenario.key.missing},
-   *     {@code scenario.value.type}, {@code scenario.value.range}, or that it cannot be read
+   *     {@code scenario.value.type}, {@code scenario.value.range}, {@code scenario.formula.syntax},
+   *     {@code scenario.formula.unit}, {@code scenario.formula.signal}, or that it cannot be read
    */
   public static Scenario read(Path file) {
     return parse(SourceText.read(file));
@@ -136,7 +137,7 @@ public final class Scenario {
     return targets;
   }
 
-  List<Criterion> criteria() {
+  List<Expectation> criteria() {
     return criteria;
   }
 }

@@ -53,7 +53,7 @@ final class ScenarioJudge {
         series(trace));
   }
 
-  private static CriterionResult judge(Criterion criterion, Trace trace, boolean worked) {
+  private static CriterionResult judge(Expectation criterion, Trace trace, boolean worked) {
     Criterion.Outcome outcome =
         worked ? criterion.judge(trace) : Criterion.Outcome.untested("not all components worked");
     return new CriterionResult(

@@ -1,5 +1,6 @@
 package dev.eventchain.simulation;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
@@ -25,6 +26,7 @@ final class ScenarioReader {
           "scenario.value.range");
   private static final double KMH = 1.0 / 3.6;
   private static final NumberRange SPEED_KMH = NumberRange.of(0, 250);
+  private static final NumberRange DURATION = NumberRange.of(0.1, 600);
   private static final NumberRange SEED = NumberRange.of(0, 1L << 52);
 
   private ScenarioReader() {}
@@ -32,14 +34,15 @@ final class ScenarioReader {
   static Scenario read(SourceText text) {
     List<Diagnostic> problems = new ArrayList<>();
     Document document = Document.parse(text, DocumentFormat.YAML, IDS, problems::add);
-    Optional<Scenario> scenario = document.object("", problems::add).map(ScenarioReader::scenario);
+    Optional<Scenario> scenario =
+        document.object("", problems::add).map(section -> scenario(section, text));
     if (!problems.isEmpty()) {
       throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
     }
     return scenario.orElseThrow();
   }
 
-  private static Scenario scenario(ObjectReader section) {
+  private static Scenario scenario(ObjectReader section, SourceText text) {
     String name = section.requiredText("name");
     if (!name.matches("[a-z0-9]+(-[a-z0-9]+)*") && !name.isBlank()) {
       String message = "A name consists of lower-case letters, digits and hyphens.";
@@ -54,15 +57,26 @@ final class ScenarioReader {
             section.has("requirements") ? section.atKey("requirements") : section.location(),
             section.location());
     long seed = section.wholeNumber("seed", SEED).orElse(1);
-    double duration = section.requiredNumber("duration_s", NumberRange.of(0.1, 600));
+    double duration = section.requiredNumber("duration_s", DURATION);
     Optional<EgoVehicle> ego = section.requiredObject("ego").map(ScenarioReader::ego);
     List<TargetVehicle> targets =
         section.objects("targets").stream().map(ScenarioReader::target).toList();
     Optional<ObjectReader> accept = section.requiredObject("accept");
-    List<Criterion> criteria = accept.map(CriteriaReader::read).orElse(List.of());
+    FormulasReader formulas = new FormulasReader(text, longest(section));
+    List<Expectation> criteria =
+        accept.map(part -> CriteriaReader.read(part, formulas)).orElse(List.of());
     section.refuseOthers();
     EgoVehicle vehicle = ego.orElse(EgoVehicle.withSpeed(0));
     return new Scenario(heading, seed, duration, vehicle, targets, criteria);
+  }
+
+  /** The duration; if it was refused, the longest one, so that no interval is refused for it. */
+  private static double longest(ObjectReader section) {
+    return section
+        .value("duration_s")
+        .map(JsonNode::doubleValue)
+        .filter(seconds -> seconds >= DURATION.least() && seconds <= DURATION.most())
+        .orElse(DURATION.most());
   }
 
   private static EgoVehicle ego(ObjectReader section) {

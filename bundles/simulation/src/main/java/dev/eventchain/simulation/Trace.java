@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
-/** What happened in a scenario: states at fixed distances in time, and every brake command. */
+/** What happened in a scenario: states at fixed distances in time, and every command. */
 final class Trace {
 
   /**
@@ -22,8 +22,8 @@ final class Trace {
    */
   record State(long time, double speed, double gap, double timeToCollision, double deceleration) {}
 
-  /** A brake command: when it was published, in ns, and the pedal position. */
-  record Command(long time, double pedal) {
+  /** A command: when it was published, in ns, and the positions of the pedals as it has them. */
+  record Command(long time, double pedal, double throttle) {
 
     boolean brakes() {
       return pedal > 0.0;
@@ -47,7 +47,7 @@ final class Trace {
   }
 
   void command(long time, VehicleCommand command) {
-    commands.add(new Command(time, command.brake()));
+    commands.add(new Command(time, command.brake(), command.throttle()));
     if (ignored.isEmpty() && !command.ignored().isEmpty()) {
       ignored =
           String.format(Locale.ROOT, "%s after %.2f s", command.ignored(), World.seconds(time));

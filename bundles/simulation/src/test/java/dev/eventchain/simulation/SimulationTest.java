@@ -39,6 +39,39 @@ class SimulationTest {
   }
 
   @Test
+  void formulasAreJudgedWithTheirMargins() throws Exception {
+    String original =
+        Files.readString(AebProject.EXAMPLE.resolve("scenarios/stopped-vehicle-50.yaml"));
+    Path file = folder.resolve("formulas.yaml");
+    Files.writeString(
+        file,
+        original.replaceFirst(
+            "(?s)accept:.*",
+            """
+            accept:
+              formulas:
+                - name: keeps its speed first
+                  formula: always[0,1] abs(ego.speed - 50 km/h) <= 5 km/h
+                - formula: always ego.speed >= 10 km/h
+            """));
+    ScenarioVerdict verdict =
+        new AebProject(folder).simulate(List.of(Scenario.read(file))).verdicts().get(0);
+    assertEquals(
+        List.of(true, false),
+        verdict.criteria().stream()
+            .filter(each -> each.text().contains("ego.speed"))
+            .map(ScenarioVerdict.CriterionResult::passed)
+            .toList());
+    Diagnostic finding = verdict.diagnostics().get(0);
+    assertEquals(1, verdict.diagnostics().size());
+    assertEquals("simulation.criterion.failed", finding.id());
+    assertTrue(
+        finding.message().contains("found: 'ego.speed >= 10 km/h' is missed by 10 km/h after "),
+        finding.message());
+    assertTrue(finding.location().line() > 0);
+  }
+
+  @Test
   void nodeThatIsNotSimulatedIsNamed() throws Exception {
     AebProject project = new AebProject(folder);
     project.chain().getSoftware().get(0).setImplementation(ComponentImplementation.NODE);

@@ -1,0 +1,117 @@
+package dev.eventchain.simulation;
+
+import static dev.eventchain.simulation.Criterion.format;
+
+import dev.eventchain.diagnostics.SourceRange;
+import dev.eventchain.messages.Unit;
+import dev.eventchain.simulation.Criterion.Outcome;
+import java.math.BigDecimal;
+import java.math.MathContext;
+
+/**
+ * A formula of Signal Temporal Logic over what happens in a scenario. A run is a sequence of
+ * samples, see {@link SampledRun}; the formula is judged at the first of them.
+ *
+ * <p>The verdict is exact and three-valued: what lies beyond the end of a run that ended early is
+ * not known, nor is a comparison of what has no value, such as the difference of two infinite
+ * times. A true formula that depends on an implication whose premise never came true, or on signals
+ * that say nothing in the run, is not tested either.
+ *
+ * <p>The margin is that of the comparison that decides, in its own unit. In a formula of one
+ * dimension that is the robustness of Signal Temporal Logic, the smallest (or largest) margin that
+ * decides. Margins of several dimensions have no order, so in other formulas verdicts decide: the
+ * comparison is the first one, in time and then in the text, without which the verdict would be
+ * another; of an implication that fails it is the conclusion. Scaling them to numbers without units
+ * would need a scale for each, on which what people are told would depend.
+ */
+final class Formula {
+
+  private static final MathContext DIGITS = new MathContext(4);
+
+  private final Condition condition;
+  private final String text;
+
+  private Formula(Condition condition, String text) {
+    this.condition = condition;
+    this.text = text;
+  }
+
+  /**
+   * Reads a formula.
+   *
+   * @param duration of the scenario, in s
+   * @throws dev.eventchain.diagnostics.DiagnosticException (INPUT) with the first problem: {@code
+   *     scenario.formula.syntax}, {@code scenario.formula.unit}, {@code scenario.formula.signal}
+   */
+  static Formula parse(SourceRange range, Signal.Source signals, double duration) {
+    Condition condition = FormulaParser.parse(range, signals, duration);
+    return new Formula(condition, FormulaParser.plain(range.text()));
+  }
+
+  /** The formula on one line. */
+  String text() {
+    return text;
+  }
+
+  /** What the formula is made of. */
+  Condition condition() {
+    return condition;
+  }
+
+  Outcome judge(Trace trace) {
+    SampledRun run = new SampledRun(trace);
+    Evaluation evaluation = Evaluation.of(condition, run);
+    if (evaluation.verdict() == Truth.UNKNOWN) {
+      return Outcome.untested(unknown(evaluation, run));
+    }
+    if (evaluation.verdict() < 0.0) {
+      return new Outcome(false, detail(evaluation, run));
+    }
+    Evaluation strict = Evaluation.strictly(condition, run);
+    return strict.verdict() > 0.0
+        ? new Outcome(true, detail(strict, run))
+        : Outcome.untested(unknown(strict, run));
+  }
+
+  private static String unknown(Evaluation evaluation, SampledRun run) {
+    Evaluation.Decision decision = evaluation.decision();
+    if (decision.vacuity().isPresent()) {
+      return decision.vacuity().get();
+    }
+    return decision
+        .comparison()
+        .map(it -> format("'%s' has no value %s", it.text(), after(run, decision.sample())))
+        .orElse(format("the run ended %s, before it was decided", after(run, run.size() - 1)));
+  }
+
+  private static String detail(Evaluation evaluation, SampledRun run) {
+    Evaluation.Decision decision = evaluation.decision();
+    if (decision.comparison().isEmpty()) {
+      return "nothing comes before the start";
+    }
+    Condition.Comparison comparison = decision.comparison().get();
+    String unit = comparison.left().commonUnit(comparison.right());
+    double margin = Truth.margin(decision.truth());
+    String size = number(margin, unit);
+    return format(
+        "'%s' %s by %s %s",
+        comparison.text(),
+        decision.truth() > 0.0 ? "holds" : "is missed",
+        size,
+        after(run, decision.sample()));
+  }
+
+  private static String after(SampledRun run, int sample) {
+    return format("after %.2f s", run.seconds(sample));
+  }
+
+  private static String number(double margin, String unit) {
+    if (Double.isInfinite(margin)) {
+      return "infinity";
+    }
+    double size = unit.isEmpty() ? margin : margin / Unit.parse(unit).orElseThrow().coherent(1.0);
+    String digits = new BigDecimal(size).round(DIGITS).stripTrailingZeros().toPlainString();
+    String name = unit.isEmpty() ? " (in SI units)" : unit.equals("1") ? "" : " " + unit;
+    return digits + name;
+  }
+}

@@ -1,0 +1,23 @@
+package dev.eventchain.simulation;
+
+import dev.eventchain.diagnostics.SourceLocation;
+
+/**
+ * A formula that must hold in a scenario.
+ *
+ * @param name what people call it; may be empty
+ * @param location where the scenario asks for it
+ */
+record FormulaCriterion(String name, Formula formula, SourceLocation location)
+    implements Expectation {
+
+  @Override
+  public String text() {
+    return name.isEmpty() ? formula.text() : name + " (" + formula.text() + ")";
+  }
+
+  @Override
+  public Criterion.Outcome judge(Trace trace) {
+    return formula.judge(trace);
+  }
+}

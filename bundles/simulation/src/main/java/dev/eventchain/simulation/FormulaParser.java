@@ -1,0 +1,216 @@
+package dev.eventchain.simulation;
+
+import dev.eventchain.diagnostics.SourceRange;
+import dev.eventchain.simulation.FormulaTokens.Kind;
+import dev.eventchain.simulation.FormulaTokens.Token;
+import java.util.Map;
+
+/**
+ * Reads what is true or false in a formula. From loose to tight: {@code implies} (to the right),
+ * {@code or}, {@code and}, {@code until}, the operators in front, comparisons; {@link TermParser}
+ * reads the rest.
+ */
+final class FormulaParser {
+
+  /** A part of a formula: a {@link Condition} or a {@link Term}, which parentheses do not tell. */
+  interface Part {}
+
+  private static final Map<String, String> NO_EQUALITY =
+      Map.of("=", "<=", "==", "<=", "<>", ">", "!=", ">");
+
+  private final FormulaTokens tokens;
+  private final TermParser terms;
+  private final IntervalParser intervals;
+
+  private FormulaParser(SourceRange range, Signal.Source signals, double duration) {
+    this.tokens = new FormulaTokens(range);
+    this.terms = new TermParser(tokens, signals, this::part);
+    this.intervals = new IntervalParser(tokens, duration);
+  }
+
+  static Condition parse(SourceRange range, Signal.Source signals, double duration) {
+    FormulaParser parser = new FormulaParser(range, signals, duration);
+    return parser.formula();
+  }
+
+  /** A text on one line. */
+  static String plain(String text) {
+    return text.strip().replaceAll("\\s+", " ");
+  }
+
+  private Condition formula() {
+    Token first = tokens.peek();
+    if (first.kind() == Kind.END) {
+      throw tokens.syntax(first, "The formula is empty.", "Write such as `always gap > 1 m`.");
+    }
+    Condition condition = condition(part(), first);
+    Token rest = tokens.peek();
+    if (tokens.nextIs(")") || tokens.nextIs("]")) {
+      throw tokens.syntax(rest, "Nothing was opened that '" + rest.text() + "' closes.", "");
+    }
+    if (rest.kind() != Kind.END) {
+      String message = "Expected the end of the formula, but found " + FormulaTokens.shown(rest);
+      throw tokens.syntax(rest, message + ".", rest.text().equals("until") ? CHAINED_UNTIL : "");
+    }
+    intervals.requireReached(condition);
+    return condition;
+  }
+
+  private static final String CHAINED_UNTIL = "Put the first `until` into parentheses.";
+
+  private Condition condition(Part part, Token first) {
+    if (part instanceof Condition condition) {
+      return condition;
+    }
+    throw tokens.syntax(
+        first,
+        "'" + tokens.textSince(first) + "' is a quantity, and neither true nor false.",
+        "Compare it with another quantity by <, <=, > or >=.");
+  }
+
+  private Term term(Part part, Token first) {
+    if (part instanceof Term term) {
+      return term;
+    }
+    throw tokens.syntax(
+        first, "'" + tokens.textSince(first) + "' is true or false, and no quantity.", "");
+  }
+
+  private Part part() {
+    Token first = tokens.peek();
+    Part left = alternatives();
+    if (!tokens.nextIs("implies")) {
+      return left;
+    }
+    Condition premise = condition(left, first);
+    String text = tokens.textSince(first);
+    tokens.next();
+    Token second = tokens.peek();
+    return new Condition.Implication(premise, condition(part(), second), text);
+  }
+
+  private Part alternatives() {
+    Token first = tokens.peek();
+    Part left = conjunction();
+    while (tokens.nextIs("or")) {
+      Condition before = condition(left, first);
+      tokens.next();
+      Token second = tokens.peek();
+      left = new Condition.Junction(false, before, condition(conjunction(), second));
+    }
+    return left;
+  }
+
+  private Part conjunction() {
+    Token first = tokens.peek();
+    Part left = until();
+    while (tokens.nextIs("and")) {
+      Condition before = condition(left, first);
+      tokens.next();
+      Token second = tokens.peek();
+      left = new Condition.Junction(true, before, condition(until(), second));
+    }
+    return left;
+  }
+
+  private Part until() {
+    Token first = tokens.peek();
+    Part left = prefixed();
+    if (!tokens.nextIs("until")) {
+      return left;
+    }
+    Condition kept = condition(left, first);
+    tokens.next();
+    Interval interval = intervals.parse();
+    Token second = tokens.peek();
+    return new Condition.Until(kept, interval, condition(prefixed(), second));
+  }
+
+  private Part prefixed() {
+    Token first = tokens.peek();
+    if (first.kind() != Kind.WORD) {
+      return comparison();
+    }
+    return switch (first.text()) {
+      case "not" -> {
+        tokens.next();
+        Token operand = tokens.peek();
+        yield new Condition.Negation(condition(prefixed(), operand));
+      }
+      case "always", "eventually" -> temporal(tokens.next());
+      case "rise" -> new Condition.Rise(edgeOf(tokens.next()));
+      case "fall" -> new Condition.Rise(new Condition.Negation(edgeOf(tokens.next())));
+      default -> comparison();
+    };
+  }
+
+  private Condition edgeOf(Token operator) {
+    String hint = "Write such as `" + operator.text() + "(brake > 0)`.";
+    tokens.require("(", hint);
+    Token first = tokens.peek();
+    Condition operand = condition(part(), first);
+    tokens.require(")", "");
+    return operand;
+  }
+
+  /** People disagree how far an operator in front reaches, so they have to say it. */
+  private Condition temporal(Token operator) {
+    Interval interval = intervals.parse();
+    int start = tokens.position();
+    Token first = tokens.peek();
+    Condition operand = condition(prefixed(), first);
+    boolean clear =
+        operand instanceof Condition.Temporal
+            || operand instanceof Condition.Rise
+            || tokens.enclosedSince(start);
+    Token next = tokens.peek();
+    boolean goesOn =
+        tokens.nextIs("and")
+            || tokens.nextIs("or")
+            || tokens.nextIs("implies")
+            || tokens.nextIs("until");
+    if (goesOn && !clear) {
+      throw tokens.syntax(
+          next,
+          "It is not clear whether '" + operator.text() + "' reaches beyond this.",
+          "Put all that it reaches into parentheses.");
+    }
+    return new Condition.Temporal(operator.text().equals("always"), interval, operand);
+  }
+
+  private Part comparison() {
+    Token first = tokens.peek();
+    Part left = terms.sum();
+    Token relation = tokens.peek();
+    if (!isRelation(relation)) {
+      return left;
+    }
+    Term before = term(left, first);
+    tokens.next();
+    Token second = tokens.peek();
+    Term after = term(terms.sum(), second);
+    terms.requireSameDimension(before, after, second);
+    String text = tokens.textSince(first);
+    if (isRelation(tokens.peek())) {
+      throw tokens.syntax(tokens.peek(), "Comparisons come one by one.", "Join two by `and`.");
+    }
+    boolean strict = relation.text().length() == 1;
+    return relation.text().startsWith("<")
+        ? new Condition.Comparison(before, after, strict, text)
+        : new Condition.Comparison(after, before, strict, text);
+  }
+
+  private boolean isRelation(Token token) {
+    if (token.kind() != Kind.SIGN) {
+      return false;
+    }
+    String better = NO_EQUALITY.get(token.text());
+    if (better != null) {
+      throw tokens.syntax(
+          token,
+          "Measured quantities are hardly ever equal, so there is no '" + token.text() + "'.",
+          "Allow a tolerance: `abs(a - b) " + better + " 0.1 m`.");
+    }
+    return token.text().startsWith("<") || token.text().startsWith(">");
+  }
+}
