@@ -39,7 +39,7 @@ final class Contexts {
     String target = wanted.target().replaceFirst("#.*", "");
     boolean known =
         target.equals(EcorePackage.eNS_URI)
-            || target.startsWith(STANDARD_LIBRARY)
+            || (target.startsWith(STANDARD_LIBRARY) && !DocumentImports.isDocument(target))
             || DocumentImports.names(wanted, documents)
             || !packages.packages(List.of(target.split("::", -1))).isEmpty();
     for (EPackage each : packages.all()) {

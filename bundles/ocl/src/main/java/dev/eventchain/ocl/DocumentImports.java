@@ -60,10 +60,15 @@ final class DocumentImports {
             .anyMatch(each -> identity(Path.of(each)).equals(identity(file.get())));
   }
 
+  /** Whether an import is to name a document of rules. */
+  static boolean isDocument(String target) {
+    return target.endsWith(EXTENSION);
+  }
+
   /** The file that an import means; empty if it is none of rules. */
   private static Optional<Path> fileOf(Import wanted, Path importer) {
     String target = wanted.target();
-    if (!target.endsWith(EXTENSION)) {
+    if (!isDocument(target)) {
       return Optional.empty();
     }
     boolean uri = target.matches("\\w[\\w+.-]+:.*");

@@ -12,15 +12,17 @@ import java.util.concurrent.ConcurrentHashMap;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.ENamedElement;
+import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EcorePackage;
 import org.eclipse.emf.ecore.impl.EPackageImpl;
 import org.eclipse.emf.ecore.impl.EPackageRegistryImpl;
+import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.eclipse.ocl.parser.AbstractOCLAnalyzer;
 
 /**
  * The packages that expressions can name, with all that are nested in them: those that were given,
- * then those that they refer to, by classes above theirs and types of their members.
+ * then those that they refer to.
  */
 final class PackageIndex {
 
@@ -62,23 +64,18 @@ final class PackageIndex {
   /** The outermost packages of all types that a metamodel names; none of those that Java knows. */
   private static Set<EPackage> referredBy(EPackage metamodel) {
     Set<EPackage> referred = new LinkedHashSet<>();
-    for (EClassifier classifier : metamodel.getEClassifiers()) {
-      List<EClassifier> types = new ArrayList<>();
-      if (classifier instanceof EClass type) {
-        types.addAll(type.getESuperTypes());
-        type.getEStructuralFeatures().forEach(each -> types.add(each.getEType()));
-        type.getEOperations().forEach(each -> types.add(each.getEType()));
-      }
-      for (EClassifier type : types) {
-        EPackage owner = type == null ? null : type.getEPackage();
-        while (owner != null && owner.getESuperPackage() != null) {
-          owner = owner.getESuperPackage();
-        }
-        if (owner != null && owner.getClass() == EPackageImpl.class) {
-          referred.add(owner);
-        }
-      }
-    }
+    metamodel
+        .eAllContents()
+        .forEachRemaining(
+            element -> {
+              for (EObject other : element.eCrossReferences()) {
+                if (other instanceof EClassifier
+                    && EcoreUtil.getRootContainer(other) instanceof EPackage owner
+                    && owner.getClass() == EPackageImpl.class) {
+                  referred.add(owner);
+                }
+              }
+            });
     return referred;
   }
 

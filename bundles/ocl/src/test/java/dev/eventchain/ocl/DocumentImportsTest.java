@@ -73,8 +73,17 @@ class DocumentImportsTest {
   void importOfAFolderOrAMetamodelIsNoDocument() throws IOException {
     Files.createDirectories(folder.resolve("folder.ocl"));
     Path main =
-        write("main.ocl", "import 'folder.ocl'\nimport 'metamodel.ecore'\ncontext Book inv: true");
+        write(
+            "main.ocl",
+            """
+            import 'folder.ocl'
+            import 'http://www.eclipse.org/ocl/rules.ocl'
+            import 'metamodel.ecore'
+            context Book inv: true
+            """);
     List<Diagnostic> found = rules(main).diagnostics();
-    assertEquals(List.of("ocl.import.unknown"), found.stream().map(Diagnostic::id).toList());
+    assertEquals(
+        List.of("ocl.import.unknown 1", "ocl.import.unknown 2"),
+        found.stream().map(each -> each.id() + " " + each.location().line()).toList());
   }
 }

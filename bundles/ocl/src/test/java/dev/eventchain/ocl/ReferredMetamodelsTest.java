@@ -9,7 +9,9 @@ import java.util.List;
 import org.eclipse.emf.ecore.EAttribute;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EOperation;
 import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EParameter;
 import org.eclipse.emf.ecore.EcoreFactory;
 import org.eclipse.emf.ecore.EcorePackage;
 import org.eclipse.emf.ecore.util.EcoreUtil;
@@ -78,5 +80,20 @@ class ReferredMetamodelsTest {
     OclRules rules = rules("context Item inv A: name <> ''");
     assertEquals(List.of(), rules.diagnostics());
     assertEquals(item, rules.constraint("Item::A").orElseThrow().context());
+  }
+
+  @Test
+  void metamodelThatOnlyAParameterNamesIsReferredTo() {
+    EPackage other = newPackage("other");
+    EClass shelf = newClass(other, "Shelf");
+    EOperation put = FACTORY.createEOperation();
+    put.setName("put");
+    EParameter on = FACTORY.createEParameter();
+    on.setName("on");
+    on.setEType(shelf);
+    put.getEParameters().add(on);
+    item.getEOperations().add(put);
+    OclRules rules = rules("context Shelf inv A: true");
+    assertEquals(List.of(), rules.diagnostics());
   }
 }

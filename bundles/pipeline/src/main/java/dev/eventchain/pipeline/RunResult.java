@@ -47,7 +47,7 @@ public record RunResult(
    * A scenario in a line.
    *
    * @param name the scenario's name
-   * @param tested whether all components worked
+   * @param tested whether all components worked and every criterion could be judged, or one fails
    * @param passed whether it met its criteria
    * @param text what happened, in a sentence
    */

@@ -175,9 +175,12 @@ final class CarlaBridge {
 
   /** The simulated vehicle has pedals only: it keeps its lane and drives forwards. */
   private static VehicleCommand command(MessageValue message) {
+    double throttle = message.number("throttle");
     double steer = message.number("steer");
     String ignored = "";
-    if (steer != 0.0) {
+    if (!(throttle >= 0.0 && throttle <= 1.0)) {
+      ignored = "throttle " + throttle;
+    } else if (steer != 0.0) {
       ignored = "steer " + steer;
     } else if (Boolean.TRUE.equals(message.get("hand_brake"))) {
       ignored = "hand_brake";
@@ -186,7 +189,7 @@ final class CarlaBridge {
     } else if (Boolean.TRUE.equals(message.get("manual_gear_shift"))) {
       ignored = "manual_gear_shift";
     }
-    return new VehicleCommand(message.number("throttle"), message.number("brake"), ignored);
+    return new VehicleCommand(throttle, message.number("brake"), ignored);
   }
 
   private void checked(Topic topic, Runnable access) {

@@ -37,10 +37,10 @@ final class ChainLatency {
   private final Map<String, Integer> positions;
   private final Map<SampleId, Origin> origins = new HashMap<>();
 
-  private ChainLatency(RunLog log, Set<String> first) {
+  private ChainLatency(RunLog log, Set<String> first, Map<String, Integer> positions) {
     this.log = log;
     this.first = first;
-    this.positions = ActivationOrder.of(log, first);
+    this.positions = positions;
   }
 
   /**
@@ -55,7 +55,7 @@ final class ChainLatency {
         log.nodes().keySet().stream()
             .filter(node -> reads(log, node).contains(source))
             .collect(Collectors.toSet());
-    ChainLatency latency = new ChainLatency(log, readers);
+    ChainLatency latency = new ChainLatency(log, readers, ActivationOrder.of(log, readers));
     List<Long> latencies = new ArrayList<>();
     Set<Long> answered = new HashSet<>();
     for (Step step : latency.steps()) {
@@ -80,8 +80,9 @@ final class ChainLatency {
    */
   static List<Long> between(RunLog log, String first, String last, boolean dataAge) {
     List<Long> latencies = new ArrayList<>();
-    for (String stimulus : stimuli(log, first)) {
-      ChainLatency latency = new ChainLatency(log, Set.of(first));
+    Map<String, Integer> positions = ActivationOrder.of(log, Set.of(first));
+    for (String stimulus : stimuli(log, first, positions.keySet())) {
+      ChainLatency latency = new ChainLatency(log, Set.of(first), positions);
       Set<Long> answered = new HashSet<>();
       for (Step step : latency.steps()) {
         long origin = latency.follow(step, stimulus);
@@ -97,13 +98,12 @@ final class ChainLatency {
   }
 
   /** The topics that a node reads and no node behind it writes; an empty name if there is none. */
-  private static Set<String> stimuli(RunLog log, String first) {
+  private static Set<String> stimuli(RunLog log, String first, Set<String> behind) {
     Set<String> topics = reads(log, first);
-    Map<String, Integer> behind = ActivationOrder.of(log, Set.of(first));
     log.nodes()
         .forEach(
             (node, activations) -> {
-              if (behind.containsKey(node)) {
+              if (behind.contains(node)) {
                 activations.forEach(
                     each -> each.writes().forEach(written -> topics.remove(written.topic())));
               }

@@ -94,7 +94,7 @@ final class ResultBuilder {
             run ->
                 Diagnostic.error(
                         "simulation.command.ignored",
-                        "Scenario %s: the software commanded %s; the simulated vehicle follows throttle and brake only."
+                        "Scenario %s: the software commanded %s; the simulated vehicle follows throttle and brake from 0 to 1 only."
                             .formatted(run.scenario().name(), run.trace().ignored()),
                         SourceLocation.NONE.withElement(setup.writer(CarlaBridge.CONTROL.name())))
                     .withHint(

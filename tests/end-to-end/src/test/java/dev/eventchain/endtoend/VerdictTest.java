@@ -75,6 +75,16 @@ class VerdictTest {
   }
 
   @Test
+  void throttleBeyondItsRangeIsNotTakenForFullThrottle() throws IOException {
+    replace(
+        "software-base/components/Carla_Vehicle_Control.py",
+        "\"throttle\": 0.0",
+        "\"throttle\": 7.0");
+    run().expect(1).says("the software commanded throttle 7.0 after");
+    assertNoPass();
+  }
+
+  @Test
   void requirementThatThereIsNotIsFoundBeforeALanguageModelIsAsked() throws IOException {
     replace("scenarios/stopped-vehicle-50.yaml", "AEB-2", "AEB2");
     new Program()
