@@ -11,20 +11,15 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.simulation.Measurements;
 import dev.eventchain.simulation.ScenarioVerdict;
-import dev.eventchain.simulation.ScenarioVerdict.Moment;
 import dev.eventchain.simulation.SimulationResult;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
-import java.util.OptionalDouble;
-import java.util.function.ToDoubleFunction;
 
 /** A simulation's result as the report and {@code verdict.json} show it. */
 final class SimulationReport {
-
-  private static final double KILOMETRES_PER_HOUR = 3.6;
 
   private SimulationReport() {}
 
@@ -123,30 +118,45 @@ final class SimulationReport {
     ArrayNode requirements = json.putArray("requirements");
     verdict.requirements().forEach(requirements::add);
     criteria(json, verdict);
-    number(json, "minimalGap", verdict.minimalGap());
-    number(json, "impactSpeed", verdict.impactSpeed());
-    number(json, "timeToCollisionAtFirstBraking", verdict.timeToCollisionAtFirstBraking());
+    figures(json, verdict);
     statistics(json, "latency", verdict.latency());
-    ObjectNode series = json.putObject("series");
-    series(series, "time", verdict, Moment::time);
-    series(series, "egoSpeed", verdict, Moment::egoSpeed);
-    series(series, "gap", verdict, Moment::gap);
-    series(series, "timeToCollision", verdict, Moment::timeToCollision);
-    series(series, "brake", verdict, Moment::brake);
-    series(series, "deceleration", verdict, Moment::deceleration);
+    series(json.putObject("series"), verdict);
     return json;
+  }
+
+  private static void figures(ObjectNode json, ScenarioVerdict verdict) {
+    ArrayNode figures = json.putArray("measurements");
+    for (ScenarioVerdict.Figure figure : verdict.figures()) {
+      ObjectNode one = figures.addObject().put("name", figure.name()).put("unit", figure.unit());
+      one.put("statistic", figure.statistic().name());
+      one.put("value", rounded(figure.value())).put("time", rounded(figure.time()));
+    }
   }
 
   private static void criteria(ObjectNode json, ScenarioVerdict verdict) {
     ArrayNode criteria = json.putArray("criteria");
     for (ScenarioVerdict.CriterionResult criterion : verdict.criteria()) {
-      criteria
-          .addObject()
-          .put("text", criterion.text())
-          .put("tested", criterion.tested())
-          .put("passed", criterion.passed())
-          .put("measured", criterion.measured());
+      ObjectNode one = criteria.addObject().put("text", criterion.text());
+      one.put("tested", criterion.tested()).put("passed", criterion.passed());
+      one.put("measured", criterion.measured());
+      criterion.margin().ifPresent(margin -> one.set("margin", margin(margin)));
+      if (!criterion.limits().isEmpty()) {
+        ArrayNode limits = one.putArray("limits");
+        criterion
+            .limits()
+            .forEach(
+                limit ->
+                    limits.addObject().put("signal", limit.signal()).put("value", limit.value()));
+      }
     }
+  }
+
+  private static ObjectNode margin(ScenarioVerdict.Margin margin) {
+    ObjectNode json = JsonNodeFactory.instance.objectNode();
+    if (Double.isFinite(margin.value())) {
+      json.put("value", rounded(margin.value()));
+    }
+    return json.put("unit", margin.unit()).put("time", rounded(margin.time()));
   }
 
   private static String untested(ScenarioVerdict verdict) {
@@ -157,49 +167,50 @@ final class SimulationReport {
         .orElse("not tested");
   }
 
-  /** What happened, in a sentence. */
+  /** What came out, in a sentence: what is missed, or how much holds. */
   private static String words(ScenarioVerdict verdict) {
-    StringBuilder words = new StringBuilder();
-    if (verdict.impactSpeed().isPresent()) {
-      words.append(
-          format("impact at %.1f km/h", verdict.impactSpeed().getAsDouble() * KILOMETRES_PER_HOUR));
-    } else if (verdict.minimalGap().isPresent()) {
-      words.append(format("minimal gap %.2f m", verdict.minimalGap().getAsDouble()));
-    } else {
-      words.append("nothing in the own lane");
-    }
-    if (verdict.timeToCollisionAtFirstBraking().isPresent()) {
-      words.append(
-          format(", brakes at TTC %.2f s", verdict.timeToCollisionAtFirstBraking().getAsDouble()));
-    } else {
-      words.append(verdict.firstBraking().isPresent() ? ", brakes" : ", no braking");
-    }
-    verdict
+    List<ScenarioVerdict.CriterionResult> criteria = verdict.criteria();
+    String words =
+        criteria.stream()
+            .filter(criterion -> criterion.tested() && !criterion.passed())
+            .map(criterion -> "not met: %s (%s)".formatted(criterion.text(), criterion.measured()))
+            .findFirst()
+            .orElse("%d criteria hold".formatted(criteria.size()));
+    return verdict
         .latency()
-        .ifPresent(latency -> words.append(format(", latency up to %.0f ms", latency.maximum())));
-    return words.toString();
+        .map(latency -> words + format(", latency up to %.0f ms", latency.maximum()))
+        .orElse(words);
   }
 
   private static String format(String pattern, double value) {
     return String.format(Locale.ROOT, pattern, value);
   }
 
-  /** Four decimals show everything that can be seen, and keep the page small. */
-  private static void series(
-      ObjectNode series, String name, ScenarioVerdict verdict, ToDoubleFunction<Moment> value) {
-    ArrayNode values = series.putArray(name);
-    for (Moment moment : verdict.series()) {
-      double number = value.applyAsDouble(moment);
-      if (Double.isFinite(number)) {
-        values.add(Math.round(number * 1e4) / 1e4);
+  private static void series(ObjectNode json, ScenarioVerdict verdict) {
+    column(json.putArray("time"), verdict.series().time());
+    ArrayNode signals = json.putArray("signals");
+    for (ScenarioVerdict.Curve curve : verdict.series().curves()) {
+      ObjectNode signal = signals.addObject().put("name", curve.name()).put("unit", curve.unit());
+      if (!curve.absence().isEmpty()) {
+        signal.put("absent", curve.absence());
+      }
+      column(signal.putArray("values"), curve.values());
+    }
+  }
+
+  private static void column(ArrayNode json, List<Double> values) {
+    for (double value : values) {
+      if (Double.isFinite(value)) {
+        json.add(rounded(value));
       } else {
-        values.addNull();
+        json.addNull();
       }
     }
   }
 
-  private static void number(ObjectNode json, String name, OptionalDouble value) {
-    value.ifPresent(number -> json.put(name, number));
+  /** Four decimals show everything that can be seen, and keep the page small. */
+  private static double rounded(double value) {
+    return Math.round(value * 1e4) / 1e4;
   }
 
   private static void statistics(

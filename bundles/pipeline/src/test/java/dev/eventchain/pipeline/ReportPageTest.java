@@ -12,8 +12,10 @@ import dev.eventchain.metamodel.eventchain.ChainMeasurement;
 import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainFactory;
+import dev.eventchain.metamodel.eventchain.Measurement;
 import dev.eventchain.metamodel.eventchain.Requirement;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import dev.eventchain.metamodel.eventchain.StatisticKind;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -110,6 +112,8 @@ class ReportPageTest {
     assertTrue(shown.contains("Detection: 1 node, 0 of them generated"), shown);
     assertTrue(page.contains("<td class=\"number\">12.5</td><td class=\"number\">0</td>"), page);
     assertTrue(page.contains("<td class=\"number\">1\u202f234</td>"), page);
+    assertTrue(page.contains("<td>margin</td><td class=\"number\">\u22121.023</td>"), page);
+    assertTrue(page.contains("<td>Detection</td><td class=\"number\">2.50</td>"), page);
     assertTrue(page.contains("<a href=\"#requirement-1\">Detection</a>"), page);
     assertTrue(page.contains("<tr role=\"row\" data-requirement=\"Detection\">"), page);
   }
@@ -155,11 +159,11 @@ class ReportPageTest {
   @Test
   void numbersThatJsonLacksLeaveItReadable() throws IOException {
     ObjectNode data = MAPPER.createObjectNode();
-    data.putArray("scenarios").addObject().put("minimalGap", Double.POSITIVE_INFINITY);
+    data.putArray("scenarios").addObject().put("margin", Double.POSITIVE_INFINITY);
 
     JsonNode read = MAPPER.readTree(dataOf(page(data)));
 
-    assertFalse(read.at("/scenarios/0/minimalGap").isNumber());
+    assertFalse(read.at("/scenarios/0/margin").isNumber());
   }
 
   @Test
@@ -196,6 +200,13 @@ class ReportPageTest {
     measured.setLatency(factory.createStatistics());
     measured.getLatency().setMinimum(12.46);
     measured.getLatency().setMaximum(1234.4);
+    Measurement margin = factory.createMeasurement();
+    margin.setName(name);
+    margin.setUnit(name);
+    margin.setStatistic(StatisticKind.MARGIN);
+    margin.setValue(-1.0234);
+    margin.setTime(2.5);
+    measured.getMeasurements().add(margin);
     chain.getMeasured().add(measured);
     node.setMeasured(factory.createNodeMeasurement());
     node.getMeasured().setPeriod(factory.createStatistics());

@@ -3,7 +3,10 @@ package dev.eventchain.simulation;
 import static dev.eventchain.simulation.Criterion.format;
 
 import dev.eventchain.simulation.Criterion.Outcome;
+import dev.eventchain.simulation.ScenarioVerdict.Margin;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Predicate;
 
 /**
@@ -25,15 +28,15 @@ final class BrakingRules {
   /** No such command, unless the TTC was below the limit within the reaction time before it. */
   static Outcome forbidden(Trace trace, Criterion criterion, Predicate<Trace.Command> kind) {
     double limit = criterion.limit() + criterion.tolerances().timeToCollision();
+    Optional<Margin> least = Optional.empty();
     for (Trace.Command command : trace.commands()) {
-      if (kind.test(command) && unjustified(trace, command.time(), criterion, limit)) {
-        return new Outcome(
-            false,
-            format(
-                "brake %.2f commanded after %.2f s at TTC %s",
-                command.pedal(),
-                World.seconds(command.time()),
-                seconds(trace.stateAt(command.time()).timeToCollision())));
+      if (kind.test(command)) {
+        Margin margin =
+            seconds(justification(trace, command.time(), criterion, limit), command.time());
+        if (!(margin.value() > 0.0)) {
+          return new Outcome(false, wrong(trace, command), margin);
+        }
+        least = smaller(least, margin);
       }
     }
     boolean tested =
@@ -41,28 +44,57 @@ final class BrakingRules {
             && trace.states().stream()
                 .anyMatch(s -> s.timeToCollision() >= limit && s.speed() >= SLOWEST);
     return tested
-        ? new Outcome(true, firstText(trace, kind))
+        ? kept(firstText(trace, kind), least)
         : Outcome.untested(format("TTC was never %.1f s or more", criterion.limit()));
   }
 
-  private static boolean unjustified(Trace trace, long time, Criterion criterion, double limit) {
+  private static String wrong(Trace trace, Trace.Command command) {
+    return format(
+        "brake %.2f commanded after %.2f s at TTC %s",
+        command.pedal(),
+        World.seconds(command.time()),
+        seconds(trace.stateAt(command.time()).timeToCollision()));
+  }
+
+  private static Margin seconds(double value, long time) {
+    return new Margin(value, "s", World.seconds(time));
+  }
+
+  private static Optional<Margin> smaller(Optional<Margin> least, Margin margin) {
+    return least.filter(it -> it.value() <= margin.value()).or(() -> Optional.of(margin));
+  }
+
+  /** Without a command, or where the ego was too slow, there is no size. */
+  private static Outcome kept(String text, Optional<Margin> margin) {
+    return new Outcome(true, true, text, margin.filter(it -> Double.isFinite(it.value())));
+  }
+
+  /** How far the TTC was below the limit within the reaction time, in s; not above 0 if never. */
+  private static double justification(Trace trace, long time, Criterion criterion, double limit) {
+    double most = Double.NEGATIVE_INFINITY;
     long start = Math.max(0, time - World.nanoseconds(criterion.tolerances().reaction()));
     for (long at = start; at <= time; at += World.TRACE_STEP) {
       Trace.State state = trace.stateAt(at);
-      if (state.timeToCollision() < limit || state.speed() < SLOWEST) {
-        return false;
+      if (state.speed() < SLOWEST) {
+        return Double.POSITIVE_INFINITY;
       }
+      most = Math.max(most, limit - state.timeToCollision());
     }
-    return true;
+    return most;
   }
 
-  /** Such a command in force whenever the TTC has been below the limit for the reaction time. */
-  static Outcome demanded(Trace trace, Criterion criterion, Predicate<Trace.Command> kind) {
+  /**
+   * A pedal position in force whenever the TTC has been below the limit for the reaction time.
+   *
+   * @param needed the smallest position that will do, or 0 if any above it will
+   */
+  static Outcome demanded(
+      Trace trace, Criterion criterion, Predicate<Trace.Command> kind, double needed) {
     double limit = criterion.limit() - criterion.tolerances().timeToCollision();
     long reaction = World.nanoseconds(criterion.tolerances().reaction());
     long since = -1;
     int next = 0;
-    boolean tested = false;
+    Optional<Margin> least = Optional.empty();
     Trace.Command inForce = new Trace.Command(0, 0.0, 0.0);
     List<Trace.Command> commands = trace.commands();
     for (Trace.State state : trace.states()) {
@@ -71,33 +103,40 @@ final class BrakingRules {
       }
       boolean below = state.timeToCollision() < limit && state.speed() >= SLOWEST;
       since = below ? (since < 0 ? state.time() : since) : -1;
-      boolean due = since >= 0 && state.time() - since >= reaction;
-      tested |= due;
-      if (due && !kind.test(inForce)) {
-        return new Outcome(
-            false,
-            format(
-                "only brake %.2f after %.2f s at TTC %s",
-                inForce.pedal(), World.seconds(state.time()), seconds(state.timeToCollision())));
+      if (since >= 0 && state.time() - since >= reaction) {
+        Margin margin = new Margin(inForce.pedal() - needed, "1", World.seconds(state.time()));
+        if (!kind.test(inForce)) {
+          return new Outcome(false, tooLittle(inForce, state), margin);
+        }
+        least = smaller(least, margin);
       }
     }
-    return tested
-        ? new Outcome(true, firstText(trace, kind))
+    return least.isPresent()
+        ? kept(firstText(trace, kind), least)
         : Outcome.untested(format("TTC was never below %.1f s long enough", criterion.limit()));
   }
 
+  private static String tooLittle(Trace.Command inForce, Trace.State state) {
+    return format(
+        "only brake %.2f after %.2f s at TTC %s",
+        inForce.pedal(), World.seconds(state.time()), seconds(state.timeToCollision()));
+  }
+
   static Outcome commandsArrive(Trace trace) {
-    long last = 0;
-    for (Trace.Command command : trace.commands()) {
-      if (command.time() - last > LONGEST_SILENCE) {
-        break;
-      }
-      last = command.time();
+    List<Long> times = new ArrayList<>(List.of(0L));
+    trace.commands().forEach(command -> times.add(command.time()));
+    times.add(trace.end().time());
+    long longest = 0;
+    long from = 0;
+    for (int i = 1; i < times.size() && longest <= LONGEST_SILENCE; i++) {
+      long silence = times.get(i) - times.get(i - 1);
+      from = silence > longest ? times.get(i - 1) : from;
+      longest = Math.max(longest, silence);
     }
-    boolean silent = trace.end().time() - last > LONGEST_SILENCE || trace.commands().isEmpty();
-    return silent
-        ? new Outcome(false, format("no command after %.2f s", World.seconds(last)))
-        : new Outcome(true, format("%d commands", trace.commands().size()));
+    Margin margin = seconds(World.seconds(LONGEST_SILENCE - longest), from);
+    return longest > LONGEST_SILENCE || trace.commands().isEmpty()
+        ? new Outcome(false, format("no command after %.2f s", World.seconds(from)), margin)
+        : new Outcome(true, format("%d commands", trace.commands().size()), margin);
   }
 
   private static String firstText(Trace trace, Predicate<Trace.Command> kind) {

@@ -78,6 +78,11 @@ interface Condition extends FormulaParser.Part {
       return Stream.of(this);
     }
 
+    /** What a signal is compared with, if one side is a signal and the other depends on none. */
+    Optional<ScenarioVerdict.Limit> limit(SampledRun run) {
+      return left.limit(right, run).or(() -> right.limit(left, run));
+    }
+
     @Override
     public Optional<String> vacuity(SampledRun run, List<double[]> parts, int first, int last) {
       return left.absence(run.trace()).or(() -> right.absence(run.trace()));

@@ -1,7 +1,11 @@
 package dev.eventchain.simulation;
 
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.simulation.ScenarioVerdict.Limit;
+import dev.eventchain.simulation.ScenarioVerdict.Margin;
+import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 
 /**
  * One thing that must hold in a scenario.
@@ -32,16 +36,21 @@ record Criterion(CriterionKind kind, double limit, Tolerances tolerances, Source
    * @param tested whether what it is about ever came up; if not, it neither holds nor fails
    * @param passed whether it was tested and holds
    * @param detail the figures that say so
+   * @param margin how far what decides is from the other verdict; empty where it has no size
    */
-  record Outcome(boolean tested, boolean passed, String detail) {
+  record Outcome(boolean tested, boolean passed, String detail, Optional<Margin> margin) {
 
     Outcome(boolean passed, String detail) {
-      this(true, passed, detail);
+      this(true, passed, detail, Optional.empty());
+    }
+
+    Outcome(boolean passed, String detail, Margin margin) {
+      this(true, passed, detail, Optional.of(margin));
     }
 
     /** Of a criterion whose premise never came true. */
     static Outcome untested(String why) {
-      return new Outcome(false, false, why);
+      return new Outcome(false, false, why, Optional.empty());
     }
   }
 
@@ -54,9 +63,10 @@ record Criterion(CriterionKind kind, double limit, Tolerances tolerances, Source
       case MAXIMAL_IMPACT_SPEED -> ImpactRules.maximalImpactSpeed(trace, limit);
       case NEVER_BRAKES -> ImpactRules.neverBrakes(trace);
       case NO_BRAKE_AT_TTC -> BrakingRules.forbidden(trace, this, Trace.Command::brakes);
-      case BRAKE_BELOW_TTC -> BrakingRules.demanded(trace, this, Trace.Command::brakes);
+      case BRAKE_BELOW_TTC -> BrakingRules.demanded(trace, this, Trace.Command::brakes, 0.0);
       case NO_FULL_BRAKE_AT_TTC -> BrakingRules.forbidden(trace, this, Trace.Command::brakesFully);
-      case FULL_BRAKE_BELOW_TTC -> BrakingRules.demanded(trace, this, Trace.Command::brakesFully);
+      case FULL_BRAKE_BELOW_TTC ->
+          BrakingRules.demanded(trace, this, Trace.Command::brakesFully, Trace.FULL);
       case BRAKE_NORMALIZED -> ImpactRules.brakeNormalized(trace);
       case COMMANDS_ARRIVE -> BrakingRules.commandsArrive(trace);
     };
@@ -77,6 +87,14 @@ record Criterion(CriterionKind kind, double limit, Tolerances tolerances, Source
       case BRAKE_NORMALIZED -> "brake commands are from 0 to 1";
       case COMMANDS_ARRIVE -> "control commands arrive at least once a second";
     };
+  }
+
+  @Override
+  public List<Limit> limits() {
+    if (kind.comparesTimeToCollision()) {
+      return List.of(new Limit("ttc", limit));
+    }
+    return kind == CriterionKind.MINIMAL_GAP ? List.of(new Limit("gap", limit)) : List.of();
   }
 
   static String format(String pattern, Object... values) {

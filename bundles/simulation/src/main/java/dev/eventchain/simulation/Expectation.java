@@ -1,6 +1,7 @@
 package dev.eventchain.simulation;
 
 import dev.eventchain.diagnostics.SourceLocation;
+import java.util.List;
 
 /** One thing that must hold in a scenario: a {@link Criterion} or a formula. */
 interface Expectation {
@@ -10,6 +11,9 @@ interface Expectation {
 
   /** Where the scenario asks for it. */
   SourceLocation location();
+
+  /** The numbers that it compares signals with; none where it compares in other ways. */
+  List<ScenarioVerdict.Limit> limits();
 
   /** What was found. */
   Criterion.Outcome judge(Trace trace);

@@ -5,8 +5,11 @@ import static dev.eventchain.simulation.Criterion.format;
 import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.messages.Unit;
 import dev.eventchain.simulation.Criterion.Outcome;
+import dev.eventchain.simulation.ScenarioVerdict.Limit;
+import dev.eventchain.simulation.ScenarioVerdict.Margin;
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.util.List;
 
 /**
  * A formula of Signal Temporal Logic over what happens in a scenario. A run is a sequence of
@@ -58,6 +61,12 @@ final class Formula {
     return condition;
   }
 
+  /** The numbers that it compares single signals with. */
+  List<Limit> limits() {
+    SampledRun none = new SampledRun(new Trace());
+    return condition.comparisons().flatMap(each -> each.limit(none).stream()).distinct().toList();
+  }
+
   Outcome judge(Trace trace) {
     SampledRun run = new SampledRun(trace);
     Evaluation evaluation = Evaluation.of(condition, run);
@@ -65,11 +74,11 @@ final class Formula {
       return Outcome.untested(unknown(evaluation, run));
     }
     if (evaluation.verdict() < 0.0) {
-      return new Outcome(false, detail(evaluation, run));
+      return outcome(false, evaluation, run);
     }
     Evaluation strict = Evaluation.strictly(condition, run);
     return strict.verdict() > 0.0
-        ? new Outcome(true, detail(strict, run))
+        ? outcome(true, strict, run)
         : Outcome.untested(unknown(strict, run));
   }
 
@@ -84,33 +93,43 @@ final class Formula {
         .orElse(format("the run ended %s, before it was decided", after(run, run.size() - 1)));
   }
 
-  private static String detail(Evaluation evaluation, SampledRun run) {
+  private static Outcome outcome(boolean passed, Evaluation evaluation, SampledRun run) {
     Evaluation.Decision decision = evaluation.decision();
     if (decision.comparison().isEmpty()) {
-      return "nothing comes before the start";
+      return new Outcome(passed, "nothing comes before the start");
     }
     Condition.Comparison comparison = decision.comparison().get();
     String unit = comparison.left().commonUnit(comparison.right());
     double margin = Truth.margin(decision.truth());
-    String size = number(margin, unit);
-    return format(
-        "'%s' %s by %s %s",
-        comparison.text(),
-        decision.truth() > 0.0 ? "holds" : "is missed",
-        size,
-        after(run, decision.sample()));
+    String text =
+        format(
+            "'%s' %s by %s %s",
+            comparison.text(),
+            decision.truth() > 0.0 ? "holds" : "is missed",
+            number(margin, unit),
+            after(run, decision.sample()));
+    double signed = inUnit(passed ? margin : -margin, unit);
+    return new Outcome(passed, text, new Margin(signed, unit, run.seconds(decision.sample())));
   }
 
   private static String after(SampledRun run, int sample) {
     return format("after %.2f s", run.seconds(sample));
   }
 
+  private static double inUnit(double margin, String unit) {
+    if (unit.isEmpty()) {
+      return margin;
+    }
+    Unit shown = Unit.parse(unit).orElseThrow();
+    return margin / (shown.coherent(1.0) - shown.coherent(0.0));
+  }
+
   private static String number(double margin, String unit) {
     if (Double.isInfinite(margin)) {
       return "infinity";
     }
-    double size = unit.isEmpty() ? margin : margin / Unit.parse(unit).orElseThrow().coherent(1.0);
-    String digits = new BigDecimal(size).round(DIGITS).stripTrailingZeros().toPlainString();
+    String digits =
+        new BigDecimal(inUnit(margin, unit)).round(DIGITS).stripTrailingZeros().toPlainString();
     String name = unit.isEmpty() ? " (in SI units)" : unit.equals("1") ? "" : " " + unit;
     return digits + name;
   }

@@ -1,6 +1,7 @@
 package dev.eventchain.simulation;
 
 import dev.eventchain.diagnostics.SourceLocation;
+import java.util.List;
 
 /**
  * A formula that must hold in a scenario.
@@ -14,6 +15,11 @@ record FormulaCriterion(String name, Formula formula, SourceLocation location)
   @Override
   public String text() {
     return name.isEmpty() ? formula.text() : name + " (" + formula.text() + ")";
+  }
+
+  @Override
+  public List<ScenarioVerdict.Limit> limits() {
+    return formula.limits();
   }
 
   @Override

@@ -3,6 +3,8 @@ package dev.eventchain.simulation;
 import static dev.eventchain.simulation.Criterion.format;
 
 import dev.eventchain.simulation.Criterion.Outcome;
+import dev.eventchain.simulation.ScenarioVerdict.Margin;
+import java.util.Comparator;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
@@ -26,8 +28,20 @@ final class ImpactRules {
             false,
             format(
                 "impact at %.1f km/h after %.2f s",
-                impact.getAsDouble() * 3.6, World.seconds(trace.end().time())))
-        : new Outcome(true, gapText(trace));
+                impact.getAsDouble() * 3.6, World.seconds(trace.end().time())),
+            atTheEnd(trace, -impact.getAsDouble()))
+        : new Outcome(true, gapText(trace), gapMargin(trace, 0));
+  }
+
+  /** A margin of the speed. */
+  private static Margin atTheEnd(Trace trace, double metresPerSecond) {
+    return new Margin(metresPerSecond, "m/s", World.seconds(trace.end().time()));
+  }
+
+  private static Margin gapMargin(Trace trace, double limit) {
+    Trace.State nearest =
+        trace.states().stream().min(Comparator.comparingDouble(Trace.State::gap)).orElseThrow();
+    return new Margin(nearest.gap() - limit, "m", World.seconds(nearest.time()));
   }
 
   private static String gapText(Trace trace) {
@@ -40,13 +54,14 @@ final class ImpactRules {
     }
     double speed = trace.end().speed();
     boolean stands = speed == 0.0 && trace.impactSpeed().isEmpty();
-    return new Outcome(stands, format("speed at the end %.1f km/h", speed * 3.6));
+    String text = format("speed at the end %.1f km/h", speed * 3.6);
+    return stands ? new Outcome(true, text) : new Outcome(false, text, atTheEnd(trace, -speed));
   }
 
   static Outcome minimalGap(Trace trace, double limit) {
     OptionalDouble gap = trace.minimalGap();
     return gap.isPresent()
-        ? new Outcome(gap.getAsDouble() >= limit, gapText(trace))
+        ? new Outcome(gap.getAsDouble() >= limit, gapText(trace), gapMargin(trace, limit))
         : nothingAhead();
   }
 
@@ -58,7 +73,8 @@ final class ImpactRules {
     return impact.isPresent()
         ? new Outcome(
             impact.getAsDouble() <= limit,
-            format("impact at %.1f km/h", impact.getAsDouble() * 3.6))
+            format("impact at %.1f km/h", impact.getAsDouble() * 3.6),
+            atTheEnd(trace, limit - impact.getAsDouble()))
         : new Outcome(true, "no impact");
   }
 
@@ -72,8 +88,14 @@ final class ImpactRules {
             false,
             format(
                 "brake %.2f commanded after %.2f s",
-                first.get().pedal(), World.seconds(first.get().time())))
+                first.get().pedal(), World.seconds(first.get().time())),
+            margin(first.get(), -first.get().pedal()))
         : new Outcome(true, "never braked");
+  }
+
+  /** A margin of a pedal's position. */
+  static Margin margin(Trace.Command command, double value) {
+    return new Margin(value, "1", World.seconds(command.time()));
   }
 
   static Outcome brakeNormalized(Trace trace) {
@@ -85,7 +107,8 @@ final class ImpactRules {
         return new Outcome(
             false,
             format(
-                "brake %s commanded after %.2f s", command.pedal(), World.seconds(command.time())));
+                "brake %s commanded after %.2f s", command.pedal(), World.seconds(command.time())),
+            margin(command, Math.min(command.pedal(), 1.0 - command.pedal())));
       }
     }
     return new Outcome(true, format("%d commands", trace.commands().size()));

@@ -5,8 +5,10 @@ import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainFactory;
 import dev.eventchain.metamodel.eventchain.LatencyConstraint;
 import dev.eventchain.metamodel.eventchain.LatencyMeasurement;
+import dev.eventchain.metamodel.eventchain.Measurement;
 import dev.eventchain.metamodel.eventchain.NodeMeasurement;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import dev.eventchain.metamodel.eventchain.StatisticKind;
 import dev.eventchain.metamodel.eventchain.Statistics;
 import java.util.List;
 import java.util.Optional;
@@ -56,12 +58,40 @@ final class MeasuredModel {
       statistics(verdict.latencies().get(i))
           .ifPresent(latency -> measurement.getLatencies().add(latency(constraint, latency)));
     }
-    verdict.minimalGap().ifPresent(measurement::setMinimalGap);
-    verdict.impactSpeed().ifPresent(measurement::setImpactSpeed);
-    verdict
-        .timeToCollisionAtFirstBraking()
-        .ifPresent(measurement::setTimeToCollisionAtFirstBraking);
+    verdict.figures().forEach(figure -> measurement.getMeasurements().add(figure(figure)));
+    verdict.criteria().forEach(each -> margin(each).ifPresent(measurement.getMeasurements()::add));
     measurement.setPassed(verdict.passed());
+    return measurement;
+  }
+
+  private static Measurement figure(ScenarioVerdict.Figure figure) {
+    StatisticKind statistic = StatisticKind.valueOf(figure.statistic().name());
+    return measurement(figure.name(), figure.unit(), statistic, figure.value(), figure.time());
+  }
+
+  /** A margin without a bound is no number of a model. */
+  private static Optional<Measurement> margin(ScenarioVerdict.CriterionResult criterion) {
+    return criterion
+        .margin()
+        .filter(margin -> Double.isFinite(margin.value()))
+        .map(
+            margin ->
+                measurement(
+                    criterion.text(),
+                    margin.unit(),
+                    StatisticKind.MARGIN,
+                    margin.value(),
+                    margin.time()));
+  }
+
+  private static Measurement measurement(
+      String name, String unit, StatisticKind statistic, double value, double time) {
+    Measurement measurement = FACTORY.createMeasurement();
+    measurement.setName(name);
+    measurement.setUnit(unit);
+    measurement.setStatistic(statistic);
+    measurement.setValue(value);
+    measurement.setTime(time);
     return measurement;
   }
 

@@ -10,7 +10,6 @@ import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.function.ToDoubleFunction;
 
 /** Writes {@code measurements.json}. Numbers are rounded to what they are worth. */
 final class MeasurementsWriter {
@@ -65,10 +64,7 @@ final class MeasurementsWriter {
     json.writeBooleanField("tested", verdict.tested());
     json.writeBooleanField("passed", verdict.passed());
     criteria(verdict.criteria());
-    optional("minimalGap", verdict.minimalGap());
-    optional("impactSpeed", verdict.impactSpeed());
-    optional("timeToCollisionAtFirstBraking", verdict.timeToCollisionAtFirstBraking());
-    optional("firstBraking", verdict.firstBraking());
+    figures(verdict.figures());
     statistics("latency", verdict.latency());
     json.writeArrayFieldStart("latencies");
     for (Optional<Measurements.Statistics> latency : verdict.latencies()) {
@@ -87,30 +83,52 @@ final class MeasurementsWriter {
       json.writeBooleanField("tested", criterion.tested());
       json.writeBooleanField("passed", criterion.passed());
       json.writeStringField("measured", criterion.measured());
+      if (criterion.margin().isPresent()) {
+        ScenarioVerdict.Margin margin = criterion.margin().get();
+        json.writeObjectFieldStart("margin");
+        field("value", margin.value());
+        json.writeStringField("unit", margin.unit());
+        field("time", margin.time());
+        json.writeEndObject();
+      }
       json.writeEndObject();
     }
     json.writeEndArray();
   }
 
-  private void series(List<ScenarioVerdict.Moment> moments) throws IOException {
+  private void figures(List<ScenarioVerdict.Figure> figures) throws IOException {
+    json.writeArrayFieldStart("measurements");
+    for (ScenarioVerdict.Figure figure : figures) {
+      json.writeStartObject();
+      json.writeStringField("name", figure.name());
+      json.writeStringField("unit", figure.unit());
+      json.writeStringField("statistic", figure.statistic().name());
+      field("value", figure.value());
+      field("time", figure.time());
+      json.writeEndObject();
+    }
+    json.writeEndArray();
+  }
+
+  private void series(ScenarioVerdict.Series series) throws IOException {
     json.writeObjectFieldStart("series");
-    column("time", moments, ScenarioVerdict.Moment::time);
-    column("egoSpeed", moments, ScenarioVerdict.Moment::egoSpeed);
-    column("gap", moments, ScenarioVerdict.Moment::gap);
-    column("timeToCollision", moments, ScenarioVerdict.Moment::timeToCollision);
-    column("brake", moments, ScenarioVerdict.Moment::brake);
-    column("deceleration", moments, ScenarioVerdict.Moment::deceleration);
+    column("time", series.time());
+    json.writeArrayFieldStart("signals");
+    for (ScenarioVerdict.Curve curve : series.curves()) {
+      json.writeStartObject();
+      json.writeStringField("name", curve.name());
+      json.writeStringField("unit", curve.unit());
+      column("values", curve.values());
+      json.writeEndObject();
+    }
+    json.writeEndArray();
     json.writeEndObject();
   }
 
-  private void column(
-      String name,
-      List<ScenarioVerdict.Moment> moments,
-      ToDoubleFunction<ScenarioVerdict.Moment> value)
-      throws IOException {
+  private void column(String name, List<Double> values) throws IOException {
     json.writeArrayFieldStart(name);
-    for (ScenarioVerdict.Moment moment : moments) {
-      number(value.applyAsDouble(moment));
+    for (double value : values) {
+      number(value);
     }
     json.writeEndArray();
   }

@@ -4,18 +4,16 @@ import dev.eventchain.metamodel.eventchain.LatencyConstraint;
 import dev.eventchain.metamodel.eventchain.LatencyKind;
 import dev.eventchain.simulation.ScenarioRunner.Run;
 import dev.eventchain.simulation.ScenarioVerdict.CriterionResult;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 
 /** Judges what happened in a scenario. */
 final class ScenarioJudge {
 
   private static final double MILLISECOND = 1e6;
-  private static final long SERIES_STEP = 50_000_000L;
 
   private final NodeSetup setup;
+  private final Signal.Source signals = new WorldSignals();
 
   ScenarioJudge(NodeSetup setup) {
     this.setup = setup;
@@ -41,16 +39,10 @@ final class ScenarioJudge {
         tested,
         passed,
         criteria,
-        trace.minimalGap(),
-        trace.impactSpeed(),
-        trace.timeToCollisionAtFirstBraking(),
-        trace
-            .firstBraking()
-            .map(command -> OptionalDouble.of(World.seconds(command.time())))
-            .orElse(OptionalDouble.empty()),
+        WhatHappened.figures(trace, signals),
         latency(run.log()),
         setup.latencyConstraints().stream().map(each -> latency(run.log(), each)).toList(),
-        series(trace));
+        WhatHappened.series(trace, signals));
   }
 
   private static CriterionResult judge(Expectation criterion, Trace trace, boolean worked) {
@@ -61,6 +53,8 @@ final class ScenarioJudge {
         outcome.tested(),
         outcome.passed(),
         outcome.detail(),
+        outcome.margin(),
+        criterion.limits(),
         criterion.location());
   }
 
@@ -86,28 +80,5 @@ final class ScenarioJudge {
   private static Optional<Measurements.Statistics> statistics(List<Long> nanoseconds) {
     return Measurements.Statistics.of(
         nanoseconds.stream().mapToDouble(value -> value / MILLISECOND).toArray());
-  }
-
-  private static List<ScenarioVerdict.Moment> series(Trace trace) {
-    List<ScenarioVerdict.Moment> moments = new ArrayList<>();
-    List<Trace.Command> commands = trace.commands();
-    double brake = 0;
-    int next = 0;
-    for (Trace.State state : trace.states()) {
-      while (next < commands.size() && commands.get(next).time() <= state.time()) {
-        brake = commands.get(next++).pedal();
-      }
-      if (state.time() % SERIES_STEP == 0 || state.equals(trace.end())) {
-        moments.add(
-            new ScenarioVerdict.Moment(
-                World.seconds(state.time()),
-                state.speed(),
-                state.gap(),
-                state.timeToCollision(),
-                brake,
-                state.deceleration()));
-      }
-    }
-    return moments;
   }
 }

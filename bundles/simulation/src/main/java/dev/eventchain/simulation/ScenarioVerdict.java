@@ -4,7 +4,6 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalDouble;
 
 /**
  * How the software did in a scenario.
@@ -15,14 +14,11 @@ import java.util.OptionalDouble;
  * @param tested whether every component worked and every criterion could be judged, or one fails
  * @param passed whether it was tested and every criterion holds
  * @param criteria each criterion with what was measured
- * @param minimalGap smallest distance to a vehicle in the own lane, in m; empty without one
- * @param impactSpeed relative speed at the impact, in m/s; empty without an impact
- * @param timeToCollisionAtFirstBraking in s; empty without braking, or if nothing was approached
- * @param firstBraking time of the first brake command, in s; empty without braking
- * @param latency from a point cloud to the first brake command that is based on it, in ms; empty if
- *     no command is based on one
+ * @param figures what was measured of the world and of what the chain commands
+ * @param latency from what the chain's first node senses to the first command that is based on it,
+ *     in ms; empty if no command is based on it
  * @param latencies what was measured of each latency constraint of the chain, in its order
- * @param series what happened, every 50 ms
+ * @param series what happened over time
  */
 public record ScenarioVerdict(
     String scenario,
@@ -31,20 +27,17 @@ public record ScenarioVerdict(
     boolean tested,
     boolean passed,
     List<CriterionResult> criteria,
-    OptionalDouble minimalGap,
-    OptionalDouble impactSpeed,
-    OptionalDouble timeToCollisionAtFirstBraking,
-    OptionalDouble firstBraking,
+    List<Figure> figures,
     Optional<Measurements.Statistics> latency,
     List<Optional<Measurements.Statistics>> latencies,
-    List<Moment> series) {
+    Series series) {
 
   /** Copies the lists. */
   public ScenarioVerdict {
     requirements = List.copyOf(requirements);
     criteria = List.copyOf(criteria);
     latencies = List.copyOf(latencies);
-    series = List.copyOf(series);
+    figures = List.copyOf(figures);
   }
 
   /**
@@ -54,29 +47,88 @@ public record ScenarioVerdict(
    * @param tested whether what it is about ever came up
    * @param passed whether it was tested and holds
    * @param measured the figures that say so, in words
+   * @param margin how far what decides is from the other verdict; empty where it has no size
+   * @param limits the numbers that signals are compared with
    * @param location where the scenario asks for it
    */
   public record CriterionResult(
-      String text, boolean tested, boolean passed, String measured, SourceLocation location) {}
+      String text,
+      boolean tested,
+      boolean passed,
+      String measured,
+      Optional<Margin> margin,
+      List<Limit> limits,
+      SourceLocation location) {
+
+    /** Copies the list. */
+    public CriterionResult {
+      limits = List.copyOf(limits);
+    }
+  }
 
   /**
-   * A moment, in simulated time and SI units.
+   * How far a criterion is from the other verdict, below zero if it does not hold.
+   *
+   * @param value in the unit
+   * @param unit that of what is compared; 1 for a ratio
+   * @param time when it is so, in s since the start
+   */
+  public record Margin(double value, String unit, double time) {}
+
+  /** A number, in the signal's unit, that a criterion compares a signal with. */
+  public record Limit(String signal, double value) {}
+
+  /** What one number of a scenario is. */
+  public enum Statistic {
+    /** The smallest value of the scenario. */
+    MINIMUM,
+    /** The largest value of the scenario. */
+    MAXIMUM,
+    /** The value at the end. */
+    FINAL
+  }
+
+  /**
+   * A number that was measured.
+   *
+   * @param name of the quantity
+   * @param unit of the value; 1 for a ratio
+   * @param statistic which of its values it is
+   * @param value finite
+   * @param time when it was so first, in s since the start
+   */
+  public record Figure(String name, String unit, Statistic statistic, double value, double time) {}
+
+  /**
+   * What happened, every 50 ms.
    *
    * @param time since the start, in s
-   * @param egoSpeed in m/s
-   * @param gap to the nearest vehicle in the own lane, in m; infinite without one
-   * @param timeToCollision from the true gap and closing speed, in s; infinite if nothing is
-   *     approached
-   * @param brake the brake command in force, 0 to 1
-   * @param deceleration of the ego, in m/s2
+   * @param curves one for each quantity
    */
-  public record Moment(
-      double time,
-      double egoSpeed,
-      double gap,
-      double timeToCollision,
-      double brake,
-      double deceleration) {}
+  public record Series(List<Double> time, List<Curve> curves) {
+
+    /** Copies the lists. */
+    public Series {
+      time = List.copyOf(time);
+      curves = List.copyOf(curves);
+    }
+  }
+
+  /**
+   * A quantity over time.
+   *
+   * @param name of the quantity
+   * @param unit of the values; 1 for a ratio
+   * @param absence why it says nothing; empty if it says something
+   * @param values one for each time of the series, infinite or not a number where there is none
+   */
+  public record Curve(String name, String unit, String absence, List<Double> values) {
+
+    /** Copies the list. */
+    public Curve {
+      values = List.copyOf(values);
+    }
+  }
 
   /**
    * A finding {@code simulation.criterion.failed} for each criterion that does not hold, and {@code

@@ -29,6 +29,12 @@ record Signal(
     Collection<String> names();
   }
 
+  /** A value of it in its own unit. */
+  double inUnit(double coherent) {
+    double zero = dimension().coherent(0.0);
+    return (coherent - zero) / (dimension().coherent(1.0) - zero);
+  }
+
   Unit dimension() {
     return Unit.parse(unit).orElseThrow();
   }

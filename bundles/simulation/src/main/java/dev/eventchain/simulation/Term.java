@@ -31,14 +31,27 @@ record Term(Unit dimension, String unit, Set<Signal> signals, Values values)
   }
 
   static Term of(Signal signal) {
-    return new Term(
-        signal.dimension(),
-        signal.unit(),
-        Set.of(signal),
-        run -> {
-          double[] samples = run.of(signal);
-          return sample -> samples[sample];
-        });
+    return new Term(signal.dimension(), signal.unit(), Set.of(signal), new Reading(signal));
+  }
+
+  /** What a signal says, as it is. */
+  private record Reading(Signal signal) implements Values {
+
+    @Override
+    public IntToDoubleFunction in(SampledRun run) {
+      double[] samples = run.of(signal);
+      return sample -> samples[sample];
+    }
+  }
+
+  /** What a plain signal is compared with, if this is one and the other depends on none. */
+  Optional<ScenarioVerdict.Limit> limit(Term other, SampledRun run) {
+    return values instanceof Reading reading && other.signals.isEmpty()
+        ? Optional.of(
+            new ScenarioVerdict.Limit(
+                reading.signal().name(),
+                reading.signal().inUnit(other.values.in(run).applyAsDouble(0))))
+        : Optional.empty();
   }
 
   Term mapped(DoubleUnaryOperator operator) {

@@ -35,7 +35,7 @@ final class Trace {
   }
 
   /** Smallest pedal position that counts as full brake; float32 cannot always hold exactly 1. */
-  private static final double FULL = 0.99;
+  static final double FULL = 0.99;
 
   private final List<State> states = new ArrayList<>();
   private final List<Command> commands = new ArrayList<>();
@@ -88,16 +88,6 @@ final class Trace {
 
   Optional<Command> firstBraking() {
     return commands.stream().filter(Command::brakes).findFirst();
-  }
-
-  /** True time to collision when braking was first commanded, in s. */
-  OptionalDouble timeToCollisionAtFirstBraking() {
-    Optional<Command> first = firstBraking();
-    if (first.isEmpty()) {
-      return OptionalDouble.empty();
-    }
-    double value = stateAt(first.get().time()).timeToCollision();
-    return Double.isFinite(value) ? OptionalDouble.of(value) : OptionalDouble.empty();
   }
 
   /** The last state that is not later than a time. */

@@ -14,8 +14,10 @@ import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.ChainMeasurement;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
+import dev.eventchain.metamodel.eventchain.Measurement;
 import dev.eventchain.metamodel.eventchain.NodeMeasurement;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import dev.eventchain.metamodel.eventchain.StatisticKind;
 import dev.eventchain.ocl.OclRules;
 import dev.eventchain.ocl.OclValidator;
 import java.nio.file.Path;
@@ -80,21 +82,33 @@ class MeasurementsTest {
     ChainMeasurement empty = measured.getMeasured().get(0);
     assertEquals("empty-road", empty.getScenario());
     assertTrue(empty.isPassed());
-    assertFalse(empty.isSetMinimalGap());
-    assertFalse(empty.isSetTimeToCollisionAtFirstBraking());
+    assertEquals(Optional.empty(), find(empty, "gap", StatisticKind.MINIMUM), "nothing ahead");
+    assertEquals(0, find(empty, "brake", StatisticKind.MAXIMUM).orElseThrow().getValue());
     assertEquals(measured.getSoftware().get(0), empty.getFirst());
     assertEquals(measured.getSoftware().get(3), empty.getLast());
     assertTrue(empty.getLatency().getCount() > 90);
     ChainMeasurement stopped = measured.getMeasured().get(1);
-    assertTrue(stopped.getMinimalGap() > 0.5);
-    assertTrue(stopped.getTimeToCollisionAtFirstBraking() < 2.1);
-    assertFalse(stopped.isSetImpactSpeed());
+    Measurement gap = find(stopped, "gap", StatisticKind.MINIMUM).orElseThrow();
+    assertTrue(gap.getValue() > 0.5);
+    assertEquals("m", gap.getUnit());
+    assertEquals(Optional.empty(), find(stopped, "impact.speed", StatisticKind.FINAL));
+    Measurement margin = find(stopped, "no impact", StatisticKind.MARGIN).orElseThrow();
+    assertEquals(gap.getValue(), margin.getValue());
+    assertEquals("m", margin.getUnit());
+    assertEquals(gap.getTime(), margin.getTime());
 
     NodeMeasurement node = measured.getSoftware().get(0).getMeasured();
     assertEquals(50, node.getPeriod().getMedian());
     assertEquals(0, node.getJitter().getMaximum());
     assertEquals(15, node.getExecutionTime().getPercentile99());
     assertEquals(stopped.getRunId(), node.getRunId());
+  }
+
+  private static Optional<Measurement> find(
+      ChainMeasurement scenario, String name, StatisticKind statistic) {
+    return scenario.getMeasurements().stream()
+        .filter(each -> each.getName().equals(name) && each.getStatistic() == statistic)
+        .findFirst();
   }
 
   @Test
@@ -115,14 +129,16 @@ class MeasurementsTest {
         json.properties().stream().map(java.util.Map.Entry::getKey).toList());
     JsonNode scenario = json.get("scenarios").get(0);
     assertEquals("stopped-vehicle-50", scenario.get("name").asText());
-    assertTrue(scenario.get("impactSpeed").isNull());
     assertTrue(scenario.get("latency").get("maximum").asDouble() <= 250);
     JsonNode series = scenario.get("series");
     int moments = series.get("time").size();
-    series.properties().forEach(column -> assertEquals(moments, column.getValue().size()));
+    series.get("signals").forEach(each -> assertEquals(moments, each.get("values").size()));
     assertEquals(0.05, series.get("time").get(1).asDouble());
-    assertEquals(13.8889, series.get("egoSpeed").get(0).asDouble());
-    assertEquals(0, series.get("egoSpeed").get(moments - 1).asDouble());
+    JsonNode speed = series.get("signals").get(2);
+    assertEquals("ego.speed", speed.get("name").asText());
+    assertEquals("m/s", speed.get("unit").asText());
+    assertEquals(13.8889, speed.get("values").get(0).asDouble());
+    assertEquals(0, speed.get("values").get(moments - 1).asDouble());
     assertEquals(4, json.get("nodes").size());
     assertFalse(json.get("nodes").get(0).has("hostExecutionTime"));
     assertTrue(

@@ -195,7 +195,7 @@ function measure(vertex, limit, down) {
     return Object.assign(vertex, { width: 1, height: 1 });
   }
   const node = vertex.kind === "node";
-  vertex.lines = wrap(vertex.name, node ? Math.max(18, limit) : limit);
+  vertex.lines = wrap(vertex.name, node && !down ? Math.max(18, limit) : limit);
   const longest = Math.max(...vertex.lines.map((line) => line.length), node ? 14 : 1);
   vertex.width = longest * (node ? CHAIN.nodeLetter : CHAIN.topicLetter) + (node ? 22 : 6);
   vertex.height = vertex.lines.length * CHAIN.line + (node ? CHAIN.line + 18 : 4);
@@ -285,7 +285,7 @@ function spokenChain(chain) {
     .map((edge) => `${text(edge.from) || "outside"} to ${text(edge.to) || "outside"} by ${text(edge.topic)}`).join("; ");
 }
 
-/** The widest layout from left to right that has room; else one downwards; else one to scroll. */
+/** The widest layout from left to right that has room; else the widest one downwards; else the narrowest of these, made smaller. */
 function fitting(chain, room) {
   let drawing = null;
   for (const limit of room < 600 ? [] : CHAIN.wraps) {
@@ -294,8 +294,13 @@ function fitting(chain, room) {
       return drawing;
     }
   }
-  const downwards = layOut(chain, CHAIN.wraps[0], true);
-  return !drawing || downwards.width * CHAIN.smallest <= room ? downwards : drawing;
+  for (const limit of CHAIN.wraps) {
+    drawing = layOut(chain, limit, true);
+    if (drawing.width * CHAIN.smallest <= room) {
+      break;
+    }
+  }
+  return drawing;
 }
 
 /** Fills a holder with the picture. */
@@ -307,6 +312,5 @@ function drawChain(chain, holder) {
     vertices.map((vertex) => (vertex.kind === "node" ? drawNode(vertex) : drawTopic(vertex, down))));
   picture.style.width = "100%";
   picture.style.maxWidth = `${width}px`;
-  picture.style.minWidth = `${width * CHAIN.smallest}px`;
   holder.replaceChildren(picture);
 }

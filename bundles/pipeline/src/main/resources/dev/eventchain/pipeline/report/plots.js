@@ -1,29 +1,44 @@
 // The plots of a scenario: one picture with a panel for each series over one time axis.
 
-const TIME_TO_COLLISION_CEILING = 6;
-const PLOT = { left: 40, right: 26, top: 16, title: 20, gap: 12, axis: 20, fallback: 680 };
+const PLOT = { left: 40, right: 26, top: 16, title: 20, gap: 12, axis: 20, height: 70, fallback: 680 };
 
-/** `floor` is the smallest top of the scale, `ceiling` a fixed one; `scale` converts to the shown unit. */
-const PANELS = [
-  { key: "egoSpeed", name: "Speed", unit: "km/h", scale: 3.6, digits: 1, floor: 10, height: 70 },
-  { key: "gap", name: "Gap", unit: "m", scale: 1, digits: 1, floor: 5, height: 70, absent: "no vehicle in the path" },
-  { key: "timeToCollision", name: "Time to collision", unit: "s", scale: 1, digits: 2,
-    ceiling: TIME_TO_COLLISION_CEILING, height: 96, thresholds: [1, 2], absent: "nothing is approached" },
-  { key: "brake", name: "Brake command", unit: "", scale: 1, digits: 2, ceiling: 1, height: 56, step: true },
-  { key: "deceleration", name: "Deceleration", unit: "m/s\u00b2", scale: 1, digits: 1, floor: 2, height: 70 },
-];
+/** Values beyond so many times a limit, or the usual value where there is no limit, are cut off: they would hide all others. */
+const CUT = { limit: 4, usual: 10 };
+
+/** The panels of a scenario, one for each signal, with the limits that its criteria set. */
+function panelsOf(scenario) {
+  return records(record(scenario.series).signals).map((signal) => {
+    const name = text(signal.name);
+    const unit = text(signal.unit) === "1" ? "" : text(signal.unit);
+    const limits = records(scenario.criteria).flatMap((criterion) => records(criterion.limits))
+      .filter((limit) => text(limit.signal) === name).map((limit) => number(limit.value)).filter((value) => value !== null);
+    return { name, unit, values: Array.isArray(signal.values) ? signal.values.map(number) : [], limits: [...new Set(limits)], absent: text(signal.absent) };
+  });
+}
 
 /** The samples with a time, each series as long as the time and null where it has no number. */
-function samplesOf(series) {
-  const numbers = (key) => (Array.isArray(record(series)[key]) ? series[key].map(number) : []);
-  const times = numbers("time");
+function samplesOf(scenario) {
+  const times = Array.isArray(record(scenario.series).time) ? scenario.series.time.map(number) : [];
   const kept = times.map((time, index) => index).filter((index) => times[index] !== null);
-  const samples = { time: kept.map((index) => times[index]) };
-  for (const panel of PANELS) {
-    const values = numbers(panel.key);
-    samples[panel.key] = kept.map((index) => (number(values[index]) === null ? null : values[index] * panel.scale));
-  }
-  return samples;
+  const panels = panelsOf(scenario).map((panel) => {
+    const values = kept.map((index) => panel.values[index] ?? null);
+    return { ...panel, values, ceiling: ceilingOf(values, panel.limits), digits: digitsOf(values) };
+  });
+  return { time: kept.map((index) => times[index]), panels };
+}
+
+/** Where a panel is cut off; null if all values have room. */
+function ceilingOf(values, limits) {
+  const sizes = values.filter((value) => value !== null).sort((one, other) => one - other);
+  const high = sizes[sizes.length - 1];
+  const usual = limits.length > 0 ? CUT.limit * Math.max(...limits) : CUT.usual * (sizes[sizes.length >> 1] ?? 0);
+  return usual > 0 && high > usual ? usual : null;
+}
+
+/** Digits that tell the values apart. */
+function digitsOf(values) {
+  const size = Math.max(0, ...values.filter((value) => value !== null).map(Math.abs));
+  return size >= 1000 ? 0 : size >= 100 ? 1 : 2;
 }
 
 /** Two to five round values from bottom to top. */
@@ -52,13 +67,10 @@ function extent(values) {
 
 /** The scale of a panel: from 0, or below if values are, to a round value. */
 function domain(panel, range) {
-  if (panel.ceiling) {
-    return { low: 0, high: panel.ceiling };
-  }
-  const high = Math.max(panel.floor, range.high * 1.05);
+  const high = panel.ceiling ?? (Math.max(range.high, 0) * 1.05 || (range.low < 0 ? 0 : 1));
   const step = ticks(Math.min(0, range.low), high, 3).values;
-  const unit = step.length > 1 ? step[1] - step[0] : high;
-  return { low: range.low < -0.05 * high ? Math.floor(range.low / unit) * unit : 0, high: Math.ceil(high / unit - 1e-9) * unit };
+  const unit = step.length > 1 ? step[1] - step[0] : high || 1;
+  return { low: range.low < -0.001 * high ? Math.floor(range.low / unit) * unit : 0, high: Math.ceil(high / unit - 1e-9) * unit };
 }
 
 /** At most four points in a pixel column, its extremes among them: a long series costs no more than the screen is wide. */
@@ -95,41 +107,17 @@ function stretches(times, values, toX, toY) {
   return result.map(thin);
 }
 
-function pathOf(points, step) {
+function pathOf(points) {
   const at = (value) => value.toFixed(1);
-  return points.map((point, index) => {
-    if (index === 0) {
-      return `M${at(point.x)} ${at(point.y)}`;
-    }
-    return step ? `H${at(point.x)}V${at(point.y)}` : `L${at(point.x)} ${at(point.y)}`;
-  }).join("") + (points.length === 1 ? "h0.5" : "");
+  return points.map((point, index) => `${index === 0 ? "M" : "L"}${at(point.x)} ${at(point.y)}`).join("") + (points.length === 1 ? "h0.5" : "");
 }
 
-/** From when to when the brake is commanded. */
-function brakingTimes(samples) {
-  const result = [];
-  samples.time.forEach((time, index) => {
-    if (samples.brake[index] > 0) {
-      const next = samples.time[Math.min(index + 1, samples.time.length - 1)];
-      const last = result[result.length - 1];
-      if (last && last.until >= time) {
-        last.until = next;
-      } else {
-        result.push({ from: time, until: next });
-      }
-    }
-  });
-  return result;
-}
-
-/** Where the cursor stands at first: the first brake command, else the smallest gap, else the end. */
-function instantOfInterest(samples) {
-  const braking = samples.brake.findIndex((value) => value > 0);
-  if (braking >= 0) {
-    return braking;
-  }
-  const range = extent(samples.gap);
-  return range ? samples.gap.indexOf(range.low) : samples.time.length - 1;
+/** Where the cursor stands at first: where the first criterion is missed, else where one is decided, else at the end. */
+function instantOfInterest(samples, scenario) {
+  const decided = records(scenario.criteria).map((criterion) => ({ criterion, time: number(record(criterion.margin).time) }))
+    .filter((one) => one.time !== null && one.time > 0);
+  const first = decided.find((one) => one.criterion.passed !== true) ?? decided[0];
+  return first ? nearest(samples.time, first.time) : samples.time.length - 1;
 }
 
 function nearest(times, time) {
@@ -151,7 +139,7 @@ function reading(panel, value) {
 
 function spokenSeries(panel, values, range) {
   if (!range) {
-    return `${panel.name}: ${panel.absent ?? "no values"}`;
+    return `${panel.name}: ${panel.absent || "no values"}`;
   }
   const known = values.filter((value) => value !== null);
   const first = reading(panel, known[0]);
@@ -162,27 +150,27 @@ function spokenSeries(panel, values, range) {
 
 /** One panel: its group, the text that holds the cursor's value, and the point on the curve. */
 function drawPanel(panel, samples, top, frame) {
-  const values = samples[panel.key];
+  const values = panel.values;
   const range = extent(values);
   const value = svg("text", { class: "value", x: frame.right, y: top + 13 });
   const group = svg("g", { role: "img", "aria-label": spokenSeries(panel, values, range) },
     svg("text", { class: "title", x: frame.left, y: top + 13 }, panel.name + (panel.unit ? `, ${panel.unit}` : "")), value);
   if (!range) {
     value.setAttribute("class", "absent");
-    value.append(panel.absent ?? "no values");
+    value.append(panel.absent || "no values");
     return { group, height: PLOT.title, update() {} };
   }
   const scale = domain(panel, range);
-  const base = top + PLOT.title + panel.height;
-  const toY = (amount) => base - ((Math.min(amount, scale.high * 20) - scale.low) / (scale.high - scale.low)) * panel.height;
-  drawScale(group, panel, scale, toY, frame, top);
+  const base = top + PLOT.title + PLOT.height;
+  const toY = (amount) => base - ((Math.min(amount, scale.high * 20) - scale.low) / (scale.high - scale.low)) * PLOT.height;
+  drawScale(group, scale, toY, frame, top);
   const point = svg("circle", { class: "point", r: 3.5 });
   const cursor = svg("line", { class: "cursor", y1: top + PLOT.title, y2: base });
-  group.append(drawCurve(panel, samples, values, toY, frame, top), ...drawThresholds(panel, range, toY, frame),
-    ...drawImpact(panel, frame, top + PLOT.title, base), cursor, point);
+  group.append(drawCurve(samples, values, toY, frame, top), ...drawThresholds(panel, scale, toY, frame),
+    ...drawEvents(frame, top + PLOT.title, base), cursor, point);
   return {
     group,
-    height: PLOT.title + panel.height,
+    height: PLOT.title + PLOT.height,
     update(index) {
       const current = values[index];
       value.textContent = reading(panel, current);
@@ -198,16 +186,12 @@ function drawPanel(panel, samples, top, frame) {
   };
 }
 
-function drawScale(group, panel, scale, toY, frame, top) {
-  for (const band of frame.braking) {
-    const [from, until] = [frame.toX(band.from), frame.toX(band.until)];
-    group.append(svg("rect", { class: "band", x: from, y: top + PLOT.title, width: Math.max(1, until - from), height: panel.height }));
-  }
+function drawScale(group, scale, toY, frame, top) {
   for (const mark of frame.marks.values) {
     const x = frame.toX(mark);
-    group.append(svg("line", { class: "grid", x1: x, x2: x, y1: top + PLOT.title, y2: top + PLOT.title + panel.height }));
+    group.append(svg("line", { class: "grid", x1: x, x2: x, y1: top + PLOT.title, y2: top + PLOT.title + PLOT.height }));
   }
-  const marks = ticks(scale.low, scale.high, panel.ceiling === 1 ? 2 : 3);
+  const marks = ticks(scale.low, scale.high, 3);
   for (const mark of marks.values) {
     const y = Math.round(toY(mark)) + 0.5;
     group.append(
@@ -217,39 +201,34 @@ function drawScale(group, panel, scale, toY, frame, top) {
 }
 
 /** The curve, cut off at the edges of its panel. */
-function drawCurve(panel, samples, values, toY, frame, top) {
-  const [x, y, width, height] = [frame.left, top + PLOT.title - 1, frame.right - frame.left, panel.height + 2];
+function drawCurve(samples, values, toY, frame, top) {
+  const [x, y, width, height] = [frame.left, top + PLOT.title - 1, frame.right - frame.left, PLOT.height + 2];
   const cut = svg("svg", { x, y, width, height, viewBox: `${x} ${y} ${width} ${height}`, overflow: "hidden" });
   for (const points of stretches(samples.time, values, frame.toX, toY)) {
-    const path = pathOf(points, panel.step);
-    if (panel.step) {
-      const last = points[points.length - 1].x.toFixed(1);
-      cut.append(svg("path", { class: "area", d: `${path}L${last} ${toY(0).toFixed(1)}H${points[0].x.toFixed(1)}Z` }));
-    }
-    cut.append(svg("path", { class: "curve", d: path }));
+    cut.append(svg("path", { class: "curve", d: pathOf(points) }));
   }
   return cut;
 }
 
-/** The limits that the values go below, as lines. */
-function drawThresholds(panel, range, toY, frame) {
-  return (panel.thresholds ?? []).filter((limit) => range.low < limit && range.high >= limit).flatMap((limit) => {
+/** What the criteria compare the signal with, as lines. */
+function drawThresholds(panel, scale, toY, frame) {
+  return panel.limits.filter((limit) => limit >= scale.low && limit <= scale.high).flatMap((limit) => {
     const y = Math.round(toY(limit)) + 0.5;
     return [
       svg("line", { class: "threshold", x1: frame.left, x2: frame.right, y1: y, y2: y }),
-      svg("text", { class: "threshold-label", x: frame.right + 5, y: y + 3.5 }, `${limit} s`),
+      svg("text", { class: "threshold-label", x: frame.right + 5, y: y + 3.5 }, String(Number(limit.toPrecision(3)))),
     ];
   });
 }
 
-/** An impact ends a scenario: a line at the last moment, with the speed beside it in the plot of the gap. */
-function drawImpact(panel, frame, top, base) {
-  if (frame.impact === null) {
-    return [];
-  }
-  const line = svg("line", { class: "impact", x1: frame.last, x2: frame.last, y1: top, y2: base });
-  const label = svg("text", { class: "impact-label", x: frame.last - 8, y: top + 14 }, `impact, ${figure(frame.impact * 3.6, 1, "km/h")}`);
-  return panel.key === "gap" ? [line, label] : [line];
+/** What happened once, such as an impact: a line at its moment. */
+function drawEvents(frame, top, base) {
+  return frame.events.map((event) => svg("line", { class: "event", x1: frame.toX(event.time), x2: frame.toX(event.time), y1: top, y2: base }));
+}
+
+/** What a scenario has of one moment only. */
+function eventsOf(scenario) {
+  return records(scenario.measurements).filter((one) => text(one.statistic) === "FINAL" && number(one.time) !== null);
 }
 
 function drawTimeAxis(picture, frame, bottom) {
@@ -267,8 +246,6 @@ function frameOf(samples, width) {
   return {
     left,
     right,
-    braking: brakingTimes(samples),
-    last: seconds === last - first ? right : left,
     marks: ticks(first, first + seconds, right - left < 420 ? 4 : 8),
     toX: (time) => left + ((time - first) / seconds) * (right - left),
     toTime: (x) => first + ((x - left) / (right - left)) * seconds,
@@ -277,11 +254,11 @@ function frameOf(samples, width) {
 
 /** Draws all panels at a width and returns the picture and how to move its cursor. */
 function drawPicture(samples, scenario, width) {
-  const frame = { ...frameOf(samples, width), impact: number(scenario.impactSpeed) };
+  const frame = { ...frameOf(samples, width), events: eventsOf(scenario) };
   const picture = svg("svg", { role: "group", "aria-label": "Plots over time" });
   const panels = [];
   let top = PLOT.top;
-  for (const panel of PANELS.filter((one) => one.key !== "deceleration" || extent(samples.deceleration))) {
+  for (const panel of samples.panels) {
     const drawn = drawPanel(panel, samples, top, frame);
     panels.push(drawn);
     picture.append(drawn.group);
@@ -303,12 +280,12 @@ function drawPicture(samples, scenario, width) {
 
 /** The plots of a scenario with their time control; `draw()` fits them to the place they have. */
 function plotsOf(scenario) {
-  const samples = samplesOf(scenario.series);
+  const samples = samplesOf(scenario);
   if (samples.time.length === 0) {
     return { element: html("p", { class: "none plots" }, "No series was recorded."), draw() {} };
   }
   let picture = null;
-  let index = instantOfInterest(samples);
+  let index = instantOfInterest(samples, scenario);
   const holder = html("div");
   const range = html("input", {
     type: "range", min: 0, max: samples.time.length - 1, step: 1, value: index, "aria-label": "Time of the readings",
@@ -336,22 +313,22 @@ function plotsOf(scenario) {
     show(index);
   };
   new ResizeObserver(() => holder.clientWidth > 0 && draw()).observe(holder);
-  const element = html("figure", { class: "plots" }, holder, range, captionOf(samples));
+  const element = html("figure", { class: "plots" }, holder, range, captionOf(samples, scenario));
   return { element, draw };
 }
 
 function spokenInstant(samples, index) {
-  const readings = PANELS.filter((panel) => samples[panel.key][index] !== null)
-    .map((panel) => `${panel.name} ${reading(panel, samples[panel.key][index])}`);
+  const readings = samples.panels.filter((panel) => panel.values[index] !== null)
+    .map((panel) => `${panel.name} ${reading(panel, panel.values[index])}`);
   return [figure(samples.time[index], 2, "s"), ...readings].join(", ");
 }
 
-function captionOf(samples) {
-  const braking = samples.brake.some((value) => value > 0);
-  const clipped = samples.timeToCollision.some((value) => value > TIME_TO_COLLISION_CEILING);
-  const known = samples.brake.some((value) => value !== null);
+function captionOf(samples, scenario) {
+  const cut = samples.panels.filter((panel) => panel.ceiling !== null).map((panel) => panel.name);
+  const events = eventsOf(scenario).map((event) => `${text(event.name)} ${amount(event.value, event.unit)} after ${figure(event.time, 2, "s")}`);
   return html("figcaption", null,
-    braking ? [html("span", { class: "key", "aria-hidden": "true" }), " Brake commanded. "] : known ? "The brake is never commanded. " : "",
-    clipped ? `Time to collision is cut off at ${TIME_TO_COLLISION_CEILING} s. ` : "",
+    events.length > 0 ? `Line: ${events.join(", ")}. ` : "",
+    samples.panels.some((panel) => panel.limits.length > 0) ? "Dashed: limits of the criteria. " : "",
+    cut.length > 0 ? `Cut off at the top: ${cut.join(", ")}. ` : "",
     "The value above each plot belongs to the time of the cursor.");
 }

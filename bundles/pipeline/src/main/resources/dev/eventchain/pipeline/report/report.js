@@ -82,8 +82,7 @@ function reasonList() {
 }
 
 function keyFigures() {
-  const gap = most(scenarios.map((scenario) => scenario.minimalGap), Math.min);
-  const impact = most(scenarios.map((scenario) => scenario.impactSpeed), Math.max);
+  const criteria = scenarios.flatMap((scenario) => records(scenario.criteria));
   const slowest = most(scenarios.map((scenario) => record(scenario.latency).maximum), Math.max);
   const limit = most(scenarios.map((scenario) => scenario.latencyLimit), Math.min);
   const evaluations = most(validation.map((one) => one.evaluations), (...all) => all.reduce((sum, one) => sum + one, 0));
@@ -91,8 +90,8 @@ function keyFigures() {
   return figures("figures", [
     ["Scenarios passed", scenarios.length ? `${scenarios.length - failedScenarios.length} of ${scenarios.length}` : null],
     ["Requirements proved", requirements.length ? `${requirements.length - unproved.length} of ${requirements.length}` : null],
-    impact !== null ? ["Hardest impact", figure(impact * 3.6, 1, "km/h")] : ["Smallest gap", gap === null ? null : figure(gap, 1, "m")],
-    ["Slowest brake command", slowest === null ? null : latency(slowest), limit === null ? "" : `limit ${latency(limit)}`],
+    ["Criteria met", criteria.length ? `${criteria.filter((criterion) => criterion.passed === true).length} of ${criteria.length}` : null],
+    ["Longest latency of the chain", slowest === null ? null : latency(slowest), limit === null ? "" : `limit ${latency(limit)}`],
     ["Constraint evaluations", evaluations === null ? null : whole(evaluations), `${whole(violations ?? 0)} violated`],
   ]);
 }
@@ -134,6 +133,16 @@ function chainKey() {
   return html("p", { class: "chain-key" },
     html("span", null, box("generated"), "generated node"), html("span", null, box("existing"), "existing node"),
     html("span", null, circle, "topic from or to the outside"));
+}
+
+/** What never came, before the picture of what should have brought it. */
+function completeSilence() {
+  const silent = diagnostics.filter((diagnostic) => text(diagnostic.id) === "simulation.node.silent");
+  const lead = document.querySelector("#chain .lead");
+  if (lead && silent.length > 0) {
+    lead.after(html("div", { class: "notice" }, html("strong", null, "Never received"),
+      html("ul", null, silent.map((diagnostic) => html("li", null, text(diagnostic.message))))));
+  }
 }
 
 // Requirements
@@ -292,15 +301,13 @@ function completeMeasurements() {
     row.cells[6].append(milliseconds(limit));
   }
   for (const node of nodes) {
-    const last = [...document.querySelectorAll("tr[data-node]")].filter((row) => row.dataset.node === text(node.name)).pop();
+    const row = [...document.querySelectorAll("tr[data-node]")].find((one) => one.dataset.node === text(node.name));
     const host = record(node.hostExecutionTime);
-    if (last && number(host.median) !== null) {
-      last.classList.add("minor");
+    if (row && number(host.median) !== null) {
+      const [median, maximum] = [...row.cells].slice(-2);
       const times = number(node.timesWorstCase) ?? 0;
-      const above = times > 1 ? `, ${times.toFixed(1)} times the worst case of the model` : "";
-      last.after(html("tr", null, html("th", { scope: "row" }, unseen(text(node.name))), html("td", null, `Processor time, this host${above}`),
-        ["minimum", "median", "percentile99", "maximum"].map((name) => html("td", { class: "number" }, milliseconds(host[name]))),
-        html("td", { class: "number" }, whole(host.count))));
+      median.append(milliseconds(host.median));
+      maximum.append(milliseconds(host.maximum), times > 1 ? html("div", { class: "small muted" }, `median ${times.toFixed(1)} times the worst case of the model`) : "");
     }
   }
 }
@@ -353,6 +360,7 @@ function page() {
   content.replaceChildren(...sections);
   completeHead();
   completeChain();
+  completeSilence();
   completeMeasurements();
   whenShown.forEach((action) => action());
 }

@@ -1,11 +1,11 @@
 // The scenarios: a list to choose from, and a card with criteria, figures and plots for each.
 
 function scenarioFacts(scenario) {
-  const impact = number(scenario.impactSpeed);
+  const criteria = records(scenario.criteria);
+  const missed = criteria.filter((criterion) => outcomeOf(criterion).tone === "bad");
   const facts = [
     scenario.passed === true ? null : outcomeOf(scenario).word,
-    impact !== null ? `impact ${figure(impact * 3.6, 1, "km/h")}` : number(scenario.minimalGap) !== null ? `gap ${figure(scenario.minimalGap, 1, "m")}` : null,
-    list(record(scenario.series).brake).some((value) => value > 0) ? null : list(record(scenario.series).brake).length ? "never brakes" : null,
+    criteria.length === 0 ? null : missed.length > 0 ? `${missed.length} of ${count(criteria.length, "criterion", "criteria")} missed` : count(criteria.length, "criterion", "criteria"),
     number(record(scenario.latency).maximum) !== null ? latency(scenario.latency.maximum) : null,
   ];
   return facts.filter(Boolean).join(" \u00b7 ");
@@ -24,7 +24,35 @@ function criterionItem(criterion) {
   const said = { passed: "met: ", failed: "not met: " }[word] ?? word + ": ";
   const measured = (tone === "warn" ? word + ": " : "") + text(criterion.measured);
   return html("li", null, sign(tone), html("span", null, unseen(said), text(criterion.text)),
-    html("span", { class: "measured" + (tone === "good" ? "" : " " + tone) }, measured));
+    html("span", { class: "measured" + (tone === "good" ? "" : " " + tone) }, measured, marginOf(record(criterion.margin))));
+}
+
+/** How far it is from the other verdict, in its own unit, and when. */
+function marginOf(margin) {
+  if (number(margin.value) === null) {
+    return null;
+  }
+  const when = number(margin.time) === null ? "" : ` after ${figure(margin.time, 2, "s")}`;
+  return html("span", { class: "margin" }, `margin ${amount(margin.value, margin.unit)}${when}`);
+}
+
+/** A number with its unit, which is left out where it is a ratio. */
+function amount(value, unit) {
+  const size = Math.abs(number(value) ?? 0);
+  return figure(value, size >= 100 ? 1 : size >= 1 || size === 0 ? 2 : 3, text(unit) === "1" ? "" : text(unit));
+}
+
+/** What was measured of each quantity: its smallest and its largest value, and when. */
+function measuredTable(scenario) {
+  const all = records(scenario.measurements);
+  const names = [...new Set(all.map((one) => text(one.name)))];
+  const cell = (name, statistic) => {
+    const one = all.find((each) => text(each.name) === name && text(each.statistic) === statistic);
+    return one ? [amount(one.value, one.unit), html("span", { class: "muted small" }, ` after ${figure(one.time, 2, "s")}`)] : "";
+  };
+  const columns = [{ name: "Quantity", row: true }, { name: "Smallest", number: true }, { name: "Largest", number: true }, { name: "At the end", number: true }];
+  return names.length === 0 ? null : html("details", { class: "quantities" }, html("summary", null, "Quantities"),
+    table("Quantities of the scenario", columns, names.map((name) => ({ cells: [code(name), cell(name, "MINIMUM"), cell(name, "MAXIMUM"), cell(name, "FINAL")] }))));
 }
 
 function scenarioCard(scenario) {
@@ -32,19 +60,15 @@ function scenarioCard(scenario) {
   const id = scenarioId(scenario);
   const plots = plotsOf(scenario);
   const measured = record(scenario.latency);
-  const impact = number(scenario.impactSpeed);
   const about = [code(text(scenario.name)), ...list(scenario.requirements).map((name) => requirementLink(text(name)))];
   const card = html("article", { class: "card", id, role: "tabpanel", "aria-labelledby": id + "-tab" },
     html("header", null, html("h3", null, titleOf(scenario)), status(tone, word[0].toUpperCase() + word.slice(1))),
     html("p", { class: "about" }, about.flatMap((part, index) => (index > 0 ? [" \u00b7 ", part] : [part]))),
     html("ul", { class: "criteria", "aria-label": "Criteria" }, records(scenario.criteria).map(criterionItem)),
     figures("figures", [
-      ["Smallest gap", number(scenario.minimalGap) === null ? null : figure(scenario.minimalGap, 2, "m")],
-      ["Impact", impact === null ? null : figure(impact * 3.6, 1, "km/h")],
-      ["TTC at first braking", number(scenario.timeToCollisionAtFirstBraking) === null ? null : figure(scenario.timeToCollisionAtFirstBraking, 2, "s")],
-      ["Brake command after scan", number(measured.median) === null ? null : latency(measured.median), `median, at most ${latency(measured.maximum)}`],
+      ["Latency of the chain", number(measured.median) === null ? null : latency(measured.median), `median, at most ${latency(measured.maximum)}`],
     ]),
-    plots.element);
+    plots.element, measuredTable(scenario));
   return { card, draw: plots.draw };
 }
 

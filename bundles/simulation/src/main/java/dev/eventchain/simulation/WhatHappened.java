@@ -1,0 +1,79 @@
+package dev.eventchain.simulation;
+
+import dev.eventchain.simulation.ScenarioVerdict.Curve;
+import dev.eventchain.simulation.ScenarioVerdict.Figure;
+import dev.eventchain.simulation.ScenarioVerdict.Series;
+import dev.eventchain.simulation.ScenarioVerdict.Statistic;
+import java.util.ArrayList;
+import java.util.List;
+
+/** What a trace tells of each signal, whatever function is tested. */
+final class WhatHappened {
+
+  private static final long SERIES_STEP = 50_000_000L;
+
+  private WhatHappened() {}
+
+  /** The smallest and the largest value of each signal, and how fast an impact was. */
+  static List<Figure> figures(Trace trace, Signal.Source signals) {
+    List<Figure> figures = new ArrayList<>();
+    for (Signal signal : ordered(signals)) {
+      if (signal.absence().apply(trace).isEmpty()) {
+        double[] values = signal.samples().apply(trace);
+        extreme(figures, signal, Statistic.MINIMUM, trace, values);
+        extreme(figures, signal, Statistic.MAXIMUM, trace, values);
+      }
+    }
+    double end = World.seconds(trace.end().time());
+    trace
+        .impactSpeed()
+        .ifPresent(
+            speed -> figures.add(new Figure("impact.speed", "m/s", Statistic.FINAL, speed, end)));
+    return figures;
+  }
+
+  /** Infinite values, such as the time to collision with what is not approached, are left out. */
+  private static void extreme(
+      List<Figure> figures, Signal signal, Statistic statistic, Trace trace, double[] values) {
+    double sign = statistic == Statistic.MINIMUM ? 1 : -1;
+    int found = -1;
+    for (int i = 0; i < values.length; i++) {
+      if (Double.isFinite(values[i]) && (found < 0 || sign * values[i] < sign * values[found])) {
+        found = i;
+      }
+    }
+    if (found >= 0) {
+      double time = World.seconds(trace.states().get(found).time());
+      double value = signal.inUnit(values[found]);
+      figures.add(new Figure(signal.name(), signal.unit(), statistic, value, time));
+    }
+  }
+
+  static Series series(Trace trace, Signal.Source signals) {
+    List<Trace.State> states = trace.states();
+    List<Integer> kept = new ArrayList<>();
+    for (int i = 0; i < states.size(); i++) {
+      if (states.get(i).time() % SERIES_STEP == 0 || i == states.size() - 1) {
+        kept.add(i);
+      }
+    }
+    List<Double> times = kept.stream().map(i -> World.seconds(states.get(i).time())).toList();
+    List<Curve> curves =
+        ordered(signals).stream()
+            .map(
+                signal -> {
+                  double[] values = signal.samples().apply(trace);
+                  return new Curve(
+                      signal.name(),
+                      signal.unit(),
+                      signal.absence().apply(trace).orElse(""),
+                      kept.stream().map(i -> signal.inUnit(values[i])).toList());
+                })
+            .toList();
+    return new Series(times, curves);
+  }
+
+  private static List<Signal> ordered(Signal.Source signals) {
+    return signals.names().stream().sorted().flatMap(name -> signals.find(name).stream()).toList();
+  }
+}
