@@ -11,7 +11,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * Written requirements or design rules: the items {@code - AEB-1: text} of a Markdown file, in
+ * Written requirements or design rules: the items {@code - REQ-1: text} of a Markdown file, in
  * their order. An item goes on in indented lines; everything else in the file is for people.
  *
  * @param items the items
@@ -80,7 +80,7 @@ public record Requirements(List<Item> items, List<Diagnostic> diagnostics) {
         diagnostics.add(
             Diagnostic.error(
                     "modeler.requirements.none", "The file holds no requirement.", source.at(0))
-                .withHint("Write each as an item with an id: '- AEB-1: The system shall ...'"));
+                .withHint("Write each as an item with an id: '- REQ-1: The system shall ...'"));
       }
       Map<String, Item> seen = new HashMap<>();
       for (Item item : items) {

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.metamodel.XmiStore;
+import dev.eventchain.metamodel.eventchain.ChainMeasurement;
 import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainFactory;
@@ -240,9 +241,33 @@ class DiagramsTest {
                 .replace("(", "&#40;")
                 .replace(")", "&#41;")),
         text);
-    assertTrue(text.contains("o1 *-- o2 : software"), text);
+    assertFalse(text.contains("o1 *--"), "that the root holds it goes without saying: " + text);
     assertTrue(text.contains("o2 --> o3 : input"), text);
     assertEquals(4, matches("(?m)^object ", text).size());
+  }
+
+  /** What was measured has no name. */
+  @Test
+  void elementsWithoutANameAreDrawnUnderTheirClass() throws IOException {
+    EventchainFactory factory = EventchainFactory.eINSTANCE;
+    EventChain chain = chain();
+    SoftwareNode node = node(chain, "A", "/a", "/b");
+    node.setMeasured(factory.createNodeMeasurement());
+    node.getMeasured().setActivations(7);
+    ChainMeasurement scenario = factory.createChainMeasurement();
+    scenario.setLatency(factory.createStatistics());
+    scenario.getLatency().setCount(3);
+    scenario.getMeasurements().add(factory.createMeasurement());
+    scenario.getMeasurements().get(0).setName("gap");
+    scenario.getMeasurements().get(0).setUnit("m");
+    chain.getMeasured().add(scenario);
+
+    String text = drawn(chain, Kind.INSTANCE).replace('\u00a0', ' ');
+
+    assertTrue(text.contains("object \"<u>: ChainMeasurement</u>\""), text);
+    assertTrue(text.contains("latency = : Statistics &#40;count = 3&#41;"), text);
+    assertTrue(text.contains("measurements = gap : Measurement &#40;unit = m&#41;"), text);
+    assertTrue(text.contains("measured = : NodeMeasurement &#40;activations = 7&#41;"), text);
   }
 
   @Test

@@ -24,6 +24,7 @@ import java.util.Base64;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -116,6 +117,19 @@ class ReportPageTest {
     assertTrue(page.contains("<td>Detection</td><td class=\"number\">2.50</td>"), page);
     assertTrue(page.contains("<a href=\"#requirement-1\">Detection</a>"), page);
     assertTrue(page.contains("<tr role=\"row\" data-requirement=\"Detection\">"), page);
+  }
+
+  @Test
+  void eachOfFifteenNodesHasOneRowOfMeasurements() {
+    EventChain chain = chain("N");
+    while (chain.getSoftware().size() < 15) {
+      chain.getSoftware().add(EcoreUtil.copy(chain.getSoftware().get(0)));
+    }
+
+    String page = page(chain, MAPPER.createObjectNode());
+
+    assertEquals(15, count(page, "<tr data-node="));
+    assertTrue(page.contains("Latency of the chain, in ms"), page);
   }
 
   @Test

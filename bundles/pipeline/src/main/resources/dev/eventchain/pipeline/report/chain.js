@@ -2,7 +2,7 @@
 
 const CHAIN = { between: 28, apart: 18, nodeLetter: 7.3, topicLetter: 6.7, line: 14, terminal: 14, wraps: [24, 20, 17, 14, 12], lines: 5, smallest: 0.88 };
 
-/** A name in lines of at most `limit` letters, broken before a slash, else after another separator, else anywhere. */
+/** A name in lines of at most `limit` letters, broken before a slash, else after another separator, else before a capital letter, else anywhere. */
 function wrap(name, limit) {
   const lines = [""];
   const add = (part, cuts) => {
@@ -20,7 +20,7 @@ function wrap(name, limit) {
       lines.push(part);
     }
   };
-  add(name, [/(?=\/)/, /(?<=[_\-. ])/, new RegExp(`(?<=^(?:.{${limit}})+)`, "s")]);
+  add(name, [/(?=\/)/, /(?<=[_\-. ])/, /(?<=[a-z0-9])(?=[A-Z])/, new RegExp(`(?<=^(?:.{${limit}})+)`, "s")]);
   lines.splice(0, lines[0] === "" ? 1 : 0);
   return lines.length <= CHAIN.lines ? lines : [...lines.slice(0, CHAIN.lines - 1), "\u2026"];
 }

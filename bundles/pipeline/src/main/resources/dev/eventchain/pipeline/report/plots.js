@@ -2,8 +2,8 @@
 
 const PLOT = { left: 40, right: 26, top: 16, title: 20, gap: 12, axis: 20, height: 70, fallback: 680 };
 
-/** Values beyond so many times a limit, or the usual value where there is no limit, are cut off: they would hide all others. */
-const CUT = { limit: 4, usual: 10 };
+/** Values beyond so many times the usual one and all limits are cut off: they would hide all others. */
+const CUT = 4;
 
 /** The panels of a scenario, one for each signal, with the limits that its criteria set. */
 function panelsOf(scenario) {
@@ -31,7 +31,7 @@ function samplesOf(scenario) {
 function ceilingOf(values, limits) {
   const sizes = values.filter((value) => value !== null).sort((one, other) => one - other);
   const high = sizes[sizes.length - 1];
-  const usual = limits.length > 0 ? CUT.limit * Math.max(...limits) : CUT.usual * (sizes[sizes.length >> 1] ?? 0);
+  const usual = CUT * Math.max(sizes[sizes.length >> 1] ?? 0, ...limits);
   return usual > 0 && high > usual ? usual : null;
 }
 
@@ -67,7 +67,7 @@ function extent(values) {
 
 /** The scale of a panel: from 0, or below if values are, to a round value. */
 function domain(panel, range) {
-  const high = panel.ceiling ?? (Math.max(range.high, 0) * 1.05 || (range.low < 0 ? 0 : 1));
+  const high = panel.ceiling ?? (Math.max(range.high, 0) || (range.low < 0 ? 0 : 1));
   const step = ticks(Math.min(0, range.low), high, 3).values;
   const unit = step.length > 1 ? step[1] - step[0] : high || 1;
   return { low: range.low < -0.001 * high ? Math.floor(range.low / unit) * unit : 0, high: Math.ceil(high / unit - 1e-9) * unit };

@@ -307,7 +307,8 @@ function completeMeasurements() {
       const [median, maximum] = [...row.cells].slice(-2);
       const times = number(node.timesWorstCase) ?? 0;
       median.append(milliseconds(host.median));
-      maximum.append(milliseconds(host.maximum), times > 1 ? html("div", { class: "small muted" }, `median ${times.toFixed(1)} times the worst case of the model`) : "");
+      maximum.append(milliseconds(host.maximum));
+      row.cells[0].append(times > 1 ? html("div", { class: "small muted" }, `${times.toFixed(1)} times the worst case of the model`) : "");
     }
   }
 }
