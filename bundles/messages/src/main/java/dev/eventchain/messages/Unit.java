@@ -102,6 +102,18 @@ public final class Unit {
     return (divides ? number / parts : number * scale) + offset;
   }
 
+  /**
+   * A number of the coherent unit in this one: the inverse of {@link #coherent}.
+   *
+   * @return for cm and the like the nearest double
+   */
+  public double ofCoherent(double number) {
+    double parts = 1.0 / scale;
+    boolean multiplies = scale < 1.0 && parts == Math.rint(parts);
+    double shifted = number - offset;
+    return multiplies ? shifted * parts : shifted / scale;
+  }
+
   /** The unit of a product with a power of another one: with -1 that of the quotient. */
   public Unit times(Unit other, int power) {
     int[] sum = exponents.clone();

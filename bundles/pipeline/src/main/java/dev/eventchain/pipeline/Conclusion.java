@@ -28,6 +28,9 @@ final class Conclusion {
   /** What says that something was not tested, and not that it is wrong. */
   private static final Set<String> UNTESTED =
       Set.of(
+          "bench.field.unset",
+          "bench.field.unwritten",
+          "bench.topic.unconnected",
           "project.requirement.untested",
           "simulation.command.ignored",
           "simulation.criterion.untested",

@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.ocl.OclRules;
+import dev.eventchain.simulation.Bench;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.FileVisitOption;
@@ -167,6 +168,11 @@ public final class Project {
 
   private static boolean isLinkToNothing(Path file) {
     return Files.isSymbolicLink(file) && !Files.exists(file);
+  }
+
+  /** How the world and the chain are connected, where the project says so itself. */
+  Optional<Path> bench() {
+    return existing(Bench.FILE);
   }
 
   /** The folder of the scenarios. */

@@ -22,10 +22,11 @@ final class ProjectScenarios {
    * be read, or that tests a requirement that there is not, would be found when all is paid for.
    *
    * @return the findings about the requirements that the scenarios name
-   * @throws DiagnosticException INPUT if a scenario cannot be read
+   * @throws DiagnosticException INPUT if the bench or a scenario cannot be read
    */
   static List<Diagnostic> check(RunContext run) {
-    List<Scenario> scenarios = Scenario.readFolder(run.project().scenarios(), warning -> {});
+    List<Scenario> scenarios =
+        Scenario.readFolder(run.project().scenarios(), run.bench(), warning -> {});
     List<String> known = requirements(run).stream().map(Requirements.Item::id).toList();
     List<Diagnostic> found = new ArrayList<>();
     if (known.isEmpty()) {
@@ -88,7 +89,7 @@ final class ProjectScenarios {
 
   /** The scenarios that a run asks for, in the order of their files. */
   static List<Scenario> selected(RunContext run) {
-    List<Scenario> all = Scenario.readFolder(run.project().scenarios(), run::find);
+    List<Scenario> all = Scenario.readFolder(run.project().scenarios(), run.bench(), run::find);
     Set<String> wanted = new TreeSet<>(run.options().scenarios());
     if (wanted.isEmpty()) {
       return all;

@@ -18,6 +18,7 @@ import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.modeler.Requirements;
 import dev.eventchain.modeler.SoftwareBase;
 import dev.eventchain.python.PythonEnvironment;
+import dev.eventchain.simulation.Bench;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -138,8 +139,14 @@ final class RunContext {
     Path root = model.startsWith(options.output()) ? options.output() : project.folder();
     List<LoadedModel> all = XmiStore.withReferred(new XmiStore(root).loadAll(List.of(model)));
     LoadedModel loaded = all.get(0);
+    return new LoadedChain(
+        chainOf(loaded, model), loaded.origins(), EcoreChecks.of(all, options.timeLimit()));
+  }
+
+  /** The event chain that a model is; INPUT if it is something else. */
+  static EventChain chainOf(LoadedModel loaded, Path model) {
     if (loaded.resource().getContents().get(0) instanceof EventChain chain) {
-      return new LoadedChain(chain, loaded.origins(), EcoreChecks.of(all, options.timeLimit()));
+      return chain;
     }
     throw new DiagnosticException(
         DiagnosticException.Reason.INPUT,
@@ -181,6 +188,20 @@ final class RunContext {
     SoftwareBase base = SoftwareBase.read(project.softwareBase());
     refuseErrors(base.diagnostics());
     return base;
+  }
+
+  /** How the world and the chain are connected. */
+  Bench bench() {
+    List<Path> files = new ArrayList<>(project.softwareBaseFiles());
+    project.bench().ifPresent(files::add);
+    return snapshots.of("bench", files, this::readBench);
+  }
+
+  private Bench readBench() {
+    return Bench.read(
+        project.bench(),
+        softwareBase().signals().orElse(List.of()),
+        MessageCatalog.of(project.messageFolders()));
   }
 
   /** The message definitions, the standard ones and the project's own, all of them sound. */

@@ -44,6 +44,8 @@ final class SimulateStage implements StageWork {
     for (Path file : Scenario.filesIn(project.scenarios())) {
       fingerprint.add(project.scenarios().relativize(file)).addFile(file);
     }
+    project.bench().ifPresent(fingerprint::addFile);
+    fingerprint.addFiles(project.softwareBaseFiles());
     fingerprint.addFiles(project.ownConstraints());
     fingerprint.addFile(run.file(Constraints.GENERATED));
     fingerprint.addFiles(Project.below(run.file(GeneratedPackage.required(run).folder())));
@@ -55,9 +57,10 @@ final class SimulateStage implements StageWork {
   public StageResult execute(RunContext run) {
     EventChain chain = run.chain().chain();
     List<Scenario> scenarios = ProjectScenarios.selected(run);
+    List<Diagnostic> found = connections(run, chain);
     SimulationResult result = simulate(run, chain, scenarios);
     EventChain measured = result.measuredModel(chain);
-    List<Diagnostic> found = found(result);
+    addFindings(result, found);
     Function<EObject, SourceLocation> locator = new Origins()::locate;
     Coverage ecore = Coverage.NONE;
     if (!run.options().isPartial()) {
@@ -78,9 +81,21 @@ final class SimulateStage implements StageWork {
       // Last, so that it is never there without what it is about.
       run.writeResult(VERDICT, SimulationReport.verdict(chain, result, errors(run, found)));
     }
-    ObjectNode report = report(run, result, validation);
     Coverage coverage = Constraints.coverage(List.of(measuredFile(run)), validation).and(ecore);
-    return new StageResult(details(result), files, found, report, coverage);
+    return new StageResult(
+        details(result), files, found, report(run, result, validation), coverage);
+  }
+
+  /**
+   * What the bench leaves unconnected; that ends the stage, since a simulation would say nothing
+   * about the chain, unless people have decided to live with it.
+   */
+  private static List<Diagnostic> connections(RunContext run, EventChain chain) {
+    List<Diagnostic> found = new ArrayList<>(run.bench().check(chain, run.chain()::locate));
+    if (Diagnostic.anyError(run.options().suppressions().part(found).remaining())) {
+      throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, found);
+    }
+    return found;
   }
 
   private static String measuredFile(RunContext run) {
@@ -93,10 +108,9 @@ final class SimulateStage implements StageWork {
     return report;
   }
 
-  private static List<Diagnostic> found(SimulationResult result) {
-    List<Diagnostic> found = new ArrayList<>(result.diagnostics());
+  private static void addFindings(SimulationResult result, List<Diagnostic> found) {
+    found.addAll(result.diagnostics());
     result.verdicts().forEach(verdict -> found.addAll(verdict.diagnostics()));
-    return found;
   }
 
   /** A bound on a time that was never measured is not kept, but not tested. */
@@ -178,6 +192,7 @@ final class SimulateStage implements StageWork {
             run.file(generated.folder()),
             generated.manifest(),
             run.project().messageFolders(),
+            run.bench(),
             scenarios)
         .withGenerated(written(run, chain));
   }

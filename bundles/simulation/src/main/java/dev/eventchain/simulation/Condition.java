@@ -42,7 +42,16 @@ interface Condition extends FormulaParser.Part {
   /** Whether margins of its comparisons can be compared with each other. */
   default boolean oneUnit() {
     List<Comparison> comparisons = comparisons().toList();
-    return comparisons.stream().allMatch(it -> it.left().comparesWith(comparisons.get(0).left()));
+    return comparisons.stream()
+        .allMatch(
+            it ->
+                it.left().comparesWith(comparisons.get(0).left())
+                    && it.ofTruth() == comparisons.get(0).ofTruth());
+  }
+
+  /** Whether its truth at a sample depends on that sample only. */
+  default boolean ofOneMoment() {
+    return parts().stream().allMatch(Condition::ofOneMoment);
   }
 
   /** The comparisons in it. */
@@ -61,6 +70,16 @@ interface Condition extends FormulaParser.Part {
 
   /** {@code left < right} or {@code left <= right}, with the text that it was written as. */
   record Comparison(Term left, Term right, boolean strict, String text) implements Condition {
+
+    /** That a signal is true: 1, and not 0. */
+    static Comparison isTrue(Term term, String text) {
+      return new Comparison(Term.number(0.5, term.dimension(), "1"), term, true, text);
+    }
+
+    /** Whether it is about what is true or false, so that its margin means nothing. */
+    boolean ofTruth() {
+      return left.truth() || right.truth();
+    }
 
     @Override
     public double[] truth(SampledRun run, List<double[]> parts) {
@@ -165,6 +184,11 @@ interface Condition extends FormulaParser.Part {
   record Temporal(boolean always, Interval interval, Condition operand) implements Condition {
 
     @Override
+    public boolean ofOneMoment() {
+      return false;
+    }
+
+    @Override
     public List<Condition> parts() {
       return List.of(operand);
     }
@@ -200,6 +224,11 @@ interface Condition extends FormulaParser.Part {
 
   /** {@code kept until reached}. */
   record Until(Condition kept, Interval interval, Condition reached) implements Condition {
+
+    @Override
+    public boolean ofOneMoment() {
+      return false;
+    }
 
     @Override
     public List<Condition> parts() {
@@ -250,6 +279,11 @@ interface Condition extends FormulaParser.Part {
 
   /** {@code rise}: true now, and false a sample ago. */
   record Rise(Condition operand) implements Condition {
+
+    @Override
+    public boolean ofOneMoment() {
+      return false;
+    }
 
     @Override
     public List<Condition> parts() {

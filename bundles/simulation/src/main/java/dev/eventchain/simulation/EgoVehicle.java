@@ -27,6 +27,20 @@ record EgoVehicle(
   /** Width of the body, in m. */
   static final double WIDTH = 1.8;
 
+  /** The throttle, 0 to 1, for an acceleration in m/s2; none where coasting is too much already. */
+  double throttleFor(double acceleration) {
+    double range = coastingDeceleration + maximalAcceleration;
+    double pedal = (acceleration + coastingDeceleration) / range;
+    return range > 0.0 && pedal > 0.0 ? Math.min(pedal, 1.0) : 0.0;
+  }
+
+  /** The brake, 0 to 1, for an acceleration in m/s2; none where coasting is enough. */
+  double brakeFor(double acceleration) {
+    return acceleration < -coastingDeceleration
+        ? Math.min(-acceleration / maximalDeceleration, 1.0)
+        : 0.0;
+  }
+
   /** A passenger car with the mounting that the AEB example's object detection knows. */
   static EgoVehicle withSpeed(double speed) {
     return new EgoVehicle(speed, 0.2, 0.3, 9.0, 0.5, 3.0, 2.4, 2.4, 0.01);

@@ -2,6 +2,7 @@ package dev.eventchain.simulation;
 
 import dev.eventchain.diagnostics.SourceLocation;
 import java.util.List;
+import java.util.Set;
 
 /** One thing that must hold in a scenario: a {@link Criterion} or a formula. */
 interface Expectation {
@@ -14,6 +15,11 @@ interface Expectation {
 
   /** The numbers that it compares signals with; none where it compares in other ways. */
   List<ScenarioVerdict.Limit> limits();
+
+  /** The signals that it reads besides the world's own record. */
+  default Set<Signal> signals() {
+    return Set.of();
+  }
 
   /** What was found. */
   Criterion.Outcome judge(Trace trace);

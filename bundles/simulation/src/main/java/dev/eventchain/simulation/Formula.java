@@ -9,7 +9,11 @@ import dev.eventchain.simulation.ScenarioVerdict.Limit;
 import dev.eventchain.simulation.ScenarioVerdict.Margin;
 import java.math.BigDecimal;
 import java.math.MathContext;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * A formula of Signal Temporal Logic over what happens in a scenario. A run is a sequence of
@@ -51,9 +55,29 @@ final class Formula {
     return new Formula(condition, FormulaParser.plain(range.text()));
   }
 
+  /** What a bench sends as true or false, see {@link FormulaParser#parseMoment}. */
+  static Formula ofMoment(FormulaParser.Part part, String text) {
+    Condition condition =
+        part instanceof Term term ? Condition.Comparison.isTrue(term, text) : (Condition) part;
+    return new Formula(condition, FormulaParser.plain(text));
+  }
+
+  /** Whether it is certainly true at the start of a run. */
+  boolean holds(SampledRun run) {
+    return Evaluation.of(condition, run).verdict() > 0.0;
+  }
+
   /** The formula on one line. */
   String text() {
     return text;
+  }
+
+  /** All that it reads. */
+  Set<Signal> signals() {
+    return condition
+        .comparisons()
+        .flatMap(it -> Stream.concat(it.left().signals().stream(), it.right().signals().stream()))
+        .collect(Collectors.toCollection(LinkedHashSet::new));
   }
 
   /** What the formula is made of. */
@@ -99,13 +123,19 @@ final class Formula {
       return new Outcome(passed, "nothing comes before the start");
     }
     Condition.Comparison comparison = decision.comparison().get();
+    boolean holds = decision.truth() > 0.0;
+    if (comparison.ofTruth()) {
+      String when = after(run, decision.sample());
+      return new Outcome(
+          passed, format("'%s' %s %s", comparison.text(), holds ? "holds" : "is missed", when));
+    }
     String unit = comparison.left().commonUnit(comparison.right());
     double margin = Truth.margin(decision.truth());
     String text =
         format(
             "'%s' %s by %s %s",
             comparison.text(),
-            decision.truth() > 0.0 ? "holds" : "is missed",
+            holds ? "holds" : "is missed",
             number(margin, unit),
             after(run, decision.sample()));
     double signed = inUnit(passed ? margin : -margin, unit);

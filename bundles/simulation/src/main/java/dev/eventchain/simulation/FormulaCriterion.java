@@ -2,6 +2,7 @@ package dev.eventchain.simulation;
 
 import dev.eventchain.diagnostics.SourceLocation;
 import java.util.List;
+import java.util.Set;
 
 /**
  * A formula that must hold in a scenario.
@@ -20,6 +21,11 @@ record FormulaCriterion(String name, Formula formula, SourceLocation location)
   @Override
   public List<ScenarioVerdict.Limit> limits() {
     return formula.limits();
+  }
+
+  @Override
+  public Set<Signal> signals() {
+    return formula.signals();
   }
 
   @Override

@@ -22,15 +22,29 @@ final class FormulaParser {
   private final TermParser terms;
   private final IntervalParser intervals;
 
-  private FormulaParser(SourceRange range, Signal.Source signals, double duration) {
-    this.tokens = new FormulaTokens(range);
+  private FormulaParser(
+      SourceRange range, FormulaTokens.Place place, Signal.Source signals, double duration) {
+    this.tokens = new FormulaTokens(range, place);
     this.terms = new TermParser(tokens, signals, this::part);
     this.intervals = new IntervalParser(tokens, duration);
   }
 
   static Condition parse(SourceRange range, Signal.Source signals, double duration) {
-    FormulaParser parser = new FormulaParser(range, signals, duration);
-    return parser.formula();
+    Part part =
+        new FormulaParser(range, FormulaTokens.Place.SCENARIO, signals, duration).formula(true);
+    return (Condition) part;
+  }
+
+  /** Reads a quantity or a condition of the bench, which has no past and no future. */
+  static Part parseMoment(SourceRange range, Signal.Source signals) {
+    FormulaParser parser = new FormulaParser(range, FormulaTokens.Place.BENCH, signals, 0);
+    Token first = parser.tokens.peek();
+    Part part = parser.formula(false);
+    if (part instanceof Condition condition && !condition.ofOneMoment()) {
+      throw parser.tokens.syntax(
+          first, "Only what holds at one moment can be sent.", "Leave out such as `always`.");
+    }
+    return part;
   }
 
   /** A text on one line. */
@@ -38,12 +52,13 @@ final class FormulaParser {
     return text.strip().replaceAll("\\s+", " ");
   }
 
-  private Condition formula() {
+  private Part formula(boolean isCondition) {
     Token first = tokens.peek();
     if (first.kind() == Kind.END) {
       throw tokens.syntax(first, "The formula is empty.", "Write such as `always gap > 1 m`.");
     }
-    Condition condition = condition(part(), first);
+    Part part = part();
+    Part formula = isCondition ? condition(part, first) : part;
     Token rest = tokens.peek();
     if (tokens.nextIs(")") || tokens.nextIs("]")) {
       throw tokens.syntax(rest, "Nothing was opened that '" + rest.text() + "' closes.", "");
@@ -52,8 +67,10 @@ final class FormulaParser {
       String message = "Expected the end of the formula, but found " + FormulaTokens.shown(rest);
       throw tokens.syntax(rest, message + ".", rest.text().equals("until") ? CHAINED_UNTIL : "");
     }
-    intervals.requireReached(condition);
-    return condition;
+    if (formula instanceof Condition condition) {
+      intervals.requireReached(condition);
+    }
+    return formula;
   }
 
   private static final String CHAINED_UNTIL = "Put the first `until` into parentheses.";
@@ -61,6 +78,9 @@ final class FormulaParser {
   private Condition condition(Part part, Token first) {
     if (part instanceof Condition condition) {
       return condition;
+    }
+    if (part instanceof Term term && term.truth()) {
+      return Condition.Comparison.isTrue(term, tokens.textSince(first));
     }
     throw tokens.syntax(
         first,

@@ -38,6 +38,9 @@ final class FormulaTokens {
               + "|(?<word>[A-Za-z_]\\w*(?:\\.[A-Za-z_]\\w*)*)"
               + "|(?<sign><=|>=|<>|==|!=|[=<>+*/()\\[\\],-])");
 
+  /** A field of a topic; only where no operand stands before it, or it would be a division. */
+  private static final Pattern TOPIC = Pattern.compile("(?:/[A-Za-z_]\\w*)+(?:\\.[A-Za-z_]\\w*)+");
+
   /** A division of units has no blanks; between a number and its unit there may be some. */
   private static final Pattern UNIT =
       Pattern.compile("\\s*(%|\u00b0|[A-Za-z]\\w*(?:\\^[0-9]+)?(?:/[A-Za-z]\\w*(?:\\^[0-9]+)?)*)");
@@ -53,11 +56,25 @@ final class FormulaTokens {
   /** A token and its offsets in the text. */
   record Token(Kind kind, String text, int start, int end) {}
 
+  /** Where formulas stand, as the ids of their problems begin. */
+  enum Place {
+    SCENARIO("scenario.formula."),
+    BENCH("bench.formula.");
+
+    private final String prefix;
+
+    Place(String prefix) {
+      this.prefix = prefix;
+    }
+  }
+
+  private final Place place;
   private final SourceText source;
   private final List<Token> tokens = new ArrayList<>();
   private int position;
 
-  FormulaTokens(SourceRange range) {
+  FormulaTokens(SourceRange range, Place place) {
+    this.place = place;
     this.source = range.source();
     SourceRange inner = range.strip();
     Matcher token = TOKEN.matcher(source.text()).region(inner.start(), inner.end());
@@ -75,6 +92,11 @@ final class FormulaTokens {
     if (Character.isWhitespace(source.text().charAt(at))) {
       return at + 1;
     }
+    Matcher topic = TOPIC.matcher(source.text()).region(at, end);
+    if (!afterOperand() && topic.lookingAt()) {
+      tokens.add(new Token(Kind.WORD, topic.group(), at, topic.end()));
+      return topic.end();
+    }
     token.region(at, end);
     if (!token.lookingAt()) {
       String character = new String(Character.toChars(source.text().codePointAt(at)));
@@ -87,6 +109,19 @@ final class FormulaTokens {
             : token.group("word") != null ? Kind.WORD : Kind.SIGN;
     tokens.add(new Token(kind, token.group(), at, token.end()));
     return kind == Kind.NUMBER ? unit(token.end(), end) : token.end();
+  }
+
+  /** Whether formulas can name something so. */
+  static boolean isName(String text) {
+    return text.matches("[A-Za-z_]\\w*(?:\\.[A-Za-z_]\\w*)*") && !KEYWORDS.contains(text);
+  }
+
+  private boolean afterOperand() {
+    if (tokens.isEmpty()) {
+      return false;
+    }
+    Token last = tokens.get(tokens.size() - 1);
+    return last.kind() == Kind.SIGN ? last.text().equals(")") : !KEYWORDS.contains(last.text());
   }
 
   private int unit(int at, int end) {
@@ -158,10 +193,19 @@ final class FormulaTokens {
   }
 
   DiagnosticException syntax(Token token, String message, String hint) {
-    return problem("scenario.formula.syntax", token, message, hint);
+    return problem("syntax", token, message, hint);
   }
 
-  DiagnosticException problem(String id, Token token, String message, String hint) {
+  DiagnosticException unitProblem(Token token, String message, String hint) {
+    return problem("unit", token, message, hint);
+  }
+
+  DiagnosticException unknownSignal(Token token, String message, String hint) {
+    return problem("signal", token, message, hint);
+  }
+
+  private DiagnosticException problem(String kind, Token token, String message, String hint) {
+    String id = place.prefix + kind;
     return new DiagnosticException(
         DiagnosticException.Reason.INPUT,
         Diagnostic.error(id, message, source.at(token.start())).withHint(hint));

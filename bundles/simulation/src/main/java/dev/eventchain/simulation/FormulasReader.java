@@ -3,7 +3,6 @@ package dev.eventchain.simulation;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.ObjectReader;
 import java.util.ArrayList;
@@ -14,19 +13,21 @@ import java.util.Optional;
 final class FormulasReader {
 
   private static final String KEY = "formula";
-  private static final Signal.Source SIGNALS = new WorldSignals();
 
-  private final SourceText source;
+  private final YamlText source;
+  private final Signal.Source signals;
   private final double duration;
 
   /**
    * A reader.
    *
    * @param source the file, in which the places of problems are looked for
+   * @param signals what the formulas may read
    * @param duration of the scenario, in s
    */
-  FormulasReader(SourceText source, double duration) {
-    this.source = source;
+  FormulasReader(SourceText source, Signal.Source signals, double duration) {
+    this.source = new YamlText(source);
+    this.signals = signals;
     this.duration = duration;
   }
 
@@ -50,7 +51,7 @@ final class FormulasReader {
 
   private Optional<Formula> formula(ObjectReader section, String text) {
     try {
-      return Optional.of(Formula.parse(range(section.at(KEY), text), SIGNALS, duration));
+      return Optional.of(Formula.parse(source.range(section.at(KEY), text), signals, duration));
     } catch (DiagnosticException e) {
       for (Diagnostic problem : e.diagnostics()) {
         SourceLocation place = problem.location().withElement(section.pointerTo(KEY));
@@ -58,33 +59,5 @@ final class FormulasReader {
       }
       return Optional.empty();
     }
-  }
-
-  /**
-   * Where a text stands in the file, whose lines YAML may have folded: the part that has the same
-   * characters but for white space. A text with escapes has none, and stands at one place.
-   */
-  private SourceRange range(SourceLocation place, String text) {
-    String file = source.text();
-    int start = source.offset(place.line(), place.column());
-    if (start < file.length() && "|>".indexOf(file.charAt(start)) >= 0) {
-      start = Math.max(start, file.indexOf('\n', start));
-    } else if (start < file.length() && "\"'".indexOf(file.charAt(start)) >= 0) {
-      start++;
-    }
-    int end = start;
-    for (int i = 0; i < text.length(); i++) {
-      if (Character.isWhitespace(text.charAt(i))) {
-        continue;
-      }
-      while (end < file.length() && Character.isWhitespace(file.charAt(end))) {
-        end++;
-      }
-      if (end == file.length() || file.charAt(end) != text.charAt(i)) {
-        return SourceText.within(place, text).whole();
-      }
-      end++;
-    }
-    return source.range(start, end);
   }
 }

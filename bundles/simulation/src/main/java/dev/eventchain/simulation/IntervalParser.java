@@ -75,8 +75,7 @@ final class IntervalParser {
                     || it.relationTo(SECOND) == Unit.Relation.CONVERTIBLE)
         .orElseThrow(
             () ->
-                tokens.problem(
-                    "scenario.formula.unit",
+                tokens.unitProblem(
                     unit,
                     "'" + unit.text() + "' is no unit of time.",
                     "Intervals are in seconds, or in s or ms as is written."));

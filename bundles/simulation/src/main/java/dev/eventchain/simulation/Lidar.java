@@ -1,8 +1,12 @@
 package dev.eventchain.simulation;
 
+import dev.eventchain.messages.FieldType;
+import dev.eventchain.messages.MessageType;
+import dev.eventchain.messages.MessageValue;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.nio.ByteOrder;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
@@ -17,6 +21,9 @@ final class Lidar {
 
   /** Length of one point in bytes: x, y, z and intensity as float32. */
   static final int POINT_STEP = 16;
+
+  /** What PointField calls a float32. */
+  private static final int FLOAT32 = 7;
 
   /** Longest range, in m. */
   static final double RANGE = 100.0;
@@ -91,6 +98,36 @@ final class Lidar {
     boolean hitsWall = wall < road && wallHeight <= RoadScene.WALL_HEIGHT;
     backgroundRange[ray] = (float) (hitsWall ? wall : road);
     backgroundIntensity[ray] = hitsWall ? WALL_INTENSITY : ROAD_INTENSITY;
+  }
+
+  /** Sets what never changes in the messages of scans. */
+  static void describe(MessageValue message) {
+    message.set("height", 1L);
+    message.set("fields", pointFields(message.type()));
+    message.set("point_step", (long) POINT_STEP);
+    message.set("is_dense", true);
+  }
+
+  private static List<MessageValue> pointFields(MessageType cloud) {
+    MessageType type = cloud.resolve("fields").type().flatMap(FieldType::message).orElseThrow();
+    List<MessageValue> fields = new ArrayList<>();
+    for (String name : List.of("x", "y", "z", "intensity")) {
+      MessageValue field = MessageValue.of(type);
+      field.set("name", name);
+      field.set("offset", (long) fields.size() * Float.BYTES);
+      field.set("datatype", FLOAT32);
+      field.set("count", 1L);
+      fields.add(field);
+    }
+    return fields;
+  }
+
+  /** One scan into a message, but for its header. */
+  void scan(List<Box> boxes, MessageValue message) {
+    byte[] scanned = scan(boxes);
+    message.set("width", (long) scanned.length / POINT_STEP);
+    message.set("row_step", (long) scanned.length);
+    message.set("data", scanned);
   }
 
   /**

@@ -7,8 +7,10 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.messages.RosNames;
 import dev.eventchain.metamodel.TopicIndex;
 import dev.eventchain.metamodel.eventchain.ComponentImplementation;
+import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.LatencyConstraint;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import java.nio.charset.StandardCharsets;
@@ -53,6 +55,11 @@ final class NodeSetup {
     }
   }
 
+  /** How the nodes and the world are connected. */
+  Bench bench() {
+    return request.bench();
+  }
+
   /** The message types that the nodes use. */
   MessageCatalog catalog() {
     return catalog;
@@ -83,10 +90,61 @@ final class NodeSetup {
 
   /** The full names of all topics that a node reads. */
   Set<String> topicsRead() {
+    return topicsOfAll(TopicIndex.Topic::subscribers);
+  }
+
+  /** The full names of all topics that a node writes. */
+  Set<String> topicsWritten() {
+    return topicsOfAll(TopicIndex.Topic::publishers);
+  }
+
+  private Set<String> topicsOfAll(Function<TopicIndex.Topic, List<TopicIndex.Endpoint>> side) {
     return topics.topics().stream()
-        .filter(topic -> topic.subscribers().stream().anyMatch(this::isSimulated))
+        .filter(topic -> side.apply(topic).stream().anyMatch(this::isSimulated))
         .map(TopicIndex.Topic::name)
         .collect(Collectors.toCollection(TreeSet::new));
+  }
+
+  /** The first topic of the bench that a node reads; empty if none reads any. */
+  String entry() {
+    Set<String> read = topicsRead();
+    return bench().provided().keySet().stream().filter(read::contains).findFirst().orElse("");
+  }
+
+  /** The first topic by which a node commands the vehicle; empty if none does. */
+  String exit() {
+    return commands().stream().filter(topicsWritten()::contains).findFirst().orElse("");
+  }
+
+  /**
+   * The topics that the vehicle is commanded by in this project: those that its bench or its
+   * signals name, or that its nodes write.
+   */
+  List<String> commands() {
+    Set<String> written = topicsWritten();
+    return bench().consumed().values().stream()
+        .filter(Bench.Consumed::commands)
+        .map(Bench.Consumed::topic)
+        .filter(topic -> written.contains(topic) || bench().isOwn(topic))
+        .toList();
+  }
+
+  /** Whether a node writes a field that drives one of the actuators. */
+  boolean drives(Actuator... actuators) {
+    Set<Actuator> wanted = Set.of(actuators);
+    return bench().consumed().values().stream()
+        .anyMatch(
+            topic ->
+                topic.fields().stream()
+                    .filter(field -> field.actuator().filter(wanted::contains).isPresent())
+                    .anyMatch(field -> isWritten(topic.topic(), field.path())));
+  }
+
+  private boolean isWritten(String topic, String path) {
+    return endpoints(topic, TopicIndex.Topic::publishers)
+        .flatMap(endpoint -> endpoint.data().stream())
+        .map(Data::getFieldName)
+        .anyMatch(written -> written != null && RosNames.overlap(written, path));
   }
 
   /** The latency constraints of the chain. */
@@ -149,7 +207,7 @@ final class NodeSetup {
   }
 
   /** The configuration of the process that runs the nodes. */
-  ObjectNode configuration(Scenario scenario, CarlaBridge bridge) {
+  ObjectNode configuration(Scenario scenario, BenchDriver driver) {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     json.putArray("path").add(absolute(request.packageFolder()));
     ArrayNode messages = json.putArray("messages");
@@ -157,8 +215,9 @@ final class NodeSetup {
     ArrayNode configured = json.putArray("nodes");
     nodes.forEach(node -> configured.add(configuration(node, scenario.seed())));
     ArrayNode publishes = json.putArray("world_publishes");
-    bridge.published().forEach(topic -> publishes.add(configuration(topic)));
-    json.putArray("world_subscribes").add(configuration(CarlaBridge.CONTROL));
+    driver.published().forEach(topic -> publishes.add(configuration(topic)));
+    ArrayNode subscribes = json.putArray("world_subscribes");
+    driver.received().forEach(topic -> subscribes.add(configuration(topic)));
     json.put("step_limit_s", request.limits().processorTime().toNanos() / 1e9);
     json.put("wall_limit_s", request.limits().wallTime().toNanos() / 1e9);
     return json;
@@ -193,7 +252,7 @@ final class NodeSetup {
     return json;
   }
 
-  private static ObjectNode configuration(CarlaBridge.Topic topic) {
+  private static ObjectNode configuration(BenchDriver.Topic topic) {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     return json.put("topic", topic.name()).put("type", topic.type());
   }

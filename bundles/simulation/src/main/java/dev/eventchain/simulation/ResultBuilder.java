@@ -36,10 +36,7 @@ final class ResultBuilder {
     List<Measurements.Node> nodes = setup.nodes().stream().map(this::measure).toList();
     Measurements measurements =
         new Measurements(
-            runId(verdicts, nodes),
-            setup.reader(CarlaBridge.LIDAR.name()),
-            setup.writer(CarlaBridge.CONTROL.name()),
-            nodes);
+            runId(verdicts, nodes), setup.reader(setup.entry()), setup.writer(setup.exit()), nodes);
     SimulationResult.Host host =
         new SimulationResult.Host(
             confinement,
@@ -96,7 +93,7 @@ final class ResultBuilder {
                         "simulation.command.ignored",
                         "Scenario %s: the software commanded %s; the simulated vehicle follows throttle and brake from 0 to 1 only."
                             .formatted(run.scenario().name(), run.trace().ignored()),
-                        SourceLocation.NONE.withElement(setup.writer(CarlaBridge.CONTROL.name())))
+                        SourceLocation.NONE.withElement(setup.writer(setup.exit())))
                     .withHint(
                         "Test what needs it where the vehicle does it, or do not command it."))
         .toList();

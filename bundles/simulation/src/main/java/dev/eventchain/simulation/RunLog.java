@@ -75,6 +75,13 @@ record RunLog(Map<String, List<Activation>> nodes, Map<String, Map<Long, Long>> 
     return times;
   }
 
+  /**
+   * When the samples of a topic could be seen, in ns, by their numbers; empty if there are none.
+   */
+  Map<Long, Long> publicationsOf(String topic) {
+    return publications.getOrDefault(topic, Map.of());
+  }
+
   /** When a sample could be seen, in ns. */
   long time(SampleId sample) {
     return publications.get(sample.topic()).get(sample.sequence());

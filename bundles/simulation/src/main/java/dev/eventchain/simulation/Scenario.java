@@ -5,8 +5,12 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.nio.file.Path;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import java.util.function.Consumer;
+import java.util.stream.Collectors;
 
 /**
  * A situation on the road with the criteria that the software must meet in it. Read from a YAML
@@ -23,6 +27,7 @@ public final class Scenario {
   private final double duration;
   private final EgoVehicle ego;
   private final List<TargetVehicle> targets;
+  private final Map<String, Script> inputs;
   private final List<Expectation> criteria;
   private final SourceLocation requirementsLocation;
   private final SourceLocation location;
@@ -33,6 +38,7 @@ public final class Scenario {
       double duration,
       EgoVehicle ego,
       List<TargetVehicle> targets,
+      Map<String, Script> inputs,
       List<Expectation> criteria) {
     this.name = heading.name();
     this.title = heading.title();
@@ -44,6 +50,7 @@ public final class Scenario {
     this.duration = duration;
     this.ego = ego;
     this.targets = List.copyOf(targets);
+    this.inputs = Map.copyOf(inputs);
     this.criteria = List.copyOf(criteria);
   }
 
@@ -59,30 +66,33 @@ public final class Scenario {
   /**
    * Reads one scenario.
    *
+   * @param bench what inputs it may set, and what its formulas may read
    * @throws DiagnosticException (INPUT) with every problem of the file: {@code scenario.syntax},
    *     {@code scenario.key.unknown}, {@code scenario.key.duplicate}, {@code scenario.key.missing},
    *     {@code scenario.value.type}, {@code scenario.value.range}, {@code scenario.formula.syntax},
-   *     {@code scenario.formula.unit}, {@code scenario.formula.signal}, or that it cannot be read
+   *     {@code scenario.formula.unit}, {@code scenario.formula.signal}, {@code
+   *     scenario.input.unknown}, or that it cannot be read
    */
-  public static Scenario read(Path file) {
-    return parse(SourceText.read(file));
+  public static Scenario read(Path file, Bench bench) {
+    return parse(SourceText.read(file), bench);
   }
 
   /** As {@link #read} for a text that is in memory already. */
-  public static Scenario parse(SourceText text) {
-    return ScenarioReader.read(text);
+  public static Scenario parse(SourceText text, Bench bench) {
+    return ScenarioReader.read(text, bench);
   }
 
   /**
    * Reads the YAML files of a folder and those below it, in the order of their paths.
    *
+   * @param bench as for {@link #read}
    * @param warnings gets the files that are none ({@code scenario.file.unread})
    * @throws DiagnosticException (INPUT) with every problem of every file; also if there is no such
    *     folder or no scenario in it ({@code scenario.none}), or if two scenarios have one name
    *     ({@code scenario.name.duplicate})
    */
-  public static List<Scenario> readFolder(Path folder, Consumer<Diagnostic> warnings) {
-    return new ScenarioFolder(folder).read(warnings);
+  public static List<Scenario> readFolder(Path folder, Bench bench, Consumer<Diagnostic> warnings) {
+    return new ScenarioFolder(folder).read(bench, warnings);
   }
 
   /** The files on which {@link #readFolder} depends, in a fixed order. */
@@ -135,6 +145,18 @@ public final class Scenario {
 
   List<TargetVehicle> targets() {
     return targets;
+  }
+
+  /** What people do with the inputs of the bench, by their names. */
+  Map<String, Script> inputs() {
+    return inputs;
+  }
+
+  /** The signals that its formulas read. */
+  Set<Signal> signals() {
+    return criteria.stream()
+        .flatMap(each -> each.signals().stream())
+        .collect(Collectors.toCollection(LinkedHashSet::new));
   }
 
   List<Expectation> criteria() {

@@ -60,13 +60,13 @@ record ScenarioFolder(Path folder) {
   }
 
   /** As {@link Scenario#readFolder}. */
-  List<Scenario> read(Consumer<Diagnostic> warnings) {
+  List<Scenario> read(Bench bench, Consumer<Diagnostic> warnings) {
     List<Diagnostic> problems = new ArrayList<>();
     List<Diagnostic> unread = new ArrayList<>();
     List<Scenario> scenarios = new ArrayList<>();
     for (Path file : files()) {
       if (isScenario(file)) {
-        read(file, scenarios, problems);
+        read(file, bench, scenarios, problems);
       } else {
         unread.add(unread(file));
       }
@@ -83,9 +83,10 @@ record ScenarioFolder(Path folder) {
     return List.copyOf(scenarios);
   }
 
-  private static void read(Path file, List<Scenario> scenarios, List<Diagnostic> problems) {
+  private static void read(
+      Path file, Bench bench, List<Scenario> scenarios, List<Diagnostic> problems) {
     try {
-      scenarios.add(Scenario.read(file));
+      scenarios.add(Scenario.read(file, bench));
     } catch (DiagnosticException e) {
       problems.addAll(e.diagnostics());
     }

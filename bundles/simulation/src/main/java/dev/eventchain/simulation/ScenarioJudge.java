@@ -13,7 +13,6 @@ final class ScenarioJudge {
   private static final double MILLISECOND = 1e6;
 
   private final NodeSetup setup;
-  private final Signal.Source signals = new WorldSignals();
 
   ScenarioJudge(NodeSetup setup) {
     this.setup = setup;
@@ -27,8 +26,12 @@ final class ScenarioJudge {
   ScenarioVerdict verdict(Run run, boolean worked) {
     Scenario scenario = run.scenario();
     Trace trace = run.trace();
+    List<Signal> signals = setup.bench().signals().reported(scenario);
     List<CriterionResult> criteria =
-        scenario.criteria().stream().map(each -> judge(each, trace, worked)).toList();
+        scenario.criteria().stream()
+            .filter(this::applies)
+            .map(each -> judge(each, trace, worked))
+            .toList();
     boolean passed = criteria.stream().allMatch(CriterionResult::passed);
     boolean failed = criteria.stream().anyMatch(each -> each.tested() && !each.passed());
     boolean tested = failed || criteria.stream().allMatch(CriterionResult::tested);
@@ -40,14 +43,30 @@ final class ScenarioJudge {
         passed,
         criteria,
         WhatHappened.figures(trace, signals),
-        latency(run.log()),
+        latency(run.log(), setup),
         setup.latencyConstraints().stream().map(each -> latency(run.log(), each)).toList(),
         WhatHappened.series(trace, signals));
   }
 
-  private static CriterionResult judge(Expectation criterion, Trace trace, boolean worked) {
-    Criterion.Outcome outcome =
-        worked ? criterion.judge(trace) : Criterion.Outcome.untested("not all components worked");
+  /** What holds for every scenario holds for software that commands the vehicle. */
+  private boolean applies(Expectation expectation) {
+    if (!(expectation instanceof Criterion criterion) || !criterion.kind().always()) {
+      return true;
+    }
+    return criterion.kind() == CriterionKind.BRAKE_NORMALIZED
+        ? setup.drives(Actuator.BRAKE)
+        : !setup.commands().isEmpty();
+  }
+
+  private CriterionResult judge(Expectation criterion, Trace trace, boolean worked) {
+    Criterion.Outcome outcome;
+    if (!worked) {
+      outcome = Criterion.Outcome.untested("not all components worked");
+    } else if (needsBrake(criterion)) {
+      outcome = Criterion.Outcome.untested("no component's output drives the brake");
+    } else {
+      outcome = criterion.judge(trace);
+    }
     return new CriterionResult(
         criterion.text(),
         outcome.tested(),
@@ -58,9 +77,15 @@ final class ScenarioJudge {
         criterion.location());
   }
 
-  private static Optional<Measurements.Statistics> latency(RunLog log) {
-    return statistics(
-        ChainLatency.reactions(log, CarlaBridge.LIDAR.name(), CarlaBridge.CONTROL.name()));
+  /** A named criterion is about software that can brake; what cannot has not kept to it. */
+  private boolean needsBrake(Expectation expectation) {
+    return expectation instanceof Criterion criterion
+        && !criterion.kind().always()
+        && !setup.drives(Actuator.BRAKE, Actuator.ACCELERATION);
+  }
+
+  private static Optional<Measurements.Statistics> latency(RunLog log, NodeSetup setup) {
+    return statistics(ChainLatency.reactions(log, setup.entry(), setup.exit()));
   }
 
   /** What was measured of a constraint; an incomplete one is a finding of the model. */

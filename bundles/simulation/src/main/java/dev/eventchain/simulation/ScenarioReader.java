@@ -11,6 +11,7 @@ import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /** Reads scenario files. Units stand in the names of the keys and become SI units here. */
@@ -31,18 +32,18 @@ final class ScenarioReader {
 
   private ScenarioReader() {}
 
-  static Scenario read(SourceText text) {
+  static Scenario read(SourceText text, Bench bench) {
     List<Diagnostic> problems = new ArrayList<>();
     Document document = Document.parse(text, DocumentFormat.YAML, IDS, problems::add);
     Optional<Scenario> scenario =
-        document.object("", problems::add).map(section -> scenario(section, text));
+        document.object("", problems::add).map(section -> scenario(section, text, bench));
     if (!problems.isEmpty()) {
       throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
     }
     return scenario.orElseThrow();
   }
 
-  private static Scenario scenario(ObjectReader section, SourceText text) {
+  private static Scenario scenario(ObjectReader section, SourceText text, Bench bench) {
     String name = section.requiredText("name");
     if (!name.matches("[a-z0-9]+(-[a-z0-9]+)*") && !name.isBlank()) {
       String message = "A name consists of lower-case letters, digits and hyphens.";
@@ -61,13 +62,15 @@ final class ScenarioReader {
     Optional<EgoVehicle> ego = section.requiredObject("ego").map(ScenarioReader::ego);
     List<TargetVehicle> targets =
         section.objects("targets").stream().map(ScenarioReader::target).toList();
+    Map<String, Script> inputs =
+        section.object("inputs").map(part -> InputsReader.read(part, bench)).orElse(Map.of());
     Optional<ObjectReader> accept = section.requiredObject("accept");
-    FormulasReader formulas = new FormulasReader(text, longest(section));
+    FormulasReader formulas = new FormulasReader(text, bench.signals(), longest(section));
     List<Expectation> criteria =
         accept.map(part -> CriteriaReader.read(part, formulas)).orElse(List.of());
     section.refuseOthers();
     EgoVehicle vehicle = ego.orElse(EgoVehicle.withSpeed(0));
-    return new Scenario(heading, seed, duration, vehicle, targets, criteria);
+    return new Scenario(heading, seed, duration, vehicle, targets, inputs, criteria);
   }
 
   /** The duration; if it was refused, the longest one, so that no interval is refused for it. */

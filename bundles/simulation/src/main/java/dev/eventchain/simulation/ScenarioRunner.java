@@ -1,13 +1,12 @@
 package dev.eventchain.simulation;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.simulation.LockstepChannel.Inbound;
 import dev.eventchain.simulation.LockstepSession.Outbound;
+import java.util.List;
 
 /** Drives one scenario: the vehicle senses, the nodes think, the vehicle moves. */
 final class ScenarioRunner {
-
-  /** Time between two messages of a sensor, in ns: 20 Hz. */
-  static final long SENSOR_PERIOD = 50_000_000L;
 
   /** How long it goes on after the ego has stopped, in ns. */
   private static final long AFTER_STOP = 1_000_000_000L;
@@ -29,17 +28,17 @@ final class ScenarioRunner {
   }
 
   Run run(Scenario scenario) {
-    CarlaBridge bridge = new CarlaBridge(setup.catalog(), setup.topicsRead());
-    JsonNode ready = session.configure(setup.configuration(scenario, bridge));
-    World world = new World(scenario.ego(), scenario.targets());
-    Lidar lidar = new Lidar(scenario.ego(), scenario.seed());
+    BenchDriver driver = new BenchDriver(setup, scenario);
+    JsonNode ready = session.configure(setup.configuration(scenario, driver));
+    World world = new World(scenario.ego(), scenario.targets(), new Trace(scenario.inputs()));
     long end = World.nanoseconds(scenario.duration());
     long stoppedAt = scenario.ego().speed() > 0 ? Long.MAX_VALUE : end;
     long started = System.nanoTime();
     while (world.now() < end && !world.impacted() && world.now() - AFTER_STOP < stoppedAt) {
-      long until = Math.min(end, world.now() + SENSOR_PERIOD);
-      for (Outbound command : session.step(until, bridge.sense(world, lidar))) {
-        world.command(command.time(), bridge.command(command.message()));
+      List<Inbound> sensed = driver.sense(world);
+      long until = Math.min(end, driver.nextDue());
+      for (Outbound outbound : session.step(until, sensed)) {
+        driver.take(outbound, world);
       }
       world.advanceTo(until);
       if (world.egoSpeed() > 0.0) {

@@ -2,6 +2,7 @@ package dev.eventchain.simulation;
 
 import dev.eventchain.messages.Unit;
 import java.util.Collection;
+import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
 
@@ -10,12 +11,17 @@ import java.util.function.Function;
  *
  * @param name how they name it
  * @param unit its unit, as it is written
- * @param samples its values in coherent units, one for each state of the trace
+ * @param truth whether it is true or false: 1 or 0
+ * @param meaning what it is, for people
+ * @param samples its values in coherent units, one for each state of the trace; NaN where it has
+ *     none
  * @param absence why it says nothing in a trace, "nothing ahead"; empty if it says something
  */
 record Signal(
     String name,
     String unit,
+    boolean truth,
+    String meaning,
     Function<Trace, double[]> samples,
     Function<Trace, Optional<String>> absence) {
 
@@ -33,6 +39,26 @@ record Signal(
   double inUnit(double coherent) {
     double zero = dimension().coherent(0.0);
     return (coherent - zero) / (dimension().coherent(1.0) - zero);
+  }
+
+  /**
+   * The values of samples that hold until the next one.
+   *
+   * @param before what holds before the first one
+   * @return one for each state of a trace
+   */
+  static double[] held(Trace trace, List<Trace.Sample> samples, double before) {
+    double[] values = new double[trace.states().size()];
+    double value = before;
+    int next = 0;
+    for (int i = 0; i < values.length; i++) {
+      long time = trace.states().get(i).time();
+      while (next < samples.size() && samples.get(next).time() <= time) {
+        value = samples.get(next++).value();
+      }
+      values[i] = value;
+    }
+    return values;
   }
 
   Unit dimension() {

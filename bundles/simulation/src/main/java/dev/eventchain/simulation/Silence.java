@@ -43,12 +43,19 @@ final class Silence {
   static List<Diagnostic> in(List<RunLog> logs, NodeSetup setup) {
     Silence silence = new Silence(setup, logs);
     setup.nodes().forEach(silence::listen);
-    String command = CarlaBridge.CONTROL.name();
-    if (logs.stream()
-        .allMatch(log -> log.publications().getOrDefault(command, Map.of()).isEmpty())) {
-      silence.waiting.put(VEHICLE, Set.of(command));
-    }
+    silence.listenAtTheVehicle();
     return silence.findings();
+  }
+
+  /** It must be told something by one of the topics that command it, if there are any. */
+  private void listenAtTheVehicle() {
+    List<String> commands = setup.commands();
+    boolean commanded =
+        commands.stream()
+            .anyMatch(topic -> logs.stream().anyMatch(log -> !log.publicationsOf(topic).isEmpty()));
+    if (!commanded && !commands.isEmpty()) {
+      waiting.put(VEHICLE, new TreeSet<>(commands));
+    }
   }
 
   private void listen(SoftwareNode node) {
@@ -96,8 +103,7 @@ final class Silence {
 
   private Diagnostic waits(String name, String topic) {
     List<String> writers = setup.writers(topic);
-    boolean published =
-        logs.stream().anyMatch(log -> !log.publications().getOrDefault(topic, Map.of()).isEmpty());
+    boolean published = logs.stream().anyMatch(log -> !log.publicationsOf(topic).isEmpty());
     boolean vehicle = name.equals(VEHICLE);
     String why;
     String hint;

@@ -13,6 +13,7 @@ import java.util.Set;
  * @param packageFolder the folder that holds the manifest and the generated Python package
  * @param manifest what was generated
  * @param messageFolders folders with the user's message definitions, {@code <package>/msg/*.msg}
+ * @param bench how the world and the nodes are connected
  * @param scenarios at least one
  * @param processes how many scenarios are simulated at the same time, at least 1; the result does
  *     not depend on it
@@ -25,6 +26,7 @@ public record SimulationRequest(
     Path packageFolder,
     NodeManifest manifest,
     List<Path> messageFolders,
+    Bench bench,
     List<Scenario> scenarios,
     int processes,
     Set<String> generated,
@@ -62,9 +64,18 @@ public record SimulationRequest(
       Path packageFolder,
       NodeManifest manifest,
       List<Path> messageFolders,
+      Bench bench,
       List<Scenario> scenarios) {
     return new SimulationRequest(
-        chain, packageFolder, manifest, messageFolders, scenarios, 2, Set.of(), Limits.DEFAULT);
+        chain,
+        packageFolder,
+        manifest,
+        messageFolders,
+        bench,
+        scenarios,
+        2,
+        Set.of(),
+        Limits.DEFAULT);
   }
 
   /** The same on another number of processes. */
@@ -84,6 +95,6 @@ public record SimulationRequest(
 
   private SimulationRequest with(int number, Set<String> names, Limits newLimits) {
     return new SimulationRequest(
-        chain, packageFolder, manifest, messageFolders, scenarios, number, names, newLimits);
+        chain, packageFolder, manifest, messageFolders, bench, scenarios, number, names, newLimits);
   }
 }

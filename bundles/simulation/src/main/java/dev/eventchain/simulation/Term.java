@@ -14,10 +14,11 @@ import java.util.function.IntToDoubleFunction;
  *
  * @param dimension its unit; of the values only the dimension counts, since they are coherent
  * @param unit the unit in which people wrote it or read it; empty if that cannot be told
+ * @param truth whether it is a signal that is true or false, and nothing is computed from it
  * @param signals what it depends on
  * @param values its values in coherent units
  */
-record Term(Unit dimension, String unit, Set<Signal> signals, Values values)
+record Term(Unit dimension, String unit, boolean truth, Set<Signal> signals, Values values)
     implements FormulaParser.Part {
 
   /** Gives the values in a run. */
@@ -27,11 +28,11 @@ record Term(Unit dimension, String unit, Set<Signal> signals, Values values)
 
   static Term number(double number, Unit unit, String text) {
     double value = unit.coherent(number);
-    return new Term(unit, text, Set.of(), run -> sample -> value);
+    return new Term(unit, text, false, Set.of(), run -> sample -> value);
   }
 
   static Term of(Signal signal) {
-    return new Term(signal.dimension(), signal.unit(), Set.of(signal), new Reading(signal));
+    return new Term(signal.dimension(), signal.unit(), signal.truth(), Set.of(signal), new Reading(signal));
   }
 
   /** What a signal says, as it is. */
@@ -58,6 +59,7 @@ record Term(Unit dimension, String unit, Set<Signal> signals, Values values)
     return new Term(
         dimension,
         unit,
+        false,
         signals,
         run -> {
           IntToDoubleFunction inner = values.in(run);
@@ -86,6 +88,7 @@ record Term(Unit dimension, String unit, Set<Signal> signals, Values values)
     return new Term(
         newDimension,
         name,
+        false,
         all,
         run -> {
           IntToDoubleFunction first = values.in(run);

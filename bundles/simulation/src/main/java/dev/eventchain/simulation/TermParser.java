@@ -13,7 +13,6 @@ import java.util.function.Supplier;
 /** Reads the quantities of a formula, and checks their units. */
 final class TermParser {
 
-  private static final String UNIT_ID = "scenario.formula.unit";
   private static final List<String> UNITS =
       List.of("m", "km", "cm", "s", "ms", "m/s", "km/h", "m/s2", "deg", "rad", "%", "1");
 
@@ -106,7 +105,7 @@ final class TermParser {
     if (unit.isEmpty()) {
       String hint = NearestName.hint(text, UNITS);
       String blanks = text.contains("/") ? " A division of other things needs blanks." : "";
-      throw tokens.problem(UNIT_ID, token, "There is no unit '" + text + "'.", hint + blanks);
+      throw tokens.unitProblem(token, "There is no unit '" + text + "'.", hint + blanks);
     }
     return unit.get();
   }
@@ -146,7 +145,7 @@ final class TermParser {
     if (signal.isEmpty()) {
       String message = "There is no signal '" + token.text() + "'.";
       String hint = NearestName.hint(token.text(), signals.names());
-      throw tokens.problem("scenario.formula.signal", token, message, hint);
+      throw tokens.unknownSignal(token, message, hint);
     }
     return Term.of(signal.get());
   }
@@ -166,7 +165,7 @@ final class TermParser {
           "'" + tokens.textSince(second) + "' is in " + named(after) + ", what is before it in ";
       boolean plain = named(after).equals("1") || named(before).equals("1");
       String hint = plain ? "Each number needs its unit: `0 m`, and not `0`." : "";
-      throw tokens.problem(UNIT_ID, second, message + named(before) + ".", hint);
+      throw tokens.unitProblem(second, message + named(before) + ".", hint);
     }
   }
 

@@ -2,8 +2,10 @@ package dev.eventchain.simulation;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
@@ -19,8 +21,17 @@ final class Trace {
    * @param timeToCollision in s, from the true distance and closing speed; infinite if nothing is
    *     approached
    * @param deceleration of the ego, in m/s2
+   * @param position of the ego's front bumper since the start, in m
+   * @param leadSpeed of the nearest vehicle in the path, in m/s; NaN if there is none
    */
-  record State(long time, double speed, double gap, double timeToCollision, double deceleration) {}
+  record State(
+      long time,
+      double speed,
+      double gap,
+      double timeToCollision,
+      double deceleration,
+      double position,
+      double leadSpeed) {}
 
   /** A command: when it was published, in ns, and the positions of the pedals as it has them. */
   record Command(long time, double pedal, double throttle) {
@@ -37,10 +48,54 @@ final class Trace {
   /** Smallest pedal position that counts as full brake; float32 cannot always hold exactly 1. */
   static final double FULL = 0.99;
 
+  /** A value that a message had, and when it was published, in ns. */
+  record Sample(long time, double value) {}
+
+  private final Map<String, Script> inputs;
   private final List<State> states = new ArrayList<>();
+  private final Map<String, List<Sample>> samples = new HashMap<>();
   private final List<Command> commands = new ArrayList<>();
   private OptionalDouble impactSpeed = OptionalDouble.empty();
   private String ignored = "";
+
+  /** A trace without inputs. */
+  Trace() {
+    this(Map.of());
+  }
+
+  /**
+   * A trace.
+   *
+   * @param inputs what people do in the scenario, by the names of the bench's inputs
+   */
+  Trace(Map<String, Script> inputs) {
+    this.inputs = Map.copyOf(inputs);
+  }
+
+  /** A trace of a single moment, with the last command before it. */
+  Trace moment(State state) {
+    Trace moment = new Trace(inputs);
+    moment.state(state);
+    if (!commands.isEmpty()) {
+      moment.commands.add(commands.get(commands.size() - 1));
+    }
+    return moment;
+  }
+
+  /** What people do with an input of the bench; empty if the scenario leaves it as it is. */
+  Optional<Script> input(String name) {
+    return Optional.ofNullable(inputs.get(name));
+  }
+
+  /** A message was published: the value of one of its fields, by the name of the signal. */
+  void sample(String signal, long time, double value) {
+    samples.computeIfAbsent(signal, name -> new ArrayList<>()).add(new Sample(time, value));
+  }
+
+  /** The values of a signal in the order of time; empty if no message came. */
+  List<Sample> samples(String signal) {
+    return samples.getOrDefault(signal, List.of());
+  }
 
   void state(State state) {
     states.add(state);

@@ -1,5 +1,8 @@
 package dev.eventchain.simulation;
 
+import java.util.List;
+import java.util.Map;
+
 /**
  * What the software asks of the vehicle.
  *
@@ -11,6 +14,9 @@ package dev.eventchain.simulation;
  */
 record VehicleCommand(double throttle, double brake, String ignored) {
 
+  private static final List<Actuator> NOT_SIMULATED =
+      List.of(Actuator.STEERING, Actuator.HAND_BRAKE, Actuator.REVERSE, Actuator.MANUAL_GEAR_SHIFT);
+
   /** A command to brake only. */
   static VehicleCommand brake(double pedal) {
     return new VehicleCommand(0.0, pedal, "");
@@ -19,6 +25,31 @@ record VehicleCommand(double throttle, double brake, String ignored) {
   /** A command to drive only. */
   static VehicleCommand drive(double pedal) {
     return new VehicleCommand(pedal, 0.0, "");
+  }
+
+  /**
+   * The command that the values in force amount to.
+   *
+   * @param demands in the units of the actuators; 0 where there is none
+   * @param vehicle that turns an acceleration into positions of its pedals
+   */
+  static VehicleCommand of(Map<Actuator, Double> demands, EgoVehicle vehicle) {
+    double throttle = demands.getOrDefault(Actuator.THROTTLE, 0.0);
+    double brake = demands.getOrDefault(Actuator.BRAKE, 0.0);
+    String ignored = throttle >= 0.0 && throttle <= 1.0 ? "" : "throttle " + throttle;
+    if (demands.containsKey(Actuator.ACCELERATION)) {
+      double acceleration = demands.get(Actuator.ACCELERATION);
+      ignored = Double.isFinite(acceleration) ? "" : "acceleration " + acceleration;
+      throttle = vehicle.throttleFor(acceleration);
+      brake = vehicle.brakeFor(acceleration);
+    }
+    for (Actuator actuator : NOT_SIMULATED) {
+      double demand = demands.getOrDefault(actuator, 0.0);
+      if (ignored.isEmpty() && demand != 0.0) {
+        ignored = actuator.truth() ? actuator.id() : actuator.id() + " " + demand;
+      }
+    }
+    return new VehicleCommand(throttle, brake, ignored);
   }
 
   double limitedThrottle() {

@@ -15,10 +15,10 @@ final class WhatHappened {
   private WhatHappened() {}
 
   /** The smallest and the largest value of each signal, and how fast an impact was. */
-  static List<Figure> figures(Trace trace, Signal.Source signals) {
+  static List<Figure> figures(Trace trace, List<Signal> signals) {
     List<Figure> figures = new ArrayList<>();
-    for (Signal signal : ordered(signals)) {
-      if (signal.absence().apply(trace).isEmpty()) {
+    for (Signal signal : signals) {
+      if (!signal.truth() && signal.absence().apply(trace).isEmpty()) {
         double[] values = signal.samples().apply(trace);
         extreme(figures, signal, Statistic.MINIMUM, trace, values);
         extreme(figures, signal, Statistic.MAXIMUM, trace, values);
@@ -49,7 +49,7 @@ final class WhatHappened {
     }
   }
 
-  static Series series(Trace trace, Signal.Source signals) {
+  static Series series(Trace trace, List<Signal> signals) {
     List<Trace.State> states = trace.states();
     List<Integer> kept = new ArrayList<>();
     for (int i = 0; i < states.size(); i++) {
@@ -59,7 +59,7 @@ final class WhatHappened {
     }
     List<Double> times = kept.stream().map(i -> World.seconds(states.get(i).time())).toList();
     List<Curve> curves =
-        ordered(signals).stream()
+        signals.stream()
             .map(
                 signal -> {
                   double[] values = signal.samples().apply(trace);
@@ -71,9 +71,5 @@ final class WhatHappened {
                 })
             .toList();
     return new Series(times, curves);
-  }
-
-  private static List<Signal> ordered(Signal.Source signals) {
-    return signals.names().stream().sorted().flatMap(name -> signals.find(name).stream()).toList();
   }
 }

@@ -19,13 +19,22 @@ final class World {
   private final EgoVehicle vehicle;
   private final List<TargetVehicle> targets;
   private final EgoMotion ego;
-  private final Trace trace = new Trace();
+  private final Trace trace;
   private final Deque<Pending> pending = new ArrayDeque<>();
   private long now;
-  private VehicleCommand last = VehicleCommand.brake(0.0);
   private double impactSpeed = Double.NaN;
 
   World(EgoVehicle vehicle, List<TargetVehicle> targets) {
+    this(vehicle, targets, new Trace());
+  }
+
+  /**
+   * A world.
+   *
+   * @param trace where what happens is recorded; empty
+   */
+  World(EgoVehicle vehicle, List<TargetVehicle> targets, Trace trace) {
+    this.trace = trace;
     this.vehicle = vehicle;
     this.targets = List.copyOf(targets);
     this.ego = new EgoMotion(vehicle);
@@ -45,16 +54,6 @@ final class World {
   /** The ego's speed, in m/s. */
   double egoSpeed() {
     return ego.speed();
-  }
-
-  /** The ego's deceleration, in m/s2. */
-  double egoDeceleration() {
-    return ego.deceleration();
-  }
-
-  /** The last command received. */
-  VehicleCommand lastCommand() {
-    return last;
   }
 
   /** Whether the ego has hit another vehicle. */
@@ -85,7 +84,6 @@ final class World {
   void command(long time, VehicleCommand command) {
     pending.add(new Pending(time + nanoseconds(vehicle.brakeDelay()), command));
     trace.command(time, command);
-    last = command;
   }
 
   /** Moves time on, or up to the impact. */
@@ -140,6 +138,15 @@ final class World {
   }
 
   private void record() {
+    trace.state(state());
+  }
+
+  /** What is true at this moment, with the last command. */
+  Trace moment() {
+    return trace.moment(state());
+  }
+
+  private Trace.State state() {
     Optional<TargetVehicle> ahead = nearest(now, ego);
     double gap = ahead.map(target -> gap(target, now, ego)).orElse(Double.POSITIVE_INFINITY);
     double closing = ego.speed() - ahead.map(target -> target.speed(seconds(now))).orElse(0.0);
@@ -147,8 +154,14 @@ final class World {
         ahead.isPresent() && closing > 0.0
             ? Math.max(0.0, gap) / closing
             : Double.POSITIVE_INFINITY;
-    trace.state(
-        new Trace.State(now, ego.speed(), Math.max(0.0, gap), timeToCollision, ego.deceleration()));
+    return new Trace.State(
+        now,
+        ego.speed(),
+        Math.max(0.0, gap),
+        timeToCollision,
+        ego.deceleration(),
+        ego.position(),
+        ahead.map(target -> target.speed(seconds(now))).orElse(Double.NaN));
   }
 
   /** The nearest vehicle that is in the ego's path and not behind it. */

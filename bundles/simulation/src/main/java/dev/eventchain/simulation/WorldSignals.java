@@ -1,34 +1,55 @@
 package dev.eventchain.simulation;
 
 import java.util.Collection;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.TreeMap;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
 
 /** What the road and the vehicle have to say, and what the vehicle is told. */
 final class WorldSignals implements Signal.Source {
 
-  private static final Map<String, Signal> SIGNALS = new TreeMap<>();
+  private static final Map<String, Signal> SIGNALS = new LinkedHashMap<>();
 
   static {
+    add("ego.position", "m", "way of the front bumper", ofStates(Trace.State::position));
+    add("ego.speed", "m/s", "speed over ground", ofStates(Trace.State::speed));
     // 0.0 - x and not -x, since nobody wants to read of an acceleration of -0.
-    add("ego.speed", "m/s", ofStates(Trace.State::speed), WorldSignals::always);
-    add("ego.acceleration", "m/s2", ofStates(s -> 0.0 - s.deceleration()), WorldSignals::always);
-    add("gap", "m", ofStates(Trace.State::gap), WorldSignals::ahead);
-    add("ttc", "s", ofStates(Trace.State::timeToCollision), WorldSignals::ahead);
-    add("brake", "1", ofCommands(Trace.Command::pedal), WorldSignals::commanded);
-    add("throttle", "1", ofCommands(Trace.Command::throttle), WorldSignals::commanded);
+    add("ego.acceleration", "m/s2", "negative in braking", ofStates(s -> 0.0 - s.deceleration()));
+    addTruth("lead.present", "whether a vehicle is in the path", s -> Double.isFinite(s.gap()));
+    addAhead("gap", "m", "bumper to bumper", Trace.State::gap);
+    addAhead("lead.speed", "m/s", "speed of the nearest in the path", Trace.State::leadSpeed);
+    addAhead("ttc", "s", "true time to collision", Trace.State::timeToCollision);
+    addCommand("brake", "last brake command, 0 to 1", Trace.Command::pedal);
+    addCommand("throttle", "last throttle command, 0 to 1", Trace.Command::throttle);
   }
 
   private static void add(
-      String name,
-      String unit,
-      Function<Trace, double[]> samples,
-      Function<Trace, Optional<String>> absence) {
-    SIGNALS.put(name, new Signal(name, unit, samples, absence));
+      String name, String unit, String meaning, Function<Trace, double[]> samples) {
+    Function<Trace, Optional<String>> never = trace -> Optional.empty();
+    SIGNALS.put(name, new Signal(name, unit, false, meaning, samples, never));
+  }
+
+  private static void addTruth(String name, String meaning, Predicate<Trace.State> value) {
+    Function<Trace, Optional<String>> never = trace -> Optional.empty();
+    SIGNALS.put(
+        name,
+        new Signal(name, "1", true, meaning, ofStates(s -> value.test(s) ? 1.0 : 0.0), never));
+  }
+
+  private static void addAhead(
+      String name, String unit, String meaning, ToDoubleFunction<Trace.State> value) {
+    SIGNALS.put(
+        name, new Signal(name, unit, false, meaning, ofStates(value), WorldSignals::nothingAhead));
+  }
+
+  private static void addCommand(
+      String name, String meaning, ToDoubleFunction<Trace.Command> value) {
+    SIGNALS.put(
+        name, new Signal(name, "1", false, meaning, ofCommands(value), WorldSignals::noCommand));
   }
 
   private static Function<Trace, double[]> ofStates(ToDoubleFunction<Trace.State> value) {
@@ -37,31 +58,20 @@ final class WorldSignals implements Signal.Source {
 
   /** A command holds until the next one; before the first one the pedals are not pressed. */
   private static Function<Trace, double[]> ofCommands(ToDoubleFunction<Trace.Command> value) {
-    return trace -> {
-      List<Trace.State> states = trace.states();
-      List<Trace.Command> commands = trace.commands();
-      double[] samples = new double[states.size()];
-      double inForce = 0.0;
-      int next = 0;
-      for (int i = 0; i < samples.length; i++) {
-        while (next < commands.size() && commands.get(next).time() <= states.get(i).time()) {
-          inForce = value.applyAsDouble(commands.get(next++));
-        }
-        samples[i] = inForce;
-      }
-      return samples;
-    };
+    return trace ->
+        Signal.held(
+            trace,
+            trace.commands().stream()
+                .map(each -> new Trace.Sample(each.time(), value.applyAsDouble(each)))
+                .toList(),
+            0.0);
   }
 
-  private static Optional<String> always(Trace trace) {
-    return Optional.empty();
-  }
-
-  private static Optional<String> ahead(Trace trace) {
+  private static Optional<String> nothingAhead(Trace trace) {
     return trace.minimalGap().isEmpty() ? Optional.of("nothing ahead") : Optional.empty();
   }
 
-  private static Optional<String> commanded(Trace trace) {
+  private static Optional<String> noCommand(Trace trace) {
     return trace.commands().isEmpty() ? Optional.of("no command came") : Optional.empty();
   }
 
@@ -73,5 +83,10 @@ final class WorldSignals implements Signal.Source {
   @Override
   public Collection<String> names() {
     return SIGNALS.keySet();
+  }
+
+  /** All of them, in the order in which people read of them. */
+  static List<Signal> all() {
+    return List.copyOf(SIGNALS.values());
   }
 }

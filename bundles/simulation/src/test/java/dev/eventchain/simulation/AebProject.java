@@ -23,6 +23,7 @@ final class AebProject {
 
   private static final Path RESOURCES = Path.of("src/test/resources");
   static final Path EXAMPLE = Path.of("../../examples/aeb");
+  static final Bench BENCH = Bench.carla();
 
   private final Path folder;
   private final EventChain chain;
@@ -94,7 +95,7 @@ final class AebProject {
   }
 
   static List<Scenario> scenarios() {
-    return Scenario.readFolder(EXAMPLE.resolve("scenarios"), warning -> {});
+    return Scenario.readFolder(EXAMPLE.resolve("scenarios"), BENCH, warning -> {});
   }
 
   static Scenario scenario(String name) {
@@ -103,7 +104,8 @@ final class AebProject {
 
   SimulationRequest request(List<Scenario> scenarios) {
     List<Path> messages = List.of(EXAMPLE.resolve("software-base/msg"));
-    return SimulationRequest.of(chain, folder.resolve("aeb"), manifest(), messages, scenarios);
+    return SimulationRequest.of(
+        chain, folder.resolve("aeb"), manifest(), messages, BENCH, scenarios);
   }
 
   NodeManifest manifest() {

@@ -18,8 +18,7 @@ class CriterionTest {
 
   private static Trace approach(LongToDoubleFunction pedalAtMillisecond) {
     return trace(
-        time -> new Trace.State(time, SPEED, 30 - time / 1e8, 3 - time / 1e9, 0),
-        pedalAtMillisecond);
+        time -> States.of(time, SPEED, 30 - time / 1e8, 3 - time / 1e9, 0), pedalAtMillisecond);
   }
 
   private static Trace trace(LongFunction<Trace.State> state, LongToDoubleFunction pedal) {
@@ -70,7 +69,7 @@ class CriterionTest {
   @Test
   void brakeMayBeHeldForTheReactionTimeAfterTheDangerIsOver() {
     LongFunction<Trace.State> over =
-        time -> new Trace.State(time, SPEED, 20, time < 1_000 * MILLISECOND ? 1.5 : 9, 4.5);
+        time -> States.of(time, SPEED, 20, time < 1_000 * MILLISECOND ? 1.5 : 9, 4.5);
     Trace soon = trace(over, millisecond -> millisecond < 1_250 ? 0.5 : 0);
     Trace late = trace(over, millisecond -> millisecond < 1_450 ? 0.5 : 0);
     assertEquals(true, holds(CriterionKind.NO_BRAKE_AT_TTC, 2, soon));
@@ -79,7 +78,7 @@ class CriterionTest {
 
   @Test
   void brakingOrNotAtWalkingSpeedIsNotJudged() {
-    LongFunction<Trace.State> standing = time -> new Trace.State(time, 1, 0.5, 0.5, 0);
+    LongFunction<Trace.State> standing = time -> States.of(time, 1, 0.5, 0.5, 0);
     assertEquals(false, tested(CriterionKind.BRAKE_BELOW_TTC, 2, trace(standing, time -> 0)));
     assertEquals(false, tested(CriterionKind.NO_BRAKE_AT_TTC, 0.1, trace(standing, time -> 1)));
   }
@@ -102,7 +101,7 @@ class CriterionTest {
   void whatNeverCameUpIsNotTested(
       CriterionKind kind, double limit, boolean onEmptyRoad, boolean onApproach) {
     double nothing = Double.POSITIVE_INFINITY;
-    Trace empty = trace(time -> new Trace.State(time, SPEED, nothing, nothing, 0), time -> 0);
+    Trace empty = trace(time -> States.of(time, SPEED, nothing, nothing, 0), time -> 0);
     assertEquals(onEmptyRoad, tested(kind, limit, empty));
     assertEquals(onApproach, tested(kind, limit, approach(time -> 0)));
   }
@@ -110,7 +109,7 @@ class CriterionTest {
   @Test
   void withoutCommandsNothingIsSaidOfBraking() {
     Trace silent = new Trace();
-    silent.state(new Trace.State(0, 0, 20, 9, 0));
+    silent.state(States.of(0, 0, 20, 9, 0));
     for (CriterionKind kind :
         List.of(
             CriterionKind.NEVER_BRAKES,
@@ -140,7 +139,7 @@ class CriterionTest {
     Trace steady = new Trace();
     for (long time = 0; time <= 3_000 * MILLISECOND; time += World.TRACE_STEP) {
       for (Trace trace : new Trace[] {silent, late, steady}) {
-        trace.state(new Trace.State(time, SPEED, 20, 9, 0));
+        trace.state(States.of(time, SPEED, 20, 9, 0));
       }
     }
     late.command(500 * MILLISECOND, VehicleCommand.brake(0));

@@ -116,7 +116,7 @@ class FormulaReferenceTest {
     for (int i = 0; i < size; i++) {
       speeds[i] = random.nextInt(5);
       gaps[i] = random.nextInt(6) == 0 ? Double.POSITIVE_INFINITY : random.nextInt(5);
-      trace.state(new Trace.State(i * World.TRACE_STEP, speeds[i], gaps[i], 1, 0));
+      trace.state(States.of(i * World.TRACE_STEP, speeds[i], gaps[i], 1, 0));
     }
     return trace;
   }

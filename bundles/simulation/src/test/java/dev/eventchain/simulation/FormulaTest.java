@@ -31,7 +31,7 @@ class FormulaTest {
     for (int i = 0; i <= 100; i++) {
       double timeToCollision = i < 50 ? INFINITE : (200 - 2 * (i - 50)) / 100.0;
       double gap = (200 - i) / 10.0;
-      trace.state(new Trace.State(i * World.TRACE_STEP, i / 10.0, gap, timeToCollision, -10));
+      trace.state(States.of(i * World.TRACE_STEP, i / 10.0, gap, timeToCollision, -10));
     }
     trace.command(0, VehicleCommand.drive(0.25));
     trace.command(595_000_000L, VehicleCommand.brake(1));
@@ -71,16 +71,16 @@ class FormulaTest {
       })
   void whatSaysNothingIsNotTested(String formula, String expected) {
     Trace empty = new Trace();
-    empty.state(new Trace.State(0, 5, INFINITE, INFINITE, 0));
-    empty.state(new Trace.State(World.TRACE_STEP, 5, INFINITE, INFINITE, 0));
+    empty.state(States.of(0, 5, INFINITE, INFINITE, 0));
+    empty.state(States.of(World.TRACE_STEP, 5, INFINITE, INFINITE, 0));
     assertEquals(expected, judge(formula, empty));
   }
 
   @Test
   void theInstantOfAnImpactIsTheLastSample() {
     Trace trace = new Trace();
-    trace.state(new Trace.State(0, 5, 0.02, 0.004, 0));
-    trace.state(new Trace.State(4_000_000L, 5, 0, 0, 0));
+    trace.state(States.of(0, 5, 0.02, 0.004, 0));
+    trace.state(States.of(4_000_000L, 5, 0, 0, 0));
     trace.impact(5);
     assertEquals(
         "failed: 'gap > 0 m' is missed by 0 m after 0.00 s", judge("always gap > 0 m", trace));
@@ -93,7 +93,7 @@ class FormulaTest {
   void speedsOfTheScenarioAreThoseOfFormulas() {
     for (int speed = 0; speed <= 250; speed++) {
       Trace trace = new Trace();
-      trace.state(new Trace.State(0, speed * (1.0 / 3.6), 1, 1, 0));
+      trace.state(States.of(0, speed * (1.0 / 3.6), 1, 1, 0));
       assertEquals(
           "passed: 'ego.speed <= " + speed + " km/h' holds by 0 km/h after 0.00 s",
           judge("always ego.speed <= " + speed + " km/h", trace));
@@ -126,7 +126,8 @@ class FormulaTest {
   @Test
   void scenarioHasItsFormulasWithTheirPlaces() {
     Scenario scenario =
-        Scenario.read(Path.of("src/test/resources/formulas/formulas-of-all-kinds.yaml"));
+        Scenario.read(
+            Path.of("src/test/resources/formulas/formulas-of-all-kinds.yaml"), Bench.carla());
     List<Expectation> formulas =
         scenario.criteria().stream().filter(FormulaCriterion.class::isInstance).toList();
     assertEquals(

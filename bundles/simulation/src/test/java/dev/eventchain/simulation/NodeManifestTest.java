@@ -127,6 +127,7 @@ class NodeManifestTest {
             request.packageFolder(),
             manifest,
             request.messageFolders(),
+            request.bench(),
             request.scenarios());
     DiagnosticException failure =
         assertThrows(DiagnosticException.class, () -> AebProject.simulate(changed));

@@ -35,7 +35,7 @@ class ScenarioTest {
   @MethodSource("invalidScenarios")
   void everyProblemOfAnInvalidScenarioIsFoundAtItsPlace(Path file) throws IOException {
     DiagnosticException failure =
-        assertThrows(DiagnosticException.class, () -> Scenario.read(file));
+        assertThrows(DiagnosticException.class, () -> Scenario.read(file, Bench.carla()));
     assertEquals(DiagnosticException.Reason.INPUT, failure.reason());
     List<String> expected =
         Files.readAllLines(file).stream()
@@ -85,7 +85,8 @@ class ScenarioTest {
                   maximal_impact_speed_kmh: 18
                   tolerance_ttc_s: 0.2
                   tolerance_reaction_s: 0.4
-                """));
+                """),
+            Bench.carla());
     assertEquals(new EgoVehicle(10, 0.1, 0.4, 8, 0.3, 3, 1.5, 2, 0.02), scenario.ego());
     assertEquals(List.of(new TargetVehicle(40, 5, -3.5, 2.5, 4, 12, 2, 6)), scenario.targets());
     assertEquals(List.of("AEB-1", "AEB-2"), scenario.requirements());
@@ -154,7 +155,7 @@ class ScenarioTest {
     scenario(scenarios.resolve("d.yaml~"), "backup");
     Files.writeString(scenarios.resolve("notes.txt"), "notes");
     List<Diagnostic> warnings = new ArrayList<>();
-    List<Scenario> read = Scenario.readFolder(scenarios, warnings::add);
+    List<Scenario> read = Scenario.readFolder(scenarios, Bench.carla(), warnings::add);
     assertEquals(
         List.of("scenario-0", "scenario-1", "scenario-2", "scenario-3", "scenario-4"),
         read.stream().map(Scenario::name).toList());
@@ -191,6 +192,6 @@ class ScenarioTest {
   }
 
   private static List<Scenario> read(Path folder) {
-    return Scenario.readFolder(folder, warning -> {});
+    return Scenario.readFolder(folder, Bench.carla(), warning -> {});
   }
 }

@@ -51,7 +51,7 @@ class SilenceTest {
             chain ->
                 move(
                     chain.getSoftware().get(0).getInput(),
-                    CarlaBridge.LIDAR.name(),
+                    "/carla/ego_vehicle/lidar",
                     "/radar/objects"));
     assertEquals(
         "'ObjectDetection' never executed: /radar/objects never came: no component writes it, and"
@@ -67,11 +67,11 @@ class SilenceTest {
             chain ->
                 move(
                     chain.getSoftware().get(3).getOutput(),
-                    CarlaBridge.CONTROL.name(),
+                    "/carla/ego_vehicle/vehicle_control_cmd",
                     "/somewhere/else"));
     assertEquals(
         "The vehicle was never commanded: "
-            + CarlaBridge.CONTROL.name()
+            + "/carla/ego_vehicle/vehicle_control_cmd"
             + " never came: no component writes it.",
         only(result));
   }

@@ -36,10 +36,10 @@ class WorldTest {
     world.advanceTo(SECOND / 5);
     assertEquals(20, world.egoSpeed());
     world.advanceTo(SECOND / 5 + SECOND * 15 / 100);
-    assertEquals(4.5, world.egoDeceleration(), 1e-9);
+    assertEquals(4.5, world.moment().end().deceleration(), 1e-9);
     assertEquals(20 - 0.5 * 4.5 * 0.15, world.egoSpeed(), 1e-9);
     world.advanceTo(SECOND / 2);
-    assertEquals(9, world.egoDeceleration(), 1e-9);
+    assertEquals(9, world.moment().end().deceleration(), 1e-9);
     assertEquals(20 - 0.5 * 9 * 0.3, world.egoSpeed(), 1e-9);
   }
 
@@ -54,7 +54,7 @@ class WorldTest {
     double expected =
         v * 0.2 + v * 0.3 - 30 * 0.3 * 0.3 * 0.3 / 6 + afterRamp * afterRamp / (2 * 9);
     assertEquals(0, world.egoSpeed());
-    assertEquals(0, world.egoDeceleration());
+    assertEquals(0, world.moment().end().deceleration());
     assertEquals(expected, world.egoPosition(), 1e-6);
   }
 
@@ -85,7 +85,7 @@ class WorldTest {
     world.command(0, VehicleCommand.brake(1.0));
     world.command(SECOND * 3 / 10, VehicleCommand.brake(0.0));
     world.advanceTo(SECOND);
-    assertEquals(0.5, world.egoDeceleration(), 1e-9);
+    assertEquals(0.5, world.moment().end().deceleration(), 1e-9);
     double before = world.egoSpeed();
     world.advanceTo(2 * SECOND);
     assertEquals(before - 0.5, world.egoSpeed(), 1e-9);
@@ -98,7 +98,7 @@ class WorldTest {
     World over = empty(20);
     over.command(0, VehicleCommand.brake(7.0));
     over.advanceTo(SECOND);
-    assertEquals(9, over.egoDeceleration(), 1e-9);
+    assertEquals(9, over.moment().end().deceleration(), 1e-9);
     World none = empty(20);
     none.command(0, VehicleCommand.brake(Double.NaN));
     none.command(0, VehicleCommand.brake(-1.0));
@@ -190,10 +190,10 @@ class WorldTest {
     world.advanceTo(3 * SECOND);
     // 0.2 s delay, then a ramp of 30 m/s3 to 3 m/s2: 0.1 s at half of it, 1.7 s in full.
     assertEquals(10 + 0.1 * 1.5 + 1.7 * 3, world.egoSpeed(), 1e-6);
-    assertEquals(-3, world.egoDeceleration(), 1e-9);
+    assertEquals(-3, world.moment().end().deceleration(), 1e-9);
     world.command(3 * SECOND, VehicleCommand.drive(0.0));
     world.advanceTo(4 * SECOND);
-    assertEquals(0.5, world.egoDeceleration(), 1e-9, "it coasts");
+    assertEquals(0.5, world.moment().end().deceleration(), 1e-9, "it coasts");
   }
 
   @Test
@@ -201,7 +201,7 @@ class WorldTest {
     World world = empty(10);
     world.command(0, VehicleCommand.drive(0.5));
     world.advanceTo(2 * SECOND);
-    assertEquals(-(0.5 * 3.5 - 0.5), world.egoDeceleration(), 1e-9);
+    assertEquals(-(0.5 * 3.5 - 0.5), world.moment().end().deceleration(), 1e-9);
   }
 
   @Test
@@ -228,7 +228,7 @@ class WorldTest {
     World world = empty(20);
     world.command(0, new VehicleCommand(1.0, 1.0, ""));
     world.advanceTo(SECOND);
-    assertEquals(9, world.egoDeceleration(), 1e-9);
+    assertEquals(9, world.moment().end().deceleration(), 1e-9);
   }
 
   @Test

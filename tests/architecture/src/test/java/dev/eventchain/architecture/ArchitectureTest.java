@@ -54,9 +54,9 @@ class ArchitectureTest {
               Map.entry("m2t", 5),
               Map.entry("modeler", 9),
               Map.entry("analysis", 2),
-              Map.entry("simulation", 7),
+              Map.entry("simulation", 8),
               Map.entry("agents", 6),
-              Map.entry("pipeline", 11),
+              Map.entry("pipeline", 12),
               Map.entry("cli", 1)));
 
   /** For the strict modes of providers of language models, none of which is there yet. */

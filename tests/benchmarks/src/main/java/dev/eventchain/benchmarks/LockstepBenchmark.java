@@ -7,6 +7,7 @@ import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
 import dev.eventchain.python.PythonEnvironment;
+import dev.eventchain.simulation.Bench;
 import dev.eventchain.simulation.Measurements;
 import dev.eventchain.simulation.NodeManifest;
 import dev.eventchain.simulation.Scenario;
@@ -115,7 +116,8 @@ public final class LockstepBenchmark {
         folder.resolve("aeb"),
         NodeManifest.read(SourceText.read(folder.resolve("aeb").resolve(NodeManifest.FILE))),
         List.of(example.resolve("software-base/msg")),
-        Scenario.readFolder(example.resolve("scenarios"), warning -> {}));
+        Bench.carla(),
+        Scenario.readFolder(example.resolve("scenarios"), Bench.carla(), warning -> {}));
   }
 
   private static void delete(Path folder) throws IOException {

@@ -1,0 +1,66 @@
+package dev.eventchain.cli;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.pipeline.Project;
+import dev.eventchain.pipeline.ProjectBench;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code bench}: what the simulated world provides and takes, and how a project uses it. */
+@Command(
+    name = "bench",
+    mixinStandardHelpOptions = true,
+    description = {
+      "List all that the simulated world provides and the vehicle takes, and how the project's",
+      "topics are connected with it (bench.yaml; without one, CARLA's topics).",
+      "A project whose chain has been designed is checked against it, too."
+    })
+final class BenchCommand implements Callable<Integer> {
+
+  @Parameters(arity = "0..1", paramLabel = "DIR", description = "The project's folder.")
+  private Path folder;
+
+  @Option(
+      names = {"-o", "--output"},
+      paramLabel = "FOLDER",
+      description = "Where the project's results are (default: DIR/out).")
+  private Path output;
+
+  @Option(names = "--schema", description = "Print the JSON Schema of bench.yaml instead.")
+  private boolean schema;
+
+  @Spec private CommandSpec spec;
+
+  private final Console console;
+
+  BenchCommand(Console console) {
+    this.console = console;
+  }
+
+  @Override
+  public Integer call() {
+    if (schema == (folder != null)) {
+      throw new ParameterException(spec.commandLine(), "name a project's folder, or say --schema");
+    }
+    if (schema) {
+      console.out().print(ProjectBench.schema());
+      console.out().flush();
+      return ExitCode.FINE;
+    }
+    Project project = Project.open(folder);
+    ProjectBench bench =
+        ProjectBench.of(project, output == null ? project.defaultOutput() : output);
+    console.out().print(bench.text());
+    console.out().flush();
+    console.err().print(DiagnosticFormat.TEXT.render(bench.diagnostics()));
+    console.err().flush();
+    return Diagnostic.anyError(bench.diagnostics()) ? ExitCode.FINDINGS : ExitCode.FINE;
+  }
+}

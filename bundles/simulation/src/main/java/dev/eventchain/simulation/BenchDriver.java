@@ -1,0 +1,308 @@
+package dev.eventchain.simulation;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.messages.CdrCodec;
+import dev.eventchain.messages.FieldType;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.messages.MessageType;
+import dev.eventchain.messages.MessageValue;
+import dev.eventchain.simulation.Bench.Consumed;
+import dev.eventchain.simulation.Bench.Effect;
+import dev.eventchain.simulation.Bench.Provided;
+import java.nio.ByteBuffer;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * Connects the nodes with a world in one scenario, as the bench says: publishes what the vehicle
+ * provides when it is due, and turns what it consumes into commands.
+ */
+final class BenchDriver {
+
+  /** A topic and its message type. */
+  record Topic(String name, String type) {}
+
+  private static final Topic CLOCK = new Topic("/clock", "rosgraph_msgs/msg/Clock");
+  private static final String HEADER = "std_msgs/msg/Header";
+  private static final double CLOCK_RATE = 20;
+  private static final long SECOND = 1_000_000_000L;
+
+  /** A topic that is published, the message that is filled again and again, and when it is due. */
+  private static final class Publisher {
+    private final Topic topic;
+    private final Optional<Provided> provided;
+    private final MessageValue message;
+    private final List<String> stamps = new ArrayList<>();
+    private final List<Signal> recorded;
+    private final long period;
+    private long count;
+
+    Publisher(
+        Topic topic, Optional<Provided> provided, MessageValue message, List<Signal> recorded) {
+      this.topic = topic;
+      this.provided = provided;
+      this.message = message;
+      this.recorded = recorded;
+      this.period = Math.round(SECOND / provided.map(Provided::rate).orElse(CLOCK_RATE));
+      stamps(message.type(), "");
+    }
+
+    /** Each header that the message has, whatever other messages it is in. */
+    private void stamps(MessageType type, String prefix) {
+      for (MessageType.Field field : type.fields()) {
+        if (field.type().shape() == FieldType.Shape.SINGLE && field.type().message().isPresent()) {
+          MessageType inner = field.type().message().get();
+          if (inner.name().equals(HEADER)) {
+            stamps.add(prefix + field.name() + ".stamp");
+          } else {
+            stamps(inner, prefix + field.name() + ".");
+          }
+        }
+      }
+    }
+
+    long due() {
+      return count * period;
+    }
+  }
+
+  /** A topic that is received. */
+  private record Receiver(
+      Topic topic, MessageType type, Optional<Consumed> consumed, List<Signal> recorded) {}
+
+  private final MessageCatalog catalog;
+  private final Bench bench;
+  private final Scenario scenario;
+  private final Lidar lidar;
+  private final List<Publisher> publishers = new ArrayList<>();
+  private final List<Receiver> receivers = new ArrayList<>();
+  private final Map<Actuator, Double> demands = new EnumMap<>(Actuator.class);
+
+  /**
+   * Offers what is asked for, so that nothing is computed in vain; the clock is always offered.
+   *
+   * @param setup the topics that the nodes read and write
+   * @throws DiagnosticException (INPUT) {@code message.unknown} or {@code message.field.missing}: a
+   *     message type is not defined, or is not as the bench needs it
+   */
+  BenchDriver(NodeSetup setup, Scenario scenario) {
+    this.catalog = setup.catalog();
+    this.bench = setup.bench();
+    this.scenario = scenario;
+    this.lidar = new Lidar(scenario.ego(), scenario.seed());
+    publishers.add(new Publisher(CLOCK, Optional.empty(), message(CLOCK), List.of()));
+    Set<String> read = setup.topicsRead();
+    bench.provided().values().stream()
+        .filter(topic -> read.contains(topic.topic()))
+        .forEach(this::publish);
+    Set<String> written = setup.topicsWritten();
+    bench.consumed().values().stream()
+        .filter(topic -> written.contains(topic.topic()))
+        .forEach(this::receive);
+    observe(setup);
+  }
+
+  private void publish(Provided provided) {
+    Topic topic = new Topic(provided.topic(), provided.type());
+    MessageValue message = message(topic);
+    checked(topic, () -> constants(provided, message));
+    publishers.add(
+        new Publisher(topic, Optional.of(provided), message, recorded(provided.topic())));
+  }
+
+  private void receive(Consumed consumed) {
+    Topic topic = new Topic(consumed.topic(), consumed.type());
+    MessageType type = type(topic);
+    checked(topic, () -> consumed.fields().forEach(it -> it.check(MessageValue.of(type))));
+    receivers.add(new Receiver(topic, type, Optional.of(consumed), recorded(consumed.topic())));
+  }
+
+  /** Listens to the topics between components that formulas ask for. */
+  private void observe(NodeSetup setup) {
+    for (Signal signal : scenario.signals()) {
+      bench
+          .signals()
+          .topicOf(signal)
+          .filter(topic -> setup.topicsWritten().contains(topic.name()))
+          .filter(
+              topic -> receivers.stream().noneMatch(it -> it.topic().name().equals(topic.name())))
+          .map(topic -> new Topic(topic.name(), topic.type()))
+          .ifPresent(
+              topic ->
+                  receivers.add(
+                      new Receiver(topic, type(topic), Optional.empty(), recorded(topic.name()))));
+    }
+  }
+
+  /** The fields of a topic that formulas of the scenario read. */
+  private List<Signal> recorded(String topic) {
+    return scenario.signals().stream()
+        .filter(it -> bench.signals().topicOf(it).filter(of -> of.name().equals(topic)).isPresent())
+        .toList();
+  }
+
+  private MessageType type(Topic topic) {
+    return catalog
+        .find(topic.type())
+        .orElseThrow(
+            () ->
+                refused(
+                    "message.unknown",
+                    "The vehicle's topic " + topic.name() + " needs " + topic.type() + ".",
+                    topic));
+  }
+
+  private MessageValue message(Topic topic) {
+    return MessageValue.of(type(topic));
+  }
+
+  private void constants(Provided provided, MessageValue message) {
+    if (provided.lidar()) {
+      Lidar.describe(message);
+    }
+    for (Bench.Field field : provided.fields()) {
+      message.set(field.path(), field.source().example());
+    }
+  }
+
+  /** The topics it publishes; the index of a message's topic is the position here. */
+  List<Topic> published() {
+    return publishers.stream().map(it -> it.topic).toList();
+  }
+
+  /** The topics it receives; the index of a message's topic is the position here. */
+  List<Topic> received() {
+    return receivers.stream().map(Receiver::topic).toList();
+  }
+
+  /** When the next message is due, in ns; after what was sensed last. */
+  long nextDue() {
+    return publishers.stream().mapToLong(Publisher::due).min().orElseThrow();
+  }
+
+  /** What the sensors see at this moment: a message on each topic where one is due. */
+  List<LockstepChannel.Inbound> sense(World world) {
+    SampledRun moment = new SampledRun(world.moment());
+    List<LockstepChannel.Inbound> sensed = new ArrayList<>();
+    for (int i = 0; i < publishers.size(); i++) {
+      Publisher publisher = publishers.get(i);
+      if (publisher.due() <= world.now()) {
+        publisher.count++;
+        checked(publisher.topic, () -> update(publisher, world, moment));
+        sensed.add(
+            new LockstepChannel.Inbound(i, ByteBuffer.wrap(CdrCodec.encode(publisher.message))));
+        record(publisher.recorded, publisher.message, world.now(), world);
+      }
+    }
+    return sensed;
+  }
+
+  private void update(Publisher publisher, World world, SampledRun moment) {
+    MessageValue message = publisher.message;
+    if (publisher.provided.isEmpty()) {
+      stamp(message, "clock", world.now());
+      return;
+    }
+    publisher.stamps.forEach(path -> stamp(message, path, world.now()));
+    if (publisher.provided.get().lidar()) {
+      lidar.scan(RoadScene.boxes(world), message);
+    }
+    for (Bench.Field field : publisher.provided.get().fields()) {
+      if (field.source() instanceof Bench.Quantity quantity) {
+        send(message, field, quantity.at(moment));
+      } else if (field.source() instanceof Bench.Truth truth) {
+        message.set(field.path(), truth.formula().holds(moment));
+      }
+    }
+  }
+
+  /** A number that its field cannot hold ends the simulation: something else would be sent. */
+  private static void send(MessageValue message, Bench.Field field, double value) {
+    boolean whole =
+        !(message.get(field.path()) instanceof Float
+            || message.get(field.path()) instanceof Double);
+    try {
+      message.set(field.path(), whole && Double.isFinite(value) ? Math.rint(value) : value);
+    } catch (IllegalArgumentException e) {
+      throw new DiagnosticException(
+          DiagnosticException.Reason.INPUT,
+          Diagnostic.error("bench.value.range", e.getMessage(), field.location())
+              .withHint("Limit it: `min(gap, 200 m)`, or give it another unit."));
+    }
+  }
+
+  private static void stamp(MessageValue message, String field, long now) {
+    message.set(field + ".sec", (int) (now / SECOND));
+    message.set(field + ".nanosec", now % SECOND);
+  }
+
+  /** Takes what the nodes published: the vehicle follows it from when it was published on. */
+  void take(LockstepSession.Outbound outbound, World world) {
+    Receiver receiver = receivers.get(outbound.topic());
+    byte[] bytes = new byte[outbound.message().remaining()];
+    outbound.message().duplicate().get(bytes);
+    MessageValue message = CdrCodec.decode(receiver.type(), bytes);
+    record(receiver.recorded(), message, outbound.time(), world);
+    boolean commands = false;
+    for (Effect effect : receiver.consumed().map(Consumed::fields).orElse(List.of())) {
+      if (effect.actuator().isPresent()) {
+        commands = true;
+        demands.put(effect.actuator().get(), effect.demand(number(message, effect.path())));
+      }
+    }
+    if (commands) {
+      world.command(outbound.time(), VehicleCommand.of(demands, scenario.ego()));
+    }
+  }
+
+  private static void record(List<Signal> signals, MessageValue message, long time, World world) {
+    for (Signal signal : signals) {
+      double value = number(message, BenchSignals.fieldOf(signal));
+      world.trace().sample(signal.name(), time, signal.dimension().coherent(value));
+    }
+  }
+
+  /** A field's number; 1 and 0 for what is true or false. */
+  private static double number(MessageValue message, String path) {
+    return message.get(path) instanceof Boolean truth ? (truth ? 1.0 : 0.0) : message.number(path);
+  }
+
+  private void checked(Topic topic, Runnable access) {
+    try {
+      access.run();
+    } catch (IllegalArgumentException e) {
+      throw refused(
+          "message.field.missing",
+          "The vehicle's topic "
+              + topic.name()
+              + " needs "
+              + topic.type()
+              + " as the bench describes it: "
+              + e.getMessage(),
+          topic);
+    }
+  }
+
+  /** The place is the file that defines the type, or should. */
+  private DiagnosticException refused(String id, String message, Topic topic) {
+    List<Path> files =
+        catalog.folders().stream().map(folder -> folder.resolve(topic.type() + ".msg")).toList();
+    Optional<Path> file =
+        files.stream()
+            .filter(Files::isRegularFile)
+            .findFirst()
+            .or(() -> files.stream().findFirst());
+    return new DiagnosticException(
+        DiagnosticException.Reason.INPUT,
+        Diagnostic.error(id, message, file.map(SourceLocation::of).orElse(SourceLocation.NONE))
+            .withHint("Put the definition into software-base/msg/PACKAGE/msg/NAME.msg."));
+  }
+}

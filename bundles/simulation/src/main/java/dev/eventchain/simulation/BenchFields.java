@@ -1,0 +1,337 @@
+package dev.eventchain.simulation;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.documents.NumberRange;
+import dev.eventchain.documents.ObjectReader;
+import dev.eventchain.messages.FieldType;
+import dev.eventchain.messages.MessageType;
+import dev.eventchain.messages.MessageValue;
+import dev.eventchain.messages.Unit;
+import dev.eventchain.simulation.Bench.Effect;
+import dev.eventchain.simulation.Bench.Field;
+import dev.eventchain.simulation.Bench.Source;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+
+/** Reads what single fields of a bench's topics are connected with. */
+final class BenchFields {
+
+  private static final String OBSERVED = "observed";
+  private static final String VALUE = "value";
+  private static final String CONSTANT = "constant";
+  private static final String DRIVES = "drives";
+  private static final String UNIT = "unit";
+
+  private final DeclaredSignals declared;
+  private final YamlText source;
+  private final Signal.Source signals;
+
+  /**
+   * A reader.
+   *
+   * @param inputs what values may depend on besides the world
+   */
+  BenchFields(DeclaredSignals declared, Collection<Signal> inputs, YamlText source) {
+    this.declared = declared;
+    this.source = source;
+    this.signals = new Known(List.copyOf(inputs));
+  }
+
+  /** The world, and inputs. */
+  private record Known(List<Signal> inputs) implements Signal.Source {
+
+    @Override
+    public Optional<Signal> find(String name) {
+      return Stream.concat(WorldSignals.all().stream(), inputs.stream())
+          .filter(each -> each.name().equals(name))
+          .findFirst();
+    }
+
+    @Override
+    public Collection<String> names() {
+      return Stream.concat(WorldSignals.all().stream(), inputs.stream()).map(Signal::name).toList();
+    }
+  }
+
+  /**
+   * What a field that is published is connected with; nothing if something is wrong with it, which
+   * is a finding.
+   *
+   * @param message the type of the topic's messages, where that is known already
+   */
+  Optional<Field> read(
+      ObjectReader part, String topic, String path, Optional<MessageType> message) {
+    Optional<FieldType> type = type(part, path, message);
+    JsonNode value = part.value(path).orElse(null);
+    if (value == null || (message.isPresent() && type.isEmpty())) {
+      return Optional.empty();
+    }
+    Optional<Source> found;
+    if (value.isTextual()) {
+      found =
+          source(
+              part, path, value.textValue(), unit(part, Optional.empty(), topic, path), 0.0, type);
+    } else if (value.isObject()) {
+      found = part.object(path).flatMap(section -> written(section, topic, path, type));
+    } else {
+      found = Optional.of(constant(value));
+    }
+    found = found.filter(it -> fits(part, path, it, message));
+    return found.map(it -> new Field(path, it, part.atKey(path)));
+  }
+
+  private static Optional<FieldType> type(
+      ObjectReader part, String path, Optional<MessageType> message) {
+    if (message.isEmpty()) {
+      return Optional.empty();
+    }
+    MessageType.Resolution found = message.get().resolve(path);
+    if (found.type().isEmpty()) {
+      part.find(
+          Diagnostic.error("message.field.missing", found.problem(), part.atKey(path))
+              .withHint(found.hint()));
+    }
+    return found.type();
+  }
+
+  private Optional<Source> written(
+      ObjectReader section, String topic, String path, Optional<FieldType> type) {
+    if (section.has(VALUE) == section.has(CONSTANT)) {
+      String message = "A field has either '" + VALUE + "' or '" + CONSTANT + "'.";
+      section.find("bench.key.missing", message, section.location());
+    }
+    Optional<JsonNode> constant = section.value(CONSTANT);
+    double absent = section.number("absent", NumberRange.of(-1e12, 1e12)).orElse(0.0);
+    Optional<String> unitText = section.text(UNIT);
+    Optional<Source> found;
+    if (constant.isPresent()) {
+      found = Optional.of(constant(constant.get()));
+    } else {
+      found =
+          section
+              .text(VALUE)
+              .flatMap(
+                  text ->
+                      source(
+                          section,
+                          VALUE,
+                          text,
+                          unit(section, unitText, topic, path),
+                          absent,
+                          type));
+    }
+    section.refuseOthers();
+    return found;
+  }
+
+  private static Bench.Constant constant(JsonNode value) {
+    return new Bench.Constant(plain(value));
+  }
+
+  private static Object plain(JsonNode value) {
+    if (value.isArray()) {
+      List<Object> values = new ArrayList<>();
+      value.forEach(each -> values.add(plain(each)));
+      return values;
+    }
+    return value.isNumber()
+        ? value.numberValue()
+        : value.isBoolean() ? (Object) value.booleanValue() : value.asText();
+  }
+
+  /** Whether a constant can be the field's value. */
+  private static boolean fits(
+      ObjectReader part, String path, Source source, Optional<MessageType> message) {
+    if (message.isPresent() && source instanceof Bench.Constant constant) {
+      try {
+        MessageValue.of(message.get()).set(path, constant.value());
+      } catch (IllegalArgumentException e) {
+        part.find("bench.value.type", e.getMessage(), part.at(path));
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /**
+   * The unit of a field: as the bench says or as the project says, which must be the same.
+   *
+   * @return what people wrote; empty if neither says any, or what is said is wrong
+   */
+  private Optional<String> unit(
+      ObjectReader section, Optional<String> written, String topic, String path) {
+    Optional<String> known = declared.unit(topic, path);
+    if (written.isPresent() && BenchInputs.unit(section, written.get()).isEmpty()) {
+      return Optional.empty();
+    }
+    boolean differs =
+        written.isPresent()
+            && known.flatMap(Unit::parse).isPresent()
+            && known.flatMap(Unit::parse).get().relationTo(Unit.parse(written.get()).orElseThrow())
+                != Unit.Relation.SAME;
+    if (differs) {
+      section.find(
+          Diagnostic.error(
+                  "bench.unit",
+                  "'%s' of %s is in %s here, but in %s in signals.json."
+                      .formatted(path, topic, written.get(), known.get()),
+                  section.at(UNIT))
+              .withHint("Leave one of them out, or write the same unit."));
+    }
+    return written.or(() -> known).filter(text -> Unit.parse(text).isPresent());
+  }
+
+  /** A quantity or a condition for a field. */
+  private Optional<Source> source(
+      ObjectReader section,
+      String key,
+      String text,
+      Optional<String> unit,
+      double absent,
+      Optional<FieldType> type) {
+    SourceLocation place = section.at(key);
+    FormulaParser.Part part;
+    try {
+      part = FormulaParser.parseMoment(source.range(place, text), signals);
+    } catch (DiagnosticException e) {
+      e.diagnostics().forEach(section::find);
+      return Optional.empty();
+    }
+    boolean truth = part instanceof Condition || (part instanceof Term it && it.truth());
+    if (type.isPresent() && !takes(type.get(), truth)) {
+      boolean isTruth = type.get().kind() == FieldType.Kind.BOOL;
+      section.find(
+          Diagnostic.error(
+                  "bench.value.type",
+                  "'%s' is %s, but the field is %s."
+                      .formatted(text, truth ? "true or false" : "a quantity", type.get()),
+                  place)
+              .withHint(
+                  isTruth
+                      ? "Write a condition, such as `gap < 100 m`."
+                      : "Give it a constant: {constant: ...}."));
+      return Optional.empty();
+    }
+    return truth
+        ? Optional.of(new Bench.Truth(text, Formula.ofMoment(part, text)))
+        : quantity(section, place, text, (Term) part, unit, absent);
+  }
+
+  private static boolean takes(FieldType type, boolean truth) {
+    return BenchSignals.isNumberOrTruth(type) && (type.kind() == FieldType.Kind.BOOL) == truth;
+  }
+
+  private static Optional<Source> quantity(
+      ObjectReader section,
+      SourceLocation place,
+      String text,
+      Term term,
+      Optional<String> unitText,
+      double absent) {
+    Unit plain = Unit.parse("1").orElseThrow();
+    Optional<Unit> unit = unitText.flatMap(Unit::parse);
+    boolean needsNone = term.dimension().relationTo(plain) == Unit.Relation.SAME;
+    if (unit.isEmpty() && !needsNone) {
+      section.find(
+          Diagnostic.error(
+                  "bench.unit", "Nothing says in which unit '" + text + "' is sent.", place)
+              .withHint("Write the field's unit into signals.json, or {value: ..., unit: m/s}."));
+      return Optional.empty();
+    }
+    if (unit.isPresent() && !BenchInputs.fits(term, unit.get())) {
+      section.find(
+          Diagnostic.error(
+              "bench.unit", "'%s' cannot be sent in %s.".formatted(text, unitText.get()), place));
+      return Optional.empty();
+    }
+    return Optional.of(new Bench.Quantity(text, term, unit.orElse(plain), absent));
+  }
+
+  /** What a field that the vehicle consumes does; nothing if that is wrong. */
+  Optional<Effect> effect(
+      ObjectReader part, String topic, String path, Optional<MessageType> message) {
+    Optional<FieldType> type = type(part, path, message);
+    Optional<JsonNode> value = part.value(path);
+    if (value.isEmpty() || (message.isPresent() && type.isEmpty())) {
+      return Optional.empty();
+    }
+    if (!value.get().isObject()) {
+      Optional<String> unit = unit(part, Optional.empty(), topic, path);
+      return part.text(path)
+          .flatMap(name -> effect(part, path, name, unit, type))
+          .map(it -> new Effect(path, it.actuator(), it.unit(), false, part.atKey(path)));
+    }
+    Optional<ObjectReader> section = part.object(path);
+    return section.flatMap(
+        it -> {
+          Optional<String> unit = unit(it, it.text(UNIT), topic, path);
+          boolean required = it.has("required");
+          it.requireTrue("required");
+          String name = it.requiredText(DRIVES);
+          it.refuseOthers();
+          return effect(it, DRIVES, name, unit, type)
+              .map(
+                  effect ->
+                      new Effect(
+                          path, effect.actuator(), effect.unit(), required, part.atKey(path)));
+        });
+  }
+
+  /** What a field drives, and in which unit. */
+  private record Driven(Optional<Actuator> actuator, String unit) {}
+
+  /** What an effect is about; nothing if it is wrong. */
+  private static Optional<Driven> effect(
+      ObjectReader section,
+      String key,
+      String name,
+      Optional<String> unitText,
+      Optional<FieldType> type) {
+    Optional<Actuator> actuator = Actuator.find(name);
+    if (actuator.isEmpty() && !name.equals(OBSERVED)) {
+      List<String> known = new ArrayList<>(Actuator.ids());
+      known.add(OBSERVED);
+      section.find(
+          Diagnostic.error(
+                  "bench.actuator.unknown", "The vehicle takes no '" + name + "'.", section.at(key))
+              .withHint(NearestName.hint(name, known)));
+      return Optional.empty();
+    }
+    if (actuator.isEmpty()) {
+      return Optional.of(new Driven(actuator, unitText.orElse("1")));
+    }
+    if (type.isPresent() && !takes(type.get(), actuator.get().truth())) {
+      String wanted = actuator.get().truth() ? "true or false" : "a number";
+      section.find(
+          "bench.value.type",
+          "'" + name + "' is " + wanted + ", but the field is " + type.get() + ".",
+          section.at(key));
+      return Optional.empty();
+    }
+    return unitFits(section, key, actuator.get(), unitText)
+        ? Optional.of(new Driven(actuator, unitText.orElse("1")))
+        : Optional.empty();
+  }
+
+  private static boolean unitFits(
+      ObjectReader section, String key, Actuator actuator, Optional<String> unitText) {
+    Unit unit = Unit.parse(unitText.orElse("1")).orElseThrow();
+    Unit.Relation relation = unit.relationTo(actuator.unit());
+    boolean fits = relation == Unit.Relation.SAME || relation == Unit.Relation.CONVERTIBLE;
+    if (!fits) {
+      String found = unitText.map(text -> "in " + text).orElse("without a unit");
+      section.find(
+          "bench.unit",
+          "'%s' is in %s, but the field %s.".formatted(actuator.id(), actuator.unitText(), found),
+          section.at(key));
+    }
+    return fits;
+  }
+}

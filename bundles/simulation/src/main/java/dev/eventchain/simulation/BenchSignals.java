@@ -1,0 +1,137 @@
+package dev.eventchain.simulation;
+
+import dev.eventchain.messages.FieldType;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.messages.MessageType;
+import dev.eventchain.messages.Unit;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+
+/**
+ * What formulas may read: the world, the inputs of the bench, and each field of each topic that is
+ * known, as {@code /topic.field}. A field without a unit is taken for a plain number.
+ */
+final class BenchSignals implements Signal.Source {
+
+  /** A topic whose messages formulas read. */
+  record Topic(String name, String type, Map<String, String> units) {}
+
+  /** The meaning of inputs that are not computed. */
+  static final String SCRIPTED = "set by scenarios";
+
+  private static final WorldSignals WORLD = new WorldSignals();
+
+  private final Map<String, Signal> inputs;
+  private final Map<String, Topic> topics;
+  private final MessageCatalog catalog;
+
+  BenchSignals(Map<String, Signal> inputs, Map<String, Topic> topics, MessageCatalog catalog) {
+    this.inputs = new LinkedHashMap<>(inputs);
+    this.topics = new LinkedHashMap<>(topics);
+    this.catalog = catalog;
+  }
+
+  @Override
+  public Optional<Signal> find(String name) {
+    return name.startsWith("/")
+        ? ofTopic(name)
+        : WORLD.find(name).or(() -> Optional.ofNullable(inputs.get(name)));
+  }
+
+  @Override
+  public Collection<String> names() {
+    List<String> names = new ArrayList<>(WORLD.names());
+    names.addAll(inputs.keySet());
+    topics.values().forEach(topic -> names.addAll(fields(topic)));
+    return names;
+  }
+
+  /** The inputs that a scenario may set, by name. */
+  Map<String, Signal> inputs() {
+    return inputs;
+  }
+
+  /** Whether a scenario may say what people do with an input. */
+  boolean isScripted(String name) {
+    return inputs.containsKey(name) && inputs.get(name).meaning().equals(SCRIPTED);
+  }
+
+  /** The names of the inputs that a scenario may set. */
+  List<String> scripted() {
+    return inputs.keySet().stream().filter(this::isScripted).toList();
+  }
+
+  /** What a report tells of a scenario, by name: the world, the inputs, and what formulas read. */
+  List<Signal> reported(Scenario scenario) {
+    Map<String, Signal> reported = new TreeMap<>();
+    WorldSignals.all().forEach(signal -> reported.put(signal.name(), signal));
+    reported.putAll(inputs);
+    scenario.signals().forEach(signal -> reported.put(signal.name(), signal));
+    return List.copyOf(reported.values());
+  }
+
+  /** The topic that a signal is a field of; empty if it is of none. */
+  Optional<Topic> topicOf(Signal signal) {
+    return signal.name().startsWith("/")
+        ? Optional.ofNullable(topics.get(topicName(signal.name())))
+        : Optional.empty();
+  }
+
+  /** The path of the field that a topic's signal is. */
+  static String fieldOf(Signal signal) {
+    return signal.name().substring(signal.name().indexOf('.') + 1);
+  }
+
+  private static String topicName(String signal) {
+    int dot = signal.indexOf('.');
+    return dot < 0 ? signal : signal.substring(0, dot);
+  }
+
+  private List<String> fields(Topic topic) {
+    return topic.units().keySet().stream()
+        .map(field -> topic.name() + "." + field)
+        .filter(name -> ofTopic(name).isPresent())
+        .toList();
+  }
+
+  private Optional<Signal> ofTopic(String name) {
+    Topic topic = topics.get(topicName(name));
+    if (topic == null || name.indexOf('.') < 0) {
+      return Optional.empty();
+    }
+    String path = name.substring(name.indexOf('.') + 1);
+    Optional<MessageType> type = catalog.find(topic.type());
+    return type.flatMap(known -> known.resolve(path).type())
+        .filter(BenchSignals::isNumberOrTruth)
+        .map(field -> signal(name, topic, path, field.kind() == FieldType.Kind.BOOL));
+  }
+
+  private static Signal signal(String name, Topic topic, String path, boolean truth) {
+    String unit = topic.units().getOrDefault(path, "");
+    boolean known = !unit.isEmpty() && Unit.parse(unit).isPresent();
+    return new Signal(
+        name,
+        known ? unit : "1",
+        truth,
+        "field of " + topic.type(),
+        trace -> Signal.held(trace, trace.samples(name), Double.NaN),
+        trace ->
+            trace.samples(name).isEmpty()
+                ? Optional.of("nothing came on " + topic.name())
+                : Optional.empty());
+  }
+
+  /** Whether a field is one number, or one truth value. */
+  static boolean isNumberOrTruth(FieldType type) {
+    return type.shape() == FieldType.Shape.SINGLE
+        && switch (type.kind()) {
+          case STRING, WSTRING, MESSAGE -> false;
+          default -> true;
+        };
+  }
+}

@@ -1,0 +1,232 @@
+package dev.eventchain.simulation;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.documents.NumberRange;
+import dev.eventchain.documents.ObjectReader;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.messages.MessageType;
+import dev.eventchain.messages.RosNames;
+import dev.eventchain.simulation.Bench.Consumed;
+import dev.eventchain.simulation.Bench.Effect;
+import dev.eventchain.simulation.Bench.Provided;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** Reads the sections {@code provides} and {@code consumes} of a bench. */
+final class BenchTopics {
+
+  private static final NumberRange RATE = NumberRange.of(0.1, 1000);
+  private static final String SENSOR = "sensor";
+  private static final String LIDAR = "lidar";
+  private static final String POINT_CLOUD = "sensor_msgs/msg/PointCloud2";
+
+  private final DeclaredSignals declared;
+  private final Optional<MessageCatalog> catalog;
+  private final BenchFields fields;
+  private final Map<Actuator, Effect> driven = new EnumMap<>(Actuator.class);
+
+  /**
+   * A reader.
+   *
+   * @param catalog where the message types are looked up; empty to leave that to a simulation
+   * @param inputs what the values may depend on besides the world
+   */
+  BenchTopics(
+      DeclaredSignals declared,
+      Optional<MessageCatalog> catalog,
+      Collection<Signal> inputs,
+      YamlText source) {
+    this.declared = declared;
+    this.catalog = catalog;
+    this.fields = new BenchFields(declared, inputs, source);
+  }
+
+  /** Reads both sections into maps with the topics' full names. */
+  void read(ObjectReader section, Map<String, Provided> provided, Map<String, Consumed> consumed) {
+    section
+        .object("provides")
+        .ifPresent(
+            part ->
+                part.names()
+                    .forEach(
+                        name -> {
+                          topic(part, name)
+                              .flatMap(topic -> provided(topic, name))
+                              .ifPresent(it -> provided.put(it.topic(), it));
+                        }));
+    section
+        .object("consumes")
+        .ifPresent(
+            part ->
+                part.names()
+                    .forEach(
+                        name -> {
+                          topic(part, name)
+                              .flatMap(topic -> consumed(topic, name))
+                              .ifPresent(it -> consumed.put(it.topic(), it));
+                        }));
+    section.refuseOthers();
+  }
+
+  private static Optional<ObjectReader> topic(ObjectReader part, String name) {
+    if (!RosNames.isTopic(name) || RosNames.isPrivate(name)) {
+      part.find("bench.value.range", "'" + name + "' is no name of a topic.", part.atKey(name));
+      part.object(name);
+      return Optional.empty();
+    }
+    return part.object(name);
+  }
+
+  private Optional<Provided> provided(ObjectReader section, String name) {
+    String topic = BenchReader.fullName(name);
+    double rate = section.requiredNumber("rate_hz", RATE);
+    boolean lidar = isLidar(section);
+    String type = type(section, topic, lidar ? POINT_CLOUD : "");
+    Optional<MessageType> message = message(section, type);
+    List<Bench.Field> read = new ArrayList<>();
+    section
+        .object("fields")
+        .ifPresent(
+            part ->
+                part.names()
+                    .forEach(path -> fields.read(part, topic, path, message).ifPresent(read::add)));
+    if (isEmpty(section) && !section.has(SENSOR)) {
+      section.find(
+          "bench.key.missing", "No field of " + topic + " has a source.", section.location());
+    }
+    section.refuseOthers();
+    return Optional.of(new Provided(topic, type, rate, lidar, read, section.location()));
+  }
+
+  private static boolean isEmpty(ObjectReader section) {
+    return section.value("fields").map(JsonNode::isEmpty).orElse(true);
+  }
+
+  private static boolean isLidar(ObjectReader section) {
+    Optional<String> sensor = section.text(SENSOR);
+    if (sensor.isPresent() && !sensor.get().equals(LIDAR)) {
+      section.find(
+          Diagnostic.error(
+                  "bench.value.range",
+                  "There is no sensor '" + sensor.get() + "'.",
+                  section.at(SENSOR))
+              .withHint("The sensors are: " + LIDAR + ". Others are built of quantities."));
+    }
+    return sensor.filter(LIDAR::equals).isPresent();
+  }
+
+  /** The type of a topic's messages; what the bench says of it must be what the project says. */
+  private String type(ObjectReader section, String topic, String usual) {
+    Optional<String> written = section.text("type").map(RosNames::fullMessageType);
+    Optional<String> known =
+        declared.find(topic).map(signal -> RosNames.fullMessageType(signal.messageType()));
+    if (written.isEmpty() && known.isEmpty() && usual.isEmpty()) {
+      section.find(
+          "bench.key.missing",
+          "'type' is missing, and signals.json says nothing of " + topic + ".",
+          section.location());
+      return "";
+    }
+    String type = written.or(() -> known).orElse(usual);
+    String expected = known.orElse(usual.isEmpty() ? type : usual);
+    if (!type.equals(expected) || (!usual.isEmpty() && !type.equals(usual))) {
+      section.find(
+          Diagnostic.error(
+                  "bench.type",
+                  "The messages of "
+                      + topic
+                      + " are "
+                      + type
+                      + " here, but "
+                      + (type.equals(expected)
+                          ? usual + " for a lidar."
+                          : expected + " in signals.json."),
+                  section.has("type") ? section.at("type") : section.location())
+              .withHint("Write the same type in both."));
+    }
+    return type;
+  }
+
+  private Optional<MessageType> message(ObjectReader section, String type) {
+    if (catalog.isEmpty() || type.isEmpty()) {
+      return Optional.empty();
+    }
+    try {
+      Optional<MessageType> found = catalog.get().find(type);
+      if (found.isEmpty()) {
+        section.find(
+            Diagnostic.error(
+                    "message.unknown",
+                    "There is no message type " + type + ".",
+                    section.has("type") ? section.at("type") : section.location())
+                .withHint(NearestName.hint(type, catalog.get().names())));
+      }
+      return found;
+    } catch (DiagnosticException e) {
+      e.diagnostics().forEach(section::find);
+      return Optional.empty();
+    }
+  }
+
+  private Optional<Consumed> consumed(ObjectReader section, String name) {
+    String topic = BenchReader.fullName(name);
+    String type = type(section, topic, "");
+    Optional<MessageType> message = message(section, type);
+    List<Effect> effects = new ArrayList<>();
+    section
+        .object("fields")
+        .ifPresent(
+            part ->
+                part.names()
+                    .forEach(
+                        path ->
+                            fields
+                                .effect(part, topic, path, message)
+                                .ifPresent(effect -> add(part, effect, effects))));
+    boolean observed = section.has("observed");
+    section.requireTrue("observed");
+    if (isEmpty(section) && !observed) {
+      section.find(
+          Diagnostic.error(
+                  "bench.key.missing",
+                  "No field of " + topic + " does anything.",
+                  section.location())
+              .withHint("Write `observed: true` if the vehicle only receives it."));
+    }
+    section.refuseOthers();
+    return Optional.of(new Consumed(topic, type, effects, section.location()));
+  }
+
+  private void add(ObjectReader part, Effect effect, List<Effect> effects) {
+    effects.add(effect);
+    if (effect.actuator().isEmpty()) {
+      return;
+    }
+    Actuator actuator = effect.actuator().get();
+    for (Map.Entry<Actuator, Effect> other : driven.entrySet()) {
+      if (actuator.excludes(other.getKey())) {
+        part.find(
+            Diagnostic.error(
+                    "bench.actuator.conflict",
+                    "'%s' drives %s, but '%s' at %s drives %s already."
+                        .formatted(
+                            effect.path(),
+                            actuator.id(),
+                            other.getValue().path(),
+                            other.getValue().location(),
+                            other.getKey().id()),
+                    effect.location())
+                .withHint("Let one of them be `observed`."));
+        return;
+      }
+    }
+    driven.put(actuator, effect);
+  }
+}
