@@ -69,6 +69,10 @@ final class Conclusion {
     found.addAll(aboutSuppressions(found, suppressed, coverage));
     List<ScenarioLine> scenarios = scenarioLines();
     Verdict verdict = verdict(found);
+    boolean unproved = scenarios.stream().anyMatch(scenario -> !scenario.passed());
+    if (verdict == Verdict.PASSED && unproved && suppressed.isEmpty()) {
+      throw new IllegalStateException("a scenario did not pass, and no finding says why");
+    }
     String summary = summary(verdict, scenarios, found) + suppressedText(suppressed);
     Optional<Path> report = Optional.empty();
     boolean reportable = !run.options().isPartial() && !failure.equals(Optional.of(Reason.WAITING));
@@ -124,9 +128,15 @@ final class Conclusion {
       case FAILED -> scenarios.isEmpty() ? errorText : scenarioText + ", " + errorText;
       case INCOMPLETE ->
           onlyUntested(found)
-              ? scenarioText + ", but not all was tested: " + errorText
+              ? untested(scenarios, scenarioText) + ": " + errorText
               : failure.isPresent() ? stopped() : unjudged(scenarios, scenarioText);
     };
+  }
+
+  private static String untested(List<ScenarioLine> scenarios, String scenarioText) {
+    return scenarios.isEmpty()
+        ? "nothing was simulated"
+        : scenarioText + ", but not all was tested";
   }
 
   /** A verdict must not hide that findings are left out of it. */

@@ -74,7 +74,6 @@ final class SimulateStage implements StageWork {
     }
     OclResult validation = Constraints.of(run).check(measured, locator);
     found.addAll(validation.diagnostics());
-    List<String> files = run.options().isPartial() ? List.of() : RESULTS;
     if (!run.options().isPartial()) {
       found.addAll(ProjectScenarios.untested(run, scenarios));
       found.addAll(unmeasured(chain, result, run.chain()::locate));
@@ -82,8 +81,12 @@ final class SimulateStage implements StageWork {
       run.writeResult(VERDICT, SimulationReport.verdict(chain, result, errors(run, found)));
     }
     Coverage coverage = Constraints.coverage(List.of(measuredFile(run)), validation).and(ecore);
-    return new StageResult(
-        details(result), files, found, report(run, result, validation), coverage);
+    ObjectNode report = report(run, result, validation);
+    return new StageResult(details(result), results(run), found, report, coverage);
+  }
+
+  private static List<String> results(RunContext run) {
+    return run.options().isPartial() ? List.of() : RESULTS;
   }
 
   /**

@@ -49,6 +49,17 @@ interface Condition extends FormulaParser.Part {
                     && it.ofTruth() == comparisons.get(0).ofTruth());
   }
 
+  /** The last sample that its intervals reach, seen from one; those without a bound reach none. */
+  default long horizon(long sample) {
+    long last = sample;
+    for (int i = 0; i < parts().size(); i++) {
+      Interval interval = window(i);
+      long from = interval.bounded() ? sample + interval.to() : sample;
+      last = Math.max(last, parts().get(i).horizon(from));
+    }
+    return last;
+  }
+
   /** Whether its truth at a sample depends on that sample only. */
   default boolean ofOneMoment() {
     return parts().stream().allMatch(Condition::ofOneMoment);
@@ -99,7 +110,7 @@ interface Condition extends FormulaParser.Part {
 
     /** What a signal is compared with, if one side is a signal and the other depends on none. */
     Optional<ScenarioVerdict.Limit> limit(SampledRun run) {
-      return left.limit(right, run).or(() -> right.limit(left, run));
+      return ofTruth() ? Optional.empty() : left.limit(right, run).or(() -> right.limit(left, run));
     }
 
     @Override

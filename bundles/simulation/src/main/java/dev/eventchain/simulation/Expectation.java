@@ -21,6 +21,13 @@ interface Expectation {
     return Set.of();
   }
 
+  /**
+   * Until when a run is needed to judge it, in ns; 0 if what happens until standstill is enough.
+   */
+  default long horizon() {
+    return 0;
+  }
+
   /** What was found. */
   Criterion.Outcome judge(Trace trace);
 }

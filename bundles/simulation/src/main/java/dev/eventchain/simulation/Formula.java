@@ -80,6 +80,11 @@ final class Formula {
         .collect(Collectors.toCollection(LinkedHashSet::new));
   }
 
+  /** Until when a run is needed to judge it, in ns: as far as its intervals reach. */
+  long horizon() {
+    return condition.horizon(0) * World.TRACE_STEP;
+  }
+
   /** What the formula is made of. */
   Condition condition() {
     return condition;

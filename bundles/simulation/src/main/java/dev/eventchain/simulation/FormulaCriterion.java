@@ -29,6 +29,11 @@ record FormulaCriterion(String name, Formula formula, SourceLocation location)
   }
 
   @Override
+  public long horizon() {
+    return formula.horizon();
+  }
+
+  @Override
   public Criterion.Outcome judge(Trace trace) {
     return formula.judge(trace);
   }

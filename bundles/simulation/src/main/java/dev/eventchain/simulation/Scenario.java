@@ -159,6 +159,11 @@ public final class Scenario {
         .collect(Collectors.toCollection(LinkedHashSet::new));
   }
 
+  /** Until when the criteria need a run that no impact ends, in ns. */
+  long horizon() {
+    return criteria.stream().mapToLong(Expectation::horizon).max().orElse(0);
+  }
+
   List<Expectation> criteria() {
     return criteria;
   }

@@ -39,6 +39,7 @@ final class ScenarioJudge {
         scenario.name(),
         scenario.title(),
         scenario.requirements(),
+        worked,
         tested,
         passed,
         criteria,

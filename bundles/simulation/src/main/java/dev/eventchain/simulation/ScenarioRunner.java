@@ -34,7 +34,10 @@ final class ScenarioRunner {
     long end = World.nanoseconds(scenario.duration());
     long stoppedAt = scenario.ego().speed() > 0 ? Long.MAX_VALUE : end;
     long started = System.nanoTime();
-    while (world.now() < end && !world.impacted() && world.now() - AFTER_STOP < stoppedAt) {
+    long horizon = Math.min(end, scenario.horizon());
+    while (world.now() < end
+        && !world.impacted()
+        && (world.now() < horizon || world.now() - AFTER_STOP < stoppedAt)) {
       List<Inbound> sensed = driver.sense(world);
       long until = Math.min(end, driver.nextDue());
       for (Outbound outbound : session.step(until, sensed)) {

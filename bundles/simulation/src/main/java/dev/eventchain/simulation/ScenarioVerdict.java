@@ -11,6 +11,7 @@ import java.util.Optional;
  * @param scenario the scenario's name
  * @param title the scenario's title
  * @param requirements ids of the requirements that it tests
+ * @param worked whether every component did; if not, no criterion was judged
  * @param tested whether every component worked and every criterion could be judged, or one fails
  * @param passed whether it was tested and every criterion holds
  * @param criteria each criterion with what was measured
@@ -24,6 +25,7 @@ public record ScenarioVerdict(
     String scenario,
     String title,
     List<String> requirements,
+    boolean worked,
     boolean tested,
     boolean passed,
     List<CriterionResult> criteria,
@@ -136,8 +138,8 @@ public record ScenarioVerdict(
    * components worked, so that no criterion was judged.
    */
   public List<Diagnostic> diagnostics() {
-    if (criteria.stream().noneMatch(CriterionResult::tested)) {
-      return List.of();
+    if (!worked) {
+      return List.of(); // The simulation's own findings say which component did not, and why.
     }
     return criteria.stream()
         .filter(criterion -> !criterion.passed())

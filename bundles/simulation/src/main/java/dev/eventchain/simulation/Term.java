@@ -32,7 +32,8 @@ record Term(Unit dimension, String unit, boolean truth, Set<Signal> signals, Val
   }
 
   static Term of(Signal signal) {
-    return new Term(signal.dimension(), signal.unit(), signal.truth(), Set.of(signal), new Reading(signal));
+    return new Term(
+        signal.dimension(), signal.unit(), signal.truth(), Set.of(signal), new Reading(signal));
   }
 
   /** What a signal says, as it is. */

@@ -134,7 +134,7 @@ class MeasurementsTest {
     int moments = series.get("time").size();
     series.get("signals").forEach(each -> assertEquals(moments, each.get("values").size()));
     assertEquals(0.05, series.get("time").get(1).asDouble());
-    JsonNode speed = series.get("signals").get(2);
+    JsonNode speed = series.get("signals").get(3);
     assertEquals("ego.speed", speed.get("name").asText());
     assertEquals("m/s", speed.get("unit").asText());
     assertEquals(13.8889, speed.get("values").get(0).asDouble());

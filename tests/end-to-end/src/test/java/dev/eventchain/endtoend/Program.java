@@ -141,8 +141,13 @@ final class Program {
 
   /** A copy of the AEB example without what runs have put there. */
   static Path exampleIn(Path folder) throws IOException {
-    Path source = ROOT.resolve("examples/aeb");
     Path copy = folder.resolve("aeb");
+    copy(ROOT.resolve("examples/aeb"), copy);
+    return copy;
+  }
+
+  /** Copies a project without its results. */
+  static void copy(Path source, Path copy) throws IOException {
     try (Stream<Path> files = Files.walk(source)) {
       for (Path file : files.filter(f -> !f.startsWith(source.resolve("out"))).toList()) {
         Path target = copy.resolve(source.relativize(file).toString());
@@ -153,6 +158,5 @@ final class Program {
         }
       }
     }
-    return copy;
   }
 }

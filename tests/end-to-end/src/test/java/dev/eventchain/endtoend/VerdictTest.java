@@ -69,8 +69,46 @@ class VerdictTest {
     run()
         .expect(1)
         .says("INCOMPLETE")
-        .says("the software commanded steer 0.5 after")
+        .says("the software commanded steering 0.5 after")
         .says("[simulation.command.ignored]");
+    assertNoPass();
+  }
+
+  @Test
+  void brakeThatTheBenchDisconnectsIsNotTested() throws IOException {
+    replace(
+        "bench.yaml",
+        "  /instrument_cluster",
+        "  /carla/ego_vehicle/vehicle_control_cmd:\n    observed: true\n  /instrument_cluster");
+    run()
+        .expect(1)
+        .says("INCOMPLETE")
+        .says("was not tested: no component's output drives the brake.")
+        .says("[simulation.criterion.untested]");
+    assertNoPass();
+  }
+
+  @Test
+  void topicThatTheBenchDoesNotProvideEndsTheRun() throws IOException {
+    replace("bench.yaml", "extends: carla\n", "");
+    run()
+        .expect(1)
+        .says("INCOMPLETE: nothing was simulated: 3 errors")
+        .says(
+            "'ObjectDetection' reads /carla/ego_vehicle/lidar, which no entry of the bench provides.")
+        .says(
+            "writes /carla/ego_vehicle/vehicle_control_cmd to the vehicle, but the bench does not take it.")
+        .says("[bench.topic.unconnected]");
+    assertFalse(Files.exists(project.resolve("out/verdict.json")));
+  }
+
+  @Test
+  void componentThatIsFrozenFails() throws IOException {
+    replace(
+        "software-base/components/Carla_Vehicle_Control.py",
+        "\"brake\": max(0.0, min(1.0, float(braking_force)))",
+        "\"brake\": 0.0");
+    run().expect(1).says("FAILED").says("no impact, but found: impact at 50.0 km/h");
     assertNoPass();
   }
 

@@ -1,0 +1,167 @@
+package dev.eventchain.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * A function of somebody's own: emergency braking on a radar at 50 Hz, with messages that no
+ * standard has, a lamp, and a chain that people edit. What is broken in it is named in the verdict.
+ */
+class OwnFunctionTest {
+
+  private static final String CHAIN = "model/chain.xmi";
+  private static final String SCENARIO = "scenarios/stopped-vehicle-50.yaml";
+
+  @TempDir private Path folder;
+  private Path project;
+
+  @BeforeEach
+  void copyProject() throws IOException {
+    project = folder.resolve("radar-aeb");
+    Program.copy(Path.of("src/test/resources/radar-aeb"), project);
+  }
+
+  private void replace(String file, String text, String by) throws IOException {
+    String content = Files.readString(project.resolve(file));
+    assertTrue(content.contains(text), text);
+    Files.writeString(project.resolve(file), content.replace(text, by));
+  }
+
+  private Program.Ended run() throws IOException {
+    return new Program().run("run", project);
+  }
+
+  private void notPassed() throws IOException {
+    Path verdict = project.resolve("out/verdict.json");
+    assertFalse(
+        Files.exists(verdict)
+            && Files.readString(verdict).contains("\"passed\" : true,\n  \"scenarios"));
+  }
+
+  @Test
+  void allRequirementsAreProved() throws IOException {
+    run().expect(0).says("PASSED: 2 of 2 scenarios passed").says("0 errors, 0 warnings");
+    new Program()
+        .run("bench", project)
+        .expect(0)
+        .says("provides /radar/target (demo_msgs/msg/RadarTarget, 50 Hz) -> Radar_Tracking")
+        .says("consumes /cluster/collision_warning (std_msgs/msg/Bool) <- Collision_Warning");
+  }
+
+  @Test
+  void brakeThatIsDisconnectedInTheBench() throws IOException {
+    replace("bench.yaml", "{drives: acceleration, required: true}", "observed");
+    run()
+        .expect(1)
+        .says("'no impact' was not tested: no component's output drives the brake.")
+        .says("[simulation.criterion.untested]");
+    notPassed();
+  }
+
+  @Test
+  void requiredFieldThatNoComponentWrites() throws IOException {
+    replace(
+        "bench.yaml",
+        "acceleration: {drives: acceleration, required: true}",
+        "hold: {drives: acceleration, unit: m/s2, required: true}");
+    run()
+        .expect(1)
+        .says("INCOMPLETE")
+        .says("bench.yaml:15:7")
+        .says("No component writes 'hold' of /brake/request, which the bench requires.")
+        .says("[bench.field.unwritten]");
+    notPassed();
+  }
+
+  @Test
+  void providedTopicWithoutSource() throws IOException {
+    String bench = Files.readString(project.resolve("bench.yaml"));
+    Files.writeString(
+        project.resolve("bench.yaml"), bench.replaceAll("(?s)provides:.*consumes", "consumes"));
+    run()
+        .expect(1)
+        .says("INCOMPLETE")
+        .says("'Radar_Tracking' reads /radar/target, which no entry of the bench provides.")
+        .says("model/chain.xmi:")
+        .says("[bench.topic.unconnected]");
+    notPassed();
+  }
+
+  @Test
+  void fieldThatTheBenchLeavesAtItsDefault() throws IOException {
+    replace("bench.yaml", "      range_rate: lead.speed - ego.speed\n", "");
+    run()
+        .expect(1)
+        .says("INCOMPLETE")
+        .says("'range_rate' of /radar/target is read, but the bench leaves it at its default.")
+        .says("[bench.field.unset]");
+    notPassed();
+  }
+
+  @Test
+  void latencyBoundOfAMillisecond() throws IOException {
+    replace(CHAIN, "maximum=\"100.0\"", "maximum=\"1.0\"");
+    run().expect(1).says("FAILED").says("radar_to_brake");
+    notPassed();
+  }
+
+  @Test
+  void componentThatIsFrozen() throws IOException {
+    replace(
+        "software-base/components/Radar_Tracking.py",
+        "return {\"ttc\": min(ttc, NO_COLLISION)",
+        "return {\"ttc\": NO_COLLISION");
+    run()
+        .expect(1)
+        .says("FAILED: 0 of 2 scenarios passed")
+        .says("the radar's time to collision is the true one")
+        .says("is missed by");
+    notPassed();
+  }
+
+  @Test
+  void criterionThatIsVacuous() throws IOException {
+    replace(SCENARIO, "ttc < 2.5 s implies", "ttc < 2.5 s and ego.speed > 60 km/h implies");
+    run()
+        .expect(1)
+        .says("INCOMPLETE: 1 of 2 scenarios passed, but not all was tested")
+        .says("the driver is warned")
+        .says("[simulation.criterion.untested]");
+    notPassed();
+  }
+
+  @Test
+  void scenarioThatSetsAnInputThatTheBenchDoesNotHave() throws IOException {
+    replace("scenarios/short-sight.yaml", "radar.reach: 60", "radar.reech: 60");
+    run()
+        .expect(2)
+        .says("The bench has no input 'radar.reech'.")
+        .says("Did you mean `radar.reach`?")
+        .says("[scenario.input.unknown]");
+    notPassed();
+  }
+
+  @Test
+  void formulaOfATopicThatThereIsNot() throws IOException {
+    replace(SCENARIO, "/aeb/threat.time_to_collision", "/aeb/threat.time_to_colision");
+    run()
+        .expect(2)
+        .says("There is no signal '/aeb/threat.time_to_colision'.")
+        .says("Did you mean `/aeb/threat.time_to_collision`?");
+    notPassed();
+  }
+
+  @Test
+  void wrongBenchIsFoundBeforeAnythingRuns() throws IOException {
+    replace("bench.yaml", "rate_hz: 50", "rate_hz: 1000000");
+    run().expect(2).says("bench.yaml:6:14").says("[bench.value.range]");
+    notPassed();
+  }
+}
