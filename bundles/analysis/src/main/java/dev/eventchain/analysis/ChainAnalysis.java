@@ -63,12 +63,14 @@ public final class ChainAnalysis {
         new TopicContracts(topics, signals.map(Map::keySet), flow, types, findings);
     SignalContracts described = new SignalContracts(types, findings);
     UnitContracts units = new UnitContracts(findings);
+    AgeContracts ages = new AgeContracts(types, findings);
     QosContracts qos = new QosContracts(findings);
     for (Topic topic : topics) {
       types.check(topic);
       partners.check(topic);
       described.check(topic);
       units.check(topic);
+      ages.check(topic);
       qos.check(topic);
     }
     new FlowRules(chain, flow, findings).check();

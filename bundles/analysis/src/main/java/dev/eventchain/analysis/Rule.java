@@ -7,6 +7,8 @@ enum Rule {
   MESSAGE_UNKNOWN("contract.message.unknown", Severity.ERROR),
   FIELD_UNKNOWN("contract.field.unknown", Severity.ERROR),
   TYPE_MISMATCH("contract.type.mismatch", Severity.ERROR),
+  AGE("contract.age.impossible", Severity.ERROR),
+  SAFE_VALUE("contract.value.unfit", Severity.ERROR),
   TOPIC_TYPE("contract.topic.type", Severity.ERROR),
   FIELD_UNSET("contract.field.unset", Severity.ERROR),
   UNIT_MISMATCH("contract.unit.mismatch", Severity.ERROR),

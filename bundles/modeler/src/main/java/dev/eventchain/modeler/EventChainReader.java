@@ -36,9 +36,10 @@ import org.eclipse.emf.ecore.util.EcoreUtil;
 
 /**
  * Turns an event-chain description into a model, directly. The description is the JSON array of the
- * paper's Appendix A; we add {@code frequency} (Hz), {@code requirements} (ids), {@code type} and
- * {@code unit} of values, and {@code worst_case_execution_time}, {@code best_case_execution_time}
- * (ms) and {@code memory} (MiB) of components, all optional.
+ * paper's Appendix A; we add {@code frequency} (Hz), {@code requirements} (ids), {@code type},
+ * {@code unit}, {@code maximum_age} (ms) and {@code safe_value} of values, and {@code
+ * worst_case_execution_time}, {@code best_case_execution_time} (ms) and {@code memory} (MiB) of
+ * components, all optional.
  *
  * <p>Each element's origin is its JSON pointer in the description, so that what is found in the
  * model later points back to it.
@@ -203,8 +204,22 @@ public final class EventChainReader {
     json.text("description").ifPresent(value::setDescription);
     json.text("type").ifPresent(value::setType);
     json.text("unit").ifPresent(value::setUnit);
+    json.number("maximum_age", NumberRange.above(0)).ifPresent(value::setMaximumAge);
+    safeValue(json).ifPresent(value::setSafeValue);
     json.refuseOthers();
     return value;
+  }
+
+  /** A number, a truth value or a text; the model has what was written. */
+  private Optional<String> safeValue(ObjectReader json) {
+    Optional<JsonNode> value = json.value("safe_value");
+    if (value.isPresent() && !value.get().isValueNode()) {
+      find(
+          "modeler.value.type",
+          "A safe value is a number, true, false or a text.",
+          json.at("safe_value"));
+    }
+    return value.filter(JsonNode::isValueNode).map(JsonNode::asText);
   }
 
   private String name(ObjectReader json, String what) {

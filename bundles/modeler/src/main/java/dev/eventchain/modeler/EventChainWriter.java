@@ -83,6 +83,10 @@ public final class EventChainWriter {
     text(json, "field", data.getFieldName());
     text(json, "type", data.getType());
     text(json, "unit", data.getUnit());
+    if (data.isSetMaximumAge()) {
+      json.put("maximum_age", data.getMaximumAge());
+    }
+    text(json, "safe_value", data.getSafeValue());
     text(json, "description", data.getDescription());
     return json;
   }

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Printable;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import dev.eventchain.simulation.RunLog.Activation;
 import dev.eventchain.simulation.ScenarioRunner.Run;
@@ -46,7 +47,7 @@ final class ResultBuilder {
             wallSeconds,
             runs.stream().mapToDouble(run -> World.seconds(run.hostNanos())).sum());
     List<Diagnostic> found =
-        Stream.of(silent, ignored(), warnings()).flatMap(List::stream).toList();
+        Stream.of(silent, ignored(), tooOld(), warnings()).flatMap(List::stream).toList();
     return new SimulationResult(verdicts, measurements, found, host);
   }
 
@@ -97,6 +98,11 @@ final class ResultBuilder {
                     .withHint(
                         "Test what needs it where the vehicle does it, or do not command it."))
         .toList();
+  }
+
+  private List<Diagnostic> tooOld() {
+    EventChain chain = (EventChain) setup.nodes().get(0).eContainer();
+    return InputAges.in(runs, chain, setup.nodes());
   }
 
   /** Connections that the nodes wanted but that were not made: the same in every scenario. */

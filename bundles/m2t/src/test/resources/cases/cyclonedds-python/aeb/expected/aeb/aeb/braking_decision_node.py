@@ -2,6 +2,7 @@
 """The DDS node of the component Braking_Decision."""
 
 import logging
+import time
 
 from cyclonedds.core import Policy, Qos
 from cyclonedds.pub import DataWriter
@@ -12,15 +13,23 @@ from cyclonedds.util import duration
 from aeb import messages, runner
 from aeb.components.Braking_Decision import Braking_Decision as Component
 
+MAXIMUM_AGE = {
+    "ttc": 250.0,
+}
+"""How long after its reception an input is good for an execution, in ms."""
+
 
 class Braking_Decision_node:
     """Runs the component."""
 
     period = 1.0 / 20.0  # s
+    now = staticmethod(time.monotonic_ns)
 
     def __init__(self, participant):
         self.component = Component()
         self.received = {}
+        self.arrived = {}  # ns
+        self.late = False
         self.awaited = [
             "ttc",
         ]
@@ -31,6 +40,7 @@ class Braking_Decision_node:
                 Policy.Reliability.Reliable(max_blocking_time=duration(infinite=True)),
                 Policy.Durability.Volatile,
                 Policy.History.KeepLast(10),
+                Policy.Deadline(duration(milliseconds=100.0)),
                 Policy.DataRepresentation(use_cdrv0_representation=True),
             ),
         )
@@ -50,6 +60,13 @@ class Braking_Decision_node:
         message = runner.newest(self.reader_aeb_ttc)
         if message is not None:
             self.received["ttc"] = message.data  # s
+            self.arrived["ttc"] = self.now()
+
+    def too_old(self):
+        """The inputs that came too long ago."""
+        now = self.now()
+        ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
+        return [name for name, age in ages.items() if not 0.0 <= age <= MAXIMUM_AGE[name]]
 
     def execute(self):
         """Execute the component as soon as every input has arrived, and write what it returns."""
@@ -60,6 +77,13 @@ class Braking_Decision_node:
                 logging.getLogger("Braking_Decision").info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
+        too_old = self.too_old()
+        if too_old:
+            if not self.late:
+                logging.getLogger("Braking_Decision").warning("too old: " + ", ".join(too_old))
+                self.late = True
+            return
+        self.late = False
         output = self.component.execute(
             ttc=self.received["ttc"],
         )

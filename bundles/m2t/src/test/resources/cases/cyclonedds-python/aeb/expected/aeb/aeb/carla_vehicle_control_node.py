@@ -2,6 +2,7 @@
 """The DDS node of the component Carla_Vehicle_Control."""
 
 import logging
+import time
 
 from cyclonedds.core import Policy, Qos
 from cyclonedds.pub import DataWriter
@@ -12,15 +13,23 @@ from cyclonedds.util import duration
 from aeb import messages, runner
 from aeb.components.Carla_Vehicle_Control import Carla_Vehicle_Control as Component
 
+MAXIMUM_AGE = {
+    "brake_force": 250.0,
+}
+"""How long after its reception an input is good for an execution, in ms."""
+
 
 class Carla_Vehicle_Control_node:
     """Runs the component."""
 
     period = 1.0 / 20.0  # s
+    now = staticmethod(time.monotonic_ns)
 
     def __init__(self, participant):
         self.component = Component()
         self.received = {}
+        self.arrived = {}  # ns
+        self.late = False
         self.awaited = [
             "brake_force",
         ]
@@ -50,6 +59,13 @@ class Carla_Vehicle_Control_node:
         message = runner.newest(self.reader_vehicle_brake_force)
         if message is not None:
             self.received["brake_force"] = message.data
+            self.arrived["brake_force"] = self.now()
+
+    def too_old(self):
+        """The inputs that came too long ago."""
+        now = self.now()
+        ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
+        return [name for name, age in ages.items() if not 0.0 <= age <= MAXIMUM_AGE[name]]
 
     def execute(self):
         """Execute the component as soon as every input has arrived, and write what it returns."""
@@ -60,6 +76,13 @@ class Carla_Vehicle_Control_node:
                 logging.getLogger("Carla_Vehicle_Control").info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
+        too_old = self.too_old()
+        if too_old:
+            if not self.late:
+                logging.getLogger("Carla_Vehicle_Control").warning("too old: " + ", ".join(too_old))
+                self.late = True
+            return
+        self.late = False
         output = self.component.execute(
             brake_force=self.received["brake_force"],
         )

@@ -6,6 +6,7 @@ Requirements: AEB-1, AEB-2
 
 import array
 import logging
+import time
 
 from cyclonedds.core import Policy, Qos
 from cyclonedds.pub import DataWriter
@@ -16,6 +17,12 @@ from cyclonedds.util import duration
 from aeb import messages, runner
 from aeb.components.TTC_Calculation import TTC_Calculation as Component
 
+MAXIMUM_AGE = {
+    "ranges": 250.0,
+    "scan_stamp_sec": 250.0,
+}
+"""How long after its reception an input is good for an execution, in ms."""
+
 
 class TTC_Calculation_node:
     """Computes the time to collision as the smallest distance ahead divided by the closing
@@ -24,10 +31,13 @@ class TTC_Calculation_node:
     smaller."""
 
     period = 1.0 / 20.0  # s
+    now = staticmethod(time.monotonic_ns)
 
     def __init__(self, participant):
         self.component = Component()
         self.received = {}
+        self.arrived = {}  # ns
+        self.late = False
         self.awaited = [
             "ranges",
             "scan_stamp_sec",
@@ -50,7 +60,6 @@ class TTC_Calculation_node:
                 Policy.Reliability.Reliable(max_blocking_time=duration(infinite=True)),
                 Policy.Durability.Volatile,
                 Policy.History.KeepLast(1),
-                Policy.Deadline(duration(milliseconds=250.0)),
                 Policy.Liveliness.Automatic(lease_duration=duration(infinite=True)),
                 Policy.DataRepresentation(use_cdrv0_representation=True),
             ),
@@ -62,6 +71,7 @@ class TTC_Calculation_node:
                 Policy.Reliability.Reliable(max_blocking_time=duration(infinite=True)),
                 Policy.Durability.Volatile,
                 Policy.History.KeepLast(10),
+                Policy.Deadline(duration(milliseconds=100.0)),
                 Policy.DataRepresentation(use_cdrv0_representation=True),
             ),
         )
@@ -72,9 +82,17 @@ class TTC_Calculation_node:
         if message is not None:
             self.received["ranges"] = array.array("f", message.ranges)  # m
             self.received["scan_stamp_sec"] = message.header.stamp.sec  # s
+            self.arrived["ranges"] = self.now()
+            self.arrived["scan_stamp_sec"] = self.now()
         message = runner.newest(self.reader_carla_ego_vehicle_vehicle_status)
         if message is not None:
             self.received["ego_speed"] = message.velocity  # m/s
+
+    def too_old(self):
+        """The inputs that came too long ago."""
+        now = self.now()
+        ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
+        return [name for name, age in ages.items() if not 0.0 <= age <= MAXIMUM_AGE[name]]
 
     def execute(self):
         """Execute the component as soon as every input has arrived, and write what it returns."""
@@ -85,6 +103,13 @@ class TTC_Calculation_node:
                 logging.getLogger("TTC_Calculation").info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
+        too_old = self.too_old()
+        if too_old:
+            if not self.late:
+                logging.getLogger("TTC_Calculation").warning("too old: " + ", ".join(too_old))
+                self.late = True
+            return
+        self.late = False
         output = self.component.execute(
             ranges=self.received["ranges"],
             scan_stamp_sec=self.received["scan_stamp_sec"],

@@ -3,6 +3,7 @@
 
 import array
 import logging
+import time
 
 from cyclonedds.core import Policy, Qos
 from cyclonedds.pub import DataWriter
@@ -13,15 +14,23 @@ from cyclonedds.util import duration
 from fork import messages, runner
 from fork.components.Join import Join as Component
 
+MAXIMUM_AGE = {
+    "right": 500.0,
+}
+"""How long after its reception an input is good for an execution, in ms."""
+
 
 class Join_node:
     """Runs the component."""
 
     period = 1.0 / 5.0  # s
+    now = staticmethod(time.monotonic_ns)
 
     def __init__(self, participant):
         self.component = Component()
         self.received = {}
+        self.arrived = {}  # ns
+        self.late = False
         self.awaited = [
             "left",
             "right",
@@ -75,6 +84,13 @@ class Join_node:
         message = runner.newest(self.reader_right)
         if message is not None:
             self.received["right"] = message.data
+            self.arrived["right"] = self.now()
+
+    def too_old(self):
+        """The inputs that came too long ago."""
+        now = self.now()
+        ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
+        return [name for name, age in ages.items() if not 0.0 <= age <= MAXIMUM_AGE[name]]
 
     def execute(self):
         """Execute the component as soon as every input has arrived, and write what it returns."""
@@ -85,6 +101,13 @@ class Join_node:
                 logging.getLogger("Join").info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
+        too_old = self.too_old()
+        if too_old:
+            if not self.late:
+                logging.getLogger("Join").warning("too old: " + ", ".join(too_old))
+                self.late = True
+            return
+        self.late = False
         output = self.component.execute(
             left=self.received["left"],
             right=self.received["right"],

@@ -3,6 +3,7 @@
 
 import array
 import logging
+import time
 
 import numpy
 from cyclonedds.core import Policy, Qos
@@ -14,15 +15,32 @@ from cyclonedds.util import duration
 from fork import messages, runner
 from fork.components.Left import Left as Component
 
+MAXIMUM_AGE = {
+    "yes": 250.0,
+    "octet": 250.0,
+    "octets": 250.0,
+    "letters": 250.0,
+    "blob": 250.0,
+    "three": 250.0,
+    "covariance": 250.0,
+    "words": 250.0,
+    "part_name": 250.0,
+    "flags": 250.0,
+}
+"""How long after its reception an input is good for an execution, in ms."""
+
 
 class Left_node:
     """Runs the component."""
 
     period = 1.0 / 20.0  # s
+    now = staticmethod(time.monotonic_ns)
 
     def __init__(self, participant):
         self.component = Component()
         self.received = {}
+        self.arrived = {}  # ns
+        self.late = False
         self.awaited = [
             "yes",
             "octet",
@@ -77,6 +95,22 @@ class Left_node:
             self.received["words"] = message.words
             self.received["part_name"] = message.part.name
             self.received["flags"] = message.part.flags
+            self.arrived["yes"] = self.now()
+            self.arrived["octet"] = self.now()
+            self.arrived["octets"] = self.now()
+            self.arrived["letters"] = self.now()
+            self.arrived["blob"] = self.now()
+            self.arrived["three"] = self.now()
+            self.arrived["covariance"] = self.now()
+            self.arrived["words"] = self.now()
+            self.arrived["part_name"] = self.now()
+            self.arrived["flags"] = self.now()
+
+    def too_old(self):
+        """The inputs that came too long ago."""
+        now = self.now()
+        ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
+        return [name for name, age in ages.items() if not 0.0 <= age <= MAXIMUM_AGE[name]]
 
     def execute(self):
         """Execute the component as soon as every input has arrived, and write what it returns."""
@@ -87,6 +121,13 @@ class Left_node:
                 logging.getLogger("Left").info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
+        too_old = self.too_old()
+        if too_old:
+            if not self.late:
+                logging.getLogger("Left").warning("too old: " + ", ".join(too_old))
+                self.late = True
+            return
+        self.late = False
         output = self.component.execute(
             yes=self.received["yes"],
             octet=self.received["octet"],

@@ -2,6 +2,7 @@
 """The DDS node of the component Right."""
 
 import logging
+import time
 
 from cyclonedds.core import Policy, Qos
 from cyclonedds.pub import DataWriter
@@ -12,15 +13,23 @@ from cyclonedds.util import duration
 from fork import messages, runner
 from fork.components.Right import Right as Component
 
+MAXIMUM_AGE = {
+    "all": 250.0,
+}
+"""How long after its reception an input is good for an execution, in ms."""
+
 
 class Right_node:
     """Runs the component."""
 
     period = 1.0 / 10.0  # s
+    now = staticmethod(time.monotonic_ns)
 
     def __init__(self, participant):
         self.component = Component()
         self.received = {}
+        self.arrived = {}  # ns
+        self.late = False
         self.awaited = [
             "all",
             "nothing",
@@ -42,7 +51,6 @@ class Right_node:
                 Policy.Reliability.BestEffort,
                 Policy.Durability.Volatile,
                 Policy.History.KeepLast(5),
-                Policy.Deadline(duration(milliseconds=100.0)),
                 Policy.Liveliness.ManualByTopic(lease_duration=duration(infinite=True)),
                 Policy.DataRepresentation(use_cdrv0_representation=True),
             ),
@@ -63,9 +71,16 @@ class Right_node:
         message = runner.newest(self.reader_everything)
         if message is not None:
             self.received["all"] = message
+            self.arrived["all"] = self.now()
         message = runner.newest(self.reader_nothing)
         if message is not None:
             self.received["nothing"] = message
+
+    def too_old(self):
+        """The inputs that came too long ago."""
+        now = self.now()
+        ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
+        return [name for name, age in ages.items() if not 0.0 <= age <= MAXIMUM_AGE[name]]
 
     def execute(self):
         """Execute the component as soon as every input has arrived, and write what it returns."""
@@ -76,6 +91,13 @@ class Right_node:
                 logging.getLogger("Right").info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
+        too_old = self.too_old()
+        if too_old:
+            if not self.late:
+                logging.getLogger("Right").warning("too old: " + ", ".join(too_old))
+                self.late = True
+            return
+        self.late = False
         output = self.component.execute(
             all=self.received["all"],
             nothing=self.received["nothing"],

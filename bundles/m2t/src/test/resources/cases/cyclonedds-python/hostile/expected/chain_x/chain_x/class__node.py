@@ -2,6 +2,7 @@
 """The DDS node of the component class_."""
 
 import logging
+import time
 
 from cyclonedds.core import Policy, Qos
 from cyclonedds.pub import DataWriter
@@ -12,16 +13,24 @@ from cyclonedds.util import duration
 from chain_x import messages, runner
 from chain_x.components.class_ import class_ as Component
 
+MAXIMUM_AGE = {
+    "_": 250.0,
+}
+"""How long after its reception an input is good for an execution, in ms."""
+
 
 class class__node:
     """?seen? as it is"""
 
     period = 1.0 / 1.0e-4  # s
+    now = staticmethod(time.monotonic_ns)
 
     def __init__(self, participant):
         raise ValueError('there is no message type ""')
         self.component = Component()
         self.received = {}
+        self.arrived = {}  # ns
+        self.late = False
         self.awaited = [
             "_",
             "_2fast",
@@ -69,9 +78,16 @@ class class__node:
         message = runner.newest(self.reader____1)
         if message is not None:
             self.received["_"] = message
+            self.arrived["_"] = self.now()
         message = runner.newest(self.reader____2)
         if message is not None:
             self.received["_2fast"] = message
+
+    def too_old(self):
+        """The inputs that came too long ago."""
+        now = self.now()
+        ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
+        return [name for name, age in ages.items() if not 0.0 <= age <= MAXIMUM_AGE[name]]
 
     def execute(self):
         """Execute the component as soon as every input has arrived, and write what it returns."""
@@ -82,6 +98,13 @@ class class__node:
                 logging.getLogger("class_").info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
+        too_old = self.too_old()
+        if too_old:
+            if not self.late:
+                logging.getLogger("class_").warning("too old: " + ", ".join(too_old))
+                self.late = True
+            return
+        self.late = False
         output = self.component.execute(
             _=self.received["_"],
             _2fast=self.received["_2fast"],

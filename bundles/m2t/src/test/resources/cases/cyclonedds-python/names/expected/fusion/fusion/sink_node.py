@@ -2,6 +2,7 @@
 """The DDS node of the component Sink."""
 
 import logging
+import time
 
 from cyclonedds.core import Policy, Qos
 from cyclonedds.sub import DataReader
@@ -11,16 +12,24 @@ from cyclonedds.util import duration
 from fusion import messages, runner
 from fusion.components.Sink import Sink as Component
 
+MAXIMUM_AGE = {
+    "forward": 500.0,
+}
+"""How long after its reception an input is good for an execution, in ms."""
+
 
 class Sink_node:
     """Runs the component."""
 
     period = None  # s
+    now = staticmethod(time.monotonic_ns)
 
     def __init__(self, participant):
         raise ValueError("the model states no frequency for this component")
         self.component = Component()
         self.received = {}
+        self.arrived = {}  # ns
+        self.late = False
         self.awaited = [
             "forward",
         ]
@@ -40,6 +49,13 @@ class Sink_node:
         message = runner.newest(self.reader_command)
         if message is not None:
             self.received["forward"] = message.twist.linear.x  # m/s
+            self.arrived["forward"] = self.now()
+
+    def too_old(self):
+        """The inputs that came too long ago."""
+        now = self.now()
+        ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
+        return [name for name, age in ages.items() if not 0.0 <= age <= MAXIMUM_AGE[name]]
 
     def execute(self):
         """Execute the component as soon as every input has arrived, and write what it returns."""
@@ -50,6 +66,13 @@ class Sink_node:
                 logging.getLogger("Sink").info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
+        too_old = self.too_old()
+        if too_old:
+            if not self.late:
+                logging.getLogger("Sink").warning("too old: " + ", ".join(too_old))
+                self.late = True
+            return
+        self.late = False
         self.component.execute(
             forward=self.received["forward"],
         )

@@ -6,6 +6,7 @@ CROSSING-OF-TOPICS-4
 """
 
 import logging
+import time
 
 from cyclonedds.core import Policy, Qos
 from cyclonedds.pub import DataWriter
@@ -16,16 +17,25 @@ from cyclonedds.util import duration
 from crossing import messages, runner
 from crossing.components.frequency import frequency as Component
 
+MAXIMUM_AGE = {
+    "level": 500.0,
+    "valid": 500.0,
+}
+"""How long after its reception an input is good for an execution, in ms."""
+
 
 class frequency_node:
     """Reads topics whose names differ in slashes and underscores only, and a topic of its own,
     and writes where it reads, in more than a line."""
 
     period = 1.0 / 10.0  # s
+    now = staticmethod(time.monotonic_ns)
 
     def __init__(self, participant):
         self.component = Component()
         self.received = {}
+        self.arrived = {}  # ns
+        self.late = False
         self.awaited = [
             "first",
             "second",
@@ -166,9 +176,17 @@ class frequency_node:
         message = runner.newest(self.reader_level)
         if message is not None:
             self.received["level"] = message.data
+            self.arrived["level"] = self.now()
         message = runner.newest(self.reader_valid)
         if message is not None:
             self.received["valid"] = message.data
+            self.arrived["valid"] = self.now()
+
+    def too_old(self):
+        """The inputs that came too long ago."""
+        now = self.now()
+        ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
+        return [name for name, age in ages.items() if not 0.0 <= age <= MAXIMUM_AGE[name]]
 
     def execute(self):
         """Execute the component as soon as every input has arrived, and write what it returns."""
@@ -179,6 +197,13 @@ class frequency_node:
                 logging.getLogger("frequency").info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
+        too_old = self.too_old()
+        if too_old:
+            if not self.late:
+                logging.getLogger("frequency").warning("too old: " + ", ".join(too_old))
+                self.late = True
+            return
+        self.late = False
         output = self.component.execute(
             first=self.received["first"],
             second=self.received["second"],

@@ -2,6 +2,7 @@
 """The DDS node of the component options."""
 
 import logging
+import time
 
 from cyclonedds.core import Policy, Qos
 from cyclonedds.pub import DataWriter
@@ -12,15 +13,23 @@ from cyclonedds.util import duration
 from crossing import messages, runner
 from crossing.components.options import options as Component
 
+MAXIMUM_AGE = {
+    "best": 62.5,
+}
+"""How long after its reception an input is good for an execution, in ms."""
+
 
 class options_node:
     """Runs the component."""
 
     period = 1.0 / 20.0  # s
+    now = staticmethod(time.monotonic_ns)
 
     def __init__(self, participant):
         self.component = Component()
         self.received = {}
+        self.arrived = {}  # ns
+        self.late = False
         self.awaited = [
             "best",
         ]
@@ -50,6 +59,13 @@ class options_node:
         message = runner.newest(self.reader_best)
         if message is not None:
             self.received["best"] = message.data
+            self.arrived["best"] = self.now()
+
+    def too_old(self):
+        """The inputs that came too long ago."""
+        now = self.now()
+        ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
+        return [name for name, age in ages.items() if not 0.0 <= age <= MAXIMUM_AGE[name]]
 
     def execute(self):
         """Execute the component as soon as every input has arrived, and write what it returns."""
@@ -60,11 +76,25 @@ class options_node:
                 logging.getLogger("options").info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
+        too_old = self.too_old()
+        if too_old:
+            if not self.late:
+                logging.getLogger("options").warning("too old: " + ", ".join(too_old))
+                self.late = True
+            self.write_safe_values()
+            return
+        self.late = False
         output = self.component.execute(
             best=self.received["best"],
         )
         message = messages.std_msgs__Bool()
         message.data = output["done"]
+        self.writer_done.write(message)
+
+    def write_safe_values(self):
+        """Write what the model states for inputs that are too old."""
+        message = messages.std_msgs__Bool()
+        message.data = True
         self.writer_done.write(message)
 
 

@@ -10,6 +10,11 @@ import std_msgs.msg
 
 from aeb.components.Braking_Decision import Braking_Decision as Component
 
+MAXIMUM_AGE = {
+    "ttc": 250.0,
+}
+"""How long after its reception an input is good for an execution, in ms."""
+
 
 class Braking_Decision_node(rclpy.node.Node):
     """Runs the component Braking_Decision."""
@@ -39,6 +44,8 @@ class Braking_Decision_node(rclpy.node.Node):
         )
         self.component = Component()
         self.received = {}
+        self.arrived = {}  # ns
+        self.late = False
         self.awaited = [
             "ttc",
         ]
@@ -71,6 +78,13 @@ class Braking_Decision_node(rclpy.node.Node):
     def on_aeb_ttc(self, message):
         """Keep what arrived on the topic until the next execution."""
         self.received["ttc"] = message.data  # s
+        self.arrived["ttc"] = self.get_clock().now().nanoseconds
+
+    def too_old(self):
+        """The inputs that came too long ago."""
+        now = self.get_clock().now().nanoseconds
+        ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
+        return [name for name, age in ages.items() if not 0.0 <= age <= MAXIMUM_AGE[name]]
 
     def execute(self):
         """Execute the component as soon as every input has arrived, and publish what it returns."""
@@ -80,6 +94,13 @@ class Braking_Decision_node(rclpy.node.Node):
                 self.get_logger().info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
+        too_old = self.too_old()
+        if too_old:
+            if not self.late:
+                self.get_logger().warning("too old: " + ", ".join(too_old))
+                self.late = True
+            return
+        self.late = False
         output = self.component.execute(
             ttc=self.received["ttc"],
         )

@@ -11,6 +11,11 @@ import std_msgs.msg
 
 from aeb.components.Carla_Vehicle_Control import Carla_Vehicle_Control as Component
 
+MAXIMUM_AGE = {
+    "brake_force": 250.0,
+}
+"""How long after its reception an input is good for an execution, in ms."""
+
 
 class Carla_Vehicle_Control_node(rclpy.node.Node):
     """Runs the component Carla_Vehicle_Control."""
@@ -40,6 +45,8 @@ class Carla_Vehicle_Control_node(rclpy.node.Node):
         )
         self.component = Component()
         self.received = {}
+        self.arrived = {}  # ns
+        self.late = False
         self.awaited = [
             "brake_force",
         ]
@@ -72,6 +79,13 @@ class Carla_Vehicle_Control_node(rclpy.node.Node):
     def on_vehicle_brake_force(self, message):
         """Keep what arrived on the topic until the next execution."""
         self.received["brake_force"] = message.data
+        self.arrived["brake_force"] = self.get_clock().now().nanoseconds
+
+    def too_old(self):
+        """The inputs that came too long ago."""
+        now = self.get_clock().now().nanoseconds
+        ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
+        return [name for name, age in ages.items() if not 0.0 <= age <= MAXIMUM_AGE[name]]
 
     def execute(self):
         """Execute the component as soon as every input has arrived, and publish what it returns."""
@@ -81,6 +95,13 @@ class Carla_Vehicle_Control_node(rclpy.node.Node):
                 self.get_logger().info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
+        too_old = self.too_old()
+        if too_old:
+            if not self.late:
+                self.get_logger().warning("too old: " + ", ".join(too_old))
+                self.late = True
+            return
+        self.late = False
         output = self.component.execute(
             brake_force=self.received["brake_force"],
         )

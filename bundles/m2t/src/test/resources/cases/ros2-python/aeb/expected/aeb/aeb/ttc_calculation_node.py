@@ -7,7 +7,6 @@ Requirements: AEB-1, AEB-2
 import carla_msgs.msg
 import rcl_interfaces.msg
 import rclpy
-import rclpy.duration
 import rclpy.executors
 import rclpy.node
 import rclpy.qos
@@ -15,6 +14,12 @@ import sensor_msgs.msg
 import std_msgs.msg
 
 from aeb.components.TTC_Calculation import TTC_Calculation as Component
+
+MAXIMUM_AGE = {
+    "ranges": 250.0,
+    "scan_stamp_sec": 250.0,
+}
+"""How long after its reception an input is good for an execution, in ms."""
 
 
 class TTC_Calculation_node(rclpy.node.Node):
@@ -51,6 +56,8 @@ class TTC_Calculation_node(rclpy.node.Node):
         )
         self.component = Component()
         self.received = {}
+        self.arrived = {}  # ns
+        self.late = False
         self.awaited = [
             "ranges",
             "scan_stamp_sec",
@@ -76,7 +83,6 @@ class TTC_Calculation_node(rclpy.node.Node):
                 durability=rclpy.qos.DurabilityPolicy.VOLATILE,
                 history=rclpy.qos.HistoryPolicy.KEEP_LAST,
                 depth=1,
-                deadline=rclpy.duration.Duration(seconds=0.25),
                 liveliness=rclpy.qos.LivelinessPolicy.AUTOMATIC,
             ),
         )
@@ -99,10 +105,18 @@ class TTC_Calculation_node(rclpy.node.Node):
         """Keep what arrived on the topic until the next execution."""
         self.received["ranges"] = message.ranges  # m
         self.received["scan_stamp_sec"] = message.header.stamp.sec  # s
+        self.arrived["ranges"] = self.get_clock().now().nanoseconds
+        self.arrived["scan_stamp_sec"] = self.get_clock().now().nanoseconds
 
     def on_carla_ego_vehicle_vehicle_status(self, message):
         """Keep what arrived on the topic until the next execution."""
         self.received["ego_speed"] = message.velocity  # m/s
+
+    def too_old(self):
+        """The inputs that came too long ago."""
+        now = self.get_clock().now().nanoseconds
+        ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
+        return [name for name, age in ages.items() if not 0.0 <= age <= MAXIMUM_AGE[name]]
 
     def execute(self):
         """Execute the component as soon as every input has arrived, and publish what it returns."""
@@ -112,6 +126,13 @@ class TTC_Calculation_node(rclpy.node.Node):
                 self.get_logger().info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
+        too_old = self.too_old()
+        if too_old:
+            if not self.late:
+                self.get_logger().warning("too old: " + ", ".join(too_old))
+                self.late = True
+            return
+        self.late = False
         output = self.component.execute(
             ranges=self.received["ranges"],
             scan_stamp_sec=self.received["scan_stamp_sec"],

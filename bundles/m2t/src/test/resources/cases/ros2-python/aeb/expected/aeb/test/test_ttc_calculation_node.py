@@ -3,7 +3,6 @@
 
 import carla_msgs.msg
 import pytest
-import rclpy.duration
 import rclpy.exceptions
 import rclpy.parameter
 import rclpy.qos
@@ -62,7 +61,6 @@ SUBSCRIPTIONS = {
             durability=rclpy.qos.DurabilityPolicy.VOLATILE,
             history=rclpy.qos.HistoryPolicy.KEEP_LAST,
             depth=1,
-            deadline=rclpy.duration.Duration(seconds=0.25),
             liveliness=rclpy.qos.LivelinessPolicy.AUTOMATIC,
         ),
     ),

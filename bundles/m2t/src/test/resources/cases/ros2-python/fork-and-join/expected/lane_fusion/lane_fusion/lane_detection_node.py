@@ -14,6 +14,11 @@ import std_msgs.msg
 
 from lane_fusion.components.Lane_Detection import Lane_Detection as Component
 
+MAXIMUM_AGE = {
+    "brightness": 250.0,
+}
+"""How long after its reception an input is good for an execution, in ms."""
+
 
 class Lane_Detection_node(rclpy.node.Node):
     """Runs the component Lane_Detection."""
@@ -43,6 +48,8 @@ class Lane_Detection_node(rclpy.node.Node):
         )
         self.component = Component()
         self.received = {}
+        self.arrived = {}  # ns
+        self.late = False
         self.awaited = [
             "brightness",
         ]
@@ -75,6 +82,13 @@ class Lane_Detection_node(rclpy.node.Node):
     def on_camera_brightness(self, message):
         """Keep what arrived on the topic until the next execution."""
         self.received["brightness"] = message.data
+        self.arrived["brightness"] = self.get_clock().now().nanoseconds
+
+    def too_old(self):
+        """The inputs that came too long ago."""
+        now = self.get_clock().now().nanoseconds
+        ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
+        return [name for name, age in ages.items() if not 0.0 <= age <= MAXIMUM_AGE[name]]
 
     def execute(self):
         """Execute the component as soon as every input has arrived, and publish what it returns."""
@@ -84,6 +98,13 @@ class Lane_Detection_node(rclpy.node.Node):
                 self.get_logger().info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
+        too_old = self.too_old()
+        if too_old:
+            if not self.late:
+                self.get_logger().warning("too old: " + ", ".join(too_old))
+                self.late = True
+            return
+        self.late = False
         output = self.component.execute(
             brightness=self.received["brightness"],
         )

@@ -16,6 +16,14 @@ import std_msgs.msg
 
 from lane_fusion.components.Steering import Steering as Component
 
+MAXIMUM_AGE = {
+    "offset": 250.0,
+    "variances": 250.0,
+    "vehicles": 500.0,
+    "urgent": 500.0,
+}
+"""How long after its reception an input is good for an execution, in ms."""
+
 
 class Steering_node(rclpy.node.Node):
     """Runs the component Steering.
@@ -48,6 +56,8 @@ class Steering_node(rclpy.node.Node):
         )
         self.component = Component()
         self.received = {}
+        self.arrived = {}  # ns
+        self.late = False
         self.awaited = [
             "offset",
             "variances",
@@ -117,14 +127,24 @@ class Steering_node(rclpy.node.Node):
         """Keep what arrived on the topic until the next execution."""
         self.received["offset"] = message.pose.pose.position.y  # m
         self.received["variances"] = message.pose.covariance
+        self.arrived["offset"] = self.get_clock().now().nanoseconds
+        self.arrived["variances"] = self.get_clock().now().nanoseconds
 
     def on_vehicles(self, message):
         """Keep what arrived on the topic until the next execution."""
         self.received["vehicles"] = message.data
+        self.arrived["vehicles"] = self.get_clock().now().nanoseconds
 
     def on_vehicles_urgent(self, message):
         """Keep what arrived on the topic until the next execution."""
         self.received["urgent"] = message
+        self.arrived["urgent"] = self.get_clock().now().nanoseconds
+
+    def too_old(self):
+        """The inputs that came too long ago."""
+        now = self.get_clock().now().nanoseconds
+        ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
+        return [name for name, age in ages.items() if not 0.0 <= age <= MAXIMUM_AGE[name]]
 
     def execute(self):
         """Execute the component as soon as every input has arrived, and publish what it returns."""
@@ -134,6 +154,13 @@ class Steering_node(rclpy.node.Node):
                 self.get_logger().info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
+        too_old = self.too_old()
+        if too_old:
+            if not self.late:
+                self.get_logger().warning("too old: " + ", ".join(too_old))
+                self.late = True
+            return
+        self.late = False
         output = self.component.execute(
             offset=self.received["offset"],
             variances=self.received["variances"],

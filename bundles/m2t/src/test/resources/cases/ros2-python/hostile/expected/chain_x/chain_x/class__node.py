@@ -11,6 +11,11 @@ import std_msgs.msg
 
 from chain_x.components.class_ import class_ as Component
 
+MAXIMUM_AGE = {
+    "_": 250.0,
+}
+"""How long after its reception an input is good for an execution, in ms."""
+
 
 class class__node(rclpy.node.Node):
     """Runs the component class_.
@@ -43,6 +48,8 @@ class class__node(rclpy.node.Node):
         )
         self.component = Component()
         self.received = {}
+        self.arrived = {}  # ns
+        self.late = False
         self.awaited = [
             "_",
             "_2fast",
@@ -87,10 +94,17 @@ class class__node(rclpy.node.Node):
     def on____1(self, message):
         """Keep what arrived on the topic until the next execution."""
         self.received["_"] = message
+        self.arrived["_"] = self.get_clock().now().nanoseconds
 
     def on____2(self, message):
         """Keep what arrived on the topic until the next execution."""
         self.received["_2fast"] = message
+
+    def too_old(self):
+        """The inputs that came too long ago."""
+        now = self.get_clock().now().nanoseconds
+        ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
+        return [name for name, age in ages.items() if not 0.0 <= age <= MAXIMUM_AGE[name]]
 
     def execute(self):
         """Execute the component as soon as every input has arrived, and publish what it returns."""
@@ -100,6 +114,13 @@ class class__node(rclpy.node.Node):
                 self.get_logger().info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
+        too_old = self.too_old()
+        if too_old:
+            if not self.late:
+                self.get_logger().warning("too old: " + ", ".join(too_old))
+                self.late = True
+            return
+        self.late = False
         output = self.component.execute(
             _=self.received["_"],
             _2fast=self.received["_2fast"],

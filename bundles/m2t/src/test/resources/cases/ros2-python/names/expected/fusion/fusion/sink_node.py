@@ -10,6 +10,11 @@ import rclpy.qos
 
 from fusion.components.Sink import Sink as Component
 
+MAXIMUM_AGE = {
+    "forward": 500.0,
+}
+"""How long after its reception an input is good for an execution, in ms."""
+
 
 class Sink_node(rclpy.node.Node):
     """Runs the component Sink."""
@@ -39,6 +44,8 @@ class Sink_node(rclpy.node.Node):
         )
         self.component = Component()
         self.received = {}
+        self.arrived = {}  # ns
+        self.late = False
         self.awaited = [
             "forward",
         ]
@@ -61,6 +68,13 @@ class Sink_node(rclpy.node.Node):
     def on_command(self, message):
         """Keep what arrived on the topic until the next execution."""
         self.received["forward"] = message.twist.linear.x  # m/s
+        self.arrived["forward"] = self.get_clock().now().nanoseconds
+
+    def too_old(self):
+        """The inputs that came too long ago."""
+        now = self.get_clock().now().nanoseconds
+        ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
+        return [name for name, age in ages.items() if not 0.0 <= age <= MAXIMUM_AGE[name]]
 
     def execute(self):
         """Execute the component as soon as every input has arrived, and publish what it returns."""
@@ -70,6 +84,13 @@ class Sink_node(rclpy.node.Node):
                 self.get_logger().info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
+        too_old = self.too_old()
+        if too_old:
+            if not self.late:
+                self.get_logger().warning("too old: " + ", ".join(too_old))
+                self.late = True
+            return
+        self.late = False
         self.component.execute(
             forward=self.received["forward"],
         )

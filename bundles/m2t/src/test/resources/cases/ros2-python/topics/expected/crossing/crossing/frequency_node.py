@@ -14,6 +14,12 @@ import std_msgs.msg
 
 from crossing.components.frequency import frequency as Component
 
+MAXIMUM_AGE = {
+    "level": 500.0,
+    "valid": 500.0,
+}
+"""How long after its reception an input is good for an execution, in ms."""
+
 
 class frequency_node(rclpy.node.Node):
     """Runs the component frequency.
@@ -47,6 +53,8 @@ class frequency_node(rclpy.node.Node):
         )
         self.component = Component()
         self.received = {}
+        self.arrived = {}  # ns
+        self.late = False
         self.awaited = [
             "first",
             "second",
@@ -201,10 +209,18 @@ class frequency_node(rclpy.node.Node):
     def on_level(self, message):
         """Keep what arrived on the topic until the next execution."""
         self.received["level"] = message.data
+        self.arrived["level"] = self.get_clock().now().nanoseconds
 
     def on_valid(self, message):
         """Keep what arrived on the topic until the next execution."""
         self.received["valid"] = message.data
+        self.arrived["valid"] = self.get_clock().now().nanoseconds
+
+    def too_old(self):
+        """The inputs that came too long ago."""
+        now = self.get_clock().now().nanoseconds
+        ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
+        return [name for name, age in ages.items() if not 0.0 <= age <= MAXIMUM_AGE[name]]
 
     def execute(self):
         """Execute the component as soon as every input has arrived, and publish what it returns."""
@@ -214,6 +230,13 @@ class frequency_node(rclpy.node.Node):
                 self.get_logger().info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
+        too_old = self.too_old()
+        if too_old:
+            if not self.late:
+                self.get_logger().warning("too old: " + ", ".join(too_old))
+                self.late = True
+            return
+        self.late = False
         output = self.component.execute(
             first=self.received["first"],
             second=self.received["second"],

@@ -10,6 +10,11 @@ import std_msgs.msg
 
 from crossing.components.options import options as Component
 
+MAXIMUM_AGE = {
+    "best": 62.5,
+}
+"""How long after its reception an input is good for an execution, in ms."""
+
 
 class options_node(rclpy.node.Node):
     """Runs the component options."""
@@ -39,6 +44,8 @@ class options_node(rclpy.node.Node):
         )
         self.component = Component()
         self.received = {}
+        self.arrived = {}  # ns
+        self.late = False
         self.awaited = [
             "best",
         ]
@@ -71,6 +78,13 @@ class options_node(rclpy.node.Node):
     def on_best(self, message):
         """Keep what arrived on the topic until the next execution."""
         self.received["best"] = message.data
+        self.arrived["best"] = self.get_clock().now().nanoseconds
+
+    def too_old(self):
+        """The inputs that came too long ago."""
+        now = self.get_clock().now().nanoseconds
+        ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
+        return [name for name, age in ages.items() if not 0.0 <= age <= MAXIMUM_AGE[name]]
 
     def execute(self):
         """Execute the component as soon as every input has arrived, and publish what it returns."""
@@ -80,11 +94,25 @@ class options_node(rclpy.node.Node):
                 self.get_logger().info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
+        too_old = self.too_old()
+        if too_old:
+            if not self.late:
+                self.get_logger().warning("too old: " + ", ".join(too_old))
+                self.late = True
+            self.publish_safe_values()
+            return
+        self.late = False
         output = self.component.execute(
             best=self.received["best"],
         )
         message = std_msgs.msg.Bool()
         message.data = output["done"]
+        self.publisher_done.publish(message)
+
+    def publish_safe_values(self):
+        """Publish what the model states for inputs that are too old."""
+        message = std_msgs.msg.Bool()
+        message.data = True
         self.publisher_done.publish(message)
 
 

@@ -1,0 +1,124 @@
+package dev.eventchain.simulation;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.metamodel.TopicIndex;
+import dev.eventchain.metamodel.eventchain.Data;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import dev.eventchain.simulation.RunLog.Activation;
+import dev.eventchain.simulation.RunLog.SampleId;
+import dev.eventchain.simulation.ScenarioRunner.Run;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+
+/**
+ * Whether inputs were older than they may be when a component was due. Generated nodes do not
+ * execute then, so that what the scenario shows is not what the component does.
+ */
+final class InputAges {
+
+  private static final double MILLISECOND = 1e6;
+
+  /** Periods of what writes an input after which it is too old, where the model states no age. */
+  private static final double USUAL_PERIODS = 5;
+
+  /** The oldest sample that a component was due with, of all scenarios. */
+  private record Worst(String scenario, long time, double age, long times) {
+
+    Worst with(Worst other) {
+      Worst older = other.age > age ? other : this;
+      return new Worst(older.scenario, older.time, older.age, times + other.times);
+    }
+  }
+
+  private final TopicIndex topics;
+  private final List<Run> runs;
+
+  private InputAges(TopicIndex topics, List<Run> runs) {
+    this.topics = topics;
+    this.runs = runs;
+  }
+
+  /** A warning for each component and topic whose sample was too old, with the oldest one. */
+  static List<Diagnostic> in(List<Run> runs, EventChain chain, List<SoftwareNode> nodes) {
+    InputAges ages = new InputAges(TopicIndex.of(chain), runs);
+    List<Diagnostic> found = new ArrayList<>();
+    nodes.forEach(node -> ages.check(node, found));
+    return found;
+  }
+
+  private void check(SoftwareNode node, List<Diagnostic> found) {
+    Map<String, Double> limits = new LinkedHashMap<>();
+    for (Data input : node.getInput()) {
+      TopicIndex.nameOf(input, node)
+          .ifPresent(
+              topic -> {
+                double limit = limit(input, topic);
+                if (limit > 0) {
+                  limits.merge(topic, limit, Math::min);
+                }
+              });
+    }
+    limits.forEach(
+        (topic, limit) -> {
+          runs.stream()
+              .flatMap(run -> tooOld(run, node, topic, limit).stream())
+              .reduce(Worst::with)
+              .ifPresent(worst -> found.add(finding(node, topic, limit, worst)));
+        });
+  }
+
+  /** In ms; 0 for none: what the model states, else five periods of the slowest writer. */
+  private double limit(Data input, String topic) {
+    if (input.isSetMaximumAge()) {
+      return input.getMaximumAge();
+    }
+    List<Double> periods =
+        topics.find(topic).stream()
+            .flatMap(found -> found.publishers().stream())
+            .map(end -> NodeSetup.period(end.node()))
+            .toList();
+    return periods.isEmpty() || periods.contains(0.0)
+        ? 0
+        : USUAL_PERIODS * periods.stream().mapToDouble(Double::doubleValue).max().orElseThrow();
+  }
+
+  private static List<Worst> tooOld(Run run, SoftwareNode node, String topic, double limit) {
+    List<Worst> found = new ArrayList<>();
+    for (Activation activation : run.log().nodes().getOrDefault(node.getName(), List.of())) {
+      for (SampleId read : activation.reads()) {
+        if (read.topic().equals(topic)) {
+          double age = (activation.start() - run.log().time(read)) / MILLISECOND;
+          if (age > limit) {
+            found.add(new Worst(run.scenario().name(), activation.start(), age, 1));
+          }
+        }
+      }
+    }
+    return found;
+  }
+
+  private static Diagnostic finding(SoftwareNode node, String topic, double limit, Worst worst) {
+    return Diagnostic.warning(
+            "simulation.input.too-old",
+            String.format(
+                Locale.ROOT,
+                "Scenario %s: %s was %.0f ms old when '%s' was due after %.2f s; at most %.0f ms are"
+                    + " allowed. In all scenarios, it did not execute %d times.",
+                worst.scenario(),
+                topic,
+                worst.age(),
+                node.getName(),
+                World.seconds(worst.time()),
+                limit,
+                worst.times()),
+            SourceLocation.NONE.withElement(node.getName()))
+        .withHint(
+            "Write the topic more often, allow a greater maximumAge, or state safe values for what the"
+                + " component writes.");
+  }
+}
