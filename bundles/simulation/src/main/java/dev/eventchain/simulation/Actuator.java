@@ -5,6 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 
 /** What the software can ask of the simulated vehicle. */
 enum Actuator {
@@ -14,12 +15,16 @@ enum Actuator {
   BRAKE("1", false, "brake pedal, 0 to 1; braking wins over driving"),
   /** An acceleration, which the vehicle turns into positions of its pedals. */
   ACCELERATION("m/s2", false, "acceleration, negative to brake; instead of throttle and brake"),
-  /** Steering, as a part of the largest angle of the wheels. */
-  STEERING("1", false, "steering, -1 (left) to 1 (right); not simulated: must stay 0"),
+  /** Steering, as a part of the largest angle of the front wheels. */
+  STEERING("1", false, "steering, -1 (left) to 1 (right) of the largest angle"),
+  /** The angle of the front wheels. */
+  STEERING_ANGLE("rad", false, "angle of the front wheels, left is positive; instead of steering"),
   /** The hand brake. */
-  HAND_BRAKE("1", true, "hand brake; not simulated: must stay false"),
-  /** The reverse gear. */
-  REVERSE("1", true, "reverse gear; not simulated: must stay false"),
+  HAND_BRAKE("1", true, "hand brake"),
+  /** The reverse gear, which engages at standstill. */
+  REVERSE("1", true, "reverse gear; engages at standstill"),
+  /** The gear. */
+  GEAR("1", false, "gear: -1 backwards, 0 neutral, 1 and more forwards; instead of reverse"),
   /** Whether the software shifts the gears. */
   MANUAL_GEAR_SHIFT("1", true, "gears shifted by the software; not simulated: must stay false");
 
@@ -67,10 +72,19 @@ enum Actuator {
 
   /** Whether the vehicle cannot follow both. */
   boolean excludes(Actuator other) {
-    boolean pedals = this == THROTTLE || this == BRAKE;
-    boolean otherPedals = other == THROTTLE || other == BRAKE;
-    return this == other
-        || (this == ACCELERATION && otherPedals)
-        || (other == ACCELERATION && pedals);
+    return this == other || demands().stream().anyMatch(other.demands()::contains);
+  }
+
+  /** What it decides about: of two actuators that share something only one can be followed. */
+  private Set<String> demands() {
+    return switch (this) {
+      case THROTTLE -> Set.of("throttle");
+      case BRAKE -> Set.of("brake");
+      case ACCELERATION -> Set.of("throttle", "brake");
+      case STEERING, STEERING_ANGLE -> Set.of("wheels");
+      case HAND_BRAKE -> Set.of("hand brake");
+      case REVERSE, GEAR -> Set.of("gear");
+      case MANUAL_GEAR_SHIFT -> Set.of("shift");
+    };
   }
 }

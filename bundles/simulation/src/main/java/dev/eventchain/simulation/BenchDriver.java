@@ -213,7 +213,7 @@ final class BenchDriver {
     }
     publisher.stamps.forEach(path -> stamp(message, path, world.now()));
     if (publisher.provided.get().lidar()) {
-      lidar.scan(RoadScene.boxes(world), message);
+      lidar.scan(RoadScene.boxes(world), moment.trace().end().pose(), message);
     }
     for (Bench.Field field : publisher.provided.get().fields()) {
       if (field.source() instanceof Bench.Quantity quantity) {

@@ -95,7 +95,7 @@ final class BrakingRules {
     long since = -1;
     int next = 0;
     Optional<Margin> least = Optional.empty();
-    Trace.Command inForce = new Trace.Command(0, 0.0, 0.0);
+    Trace.Command inForce = new Trace.Command(0, 0.0, 0.0, 0.0);
     List<Trace.Command> commands = trace.commands();
     for (Trace.State state : trace.states()) {
       while (next < commands.size() && commands.get(next).time() <= state.time()) {

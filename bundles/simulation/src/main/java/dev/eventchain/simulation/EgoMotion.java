@@ -1,10 +1,12 @@
 package dev.eventchain.simulation;
 
 /**
- * Where the ego is and how it moves: a point mass whose deceleration follows a demand with a
- * limited slope; an acceleration is a negative one. Between two changes of the demand the jerk is
- * piecewise constant, so each piece is integrated exactly and the result does not depend on a step
- * size.
+ * Where the ego is and how it moves. Along its path it is a point mass whose deceleration follows a
+ * demand with a limited slope; an acceleration is a negative one. Between two changes of the demand
+ * the jerk is piecewise constant, so each piece is integrated exactly and the result does not
+ * depend on a step size; only the drag is held for at most 10 ms. The path is that of a kinematic
+ * bicycle (Rajamani, Vehicle Dynamics and Control, 2.2): the rear axle follows an arc, whose
+ * curvature is the tangent of the steering angle by the wheelbase, without slip.
  */
 final class EgoMotion {
 
@@ -12,10 +14,18 @@ final class EgoMotion {
   private final double maximalDeceleration;
   private final double coastingDeceleration;
   private final double maximalAcceleration;
-  private double position;
+  private final Chassis chassis;
+
+  /** Of the rear axle, whose place is that of the front bumper without a heading. */
+  private double along;
+
+  private double across;
+  private double heading;
+  private double curvature;
+  private int direction = 1;
+  private VehicleCommand command = VehicleCommand.drive(0.0);
   private double speed;
   private double deceleration;
-  private double demand;
 
   /** Whether the driver holds the speed, as long as the software asks for nothing. */
   private boolean held = true;
@@ -29,6 +39,10 @@ final class EgoMotion {
             ? maximalDeceleration / vehicle.brakeBuildUp()
             : Double.POSITIVE_INFINITY;
     this.speed = vehicle.speed();
+    this.chassis = vehicle.chassis();
+    this.heading = chassis.heading();
+    this.along = -ahead();
+    this.across = chassis.offset() - aside();
   }
 
   private EgoMotion(EgoMotion other) {
@@ -36,10 +50,15 @@ final class EgoMotion {
     this.maximalDeceleration = other.maximalDeceleration;
     this.coastingDeceleration = other.coastingDeceleration;
     this.maximalAcceleration = other.maximalAcceleration;
-    this.position = other.position;
+    this.chassis = other.chassis;
+    this.along = other.along;
+    this.across = other.across;
+    this.heading = other.heading;
+    this.curvature = other.curvature;
+    this.direction = other.direction;
     this.speed = other.speed;
     this.deceleration = other.deceleration;
-    this.demand = other.demand;
+    this.command = other.command;
     this.held = other.held;
   }
 
@@ -48,9 +67,33 @@ final class EgoMotion {
     return new EgoMotion(this);
   }
 
-  /** Way of the front bumper since the start, in m. */
+  /** How far the front bumper is beyond the rear axle, but for what it is without a heading. */
+  private double ahead() {
+    return chassis.frontOverhang() * (StrictMath.cos(heading) - 1.0);
+  }
+
+  private double aside() {
+    return chassis.frontOverhang() * StrictMath.sin(heading);
+  }
+
+  /** Way of the front bumper along the road since the start, in m. */
   double position() {
-    return position;
+    return along + ahead();
+  }
+
+  /** Place of the middle of the front bumper left of the centre of the lane, in m. */
+  double offset() {
+    return across + aside();
+  }
+
+  /** In rad, left is positive. */
+  double heading() {
+    return heading;
+  }
+
+  /** In rad/s, to the left is positive. */
+  double yawRate() {
+    return velocity() * curvature;
   }
 
   /** In m/s, never negative. */
@@ -58,32 +101,57 @@ final class EgoMotion {
     return speed;
   }
 
-  /** In m/s2; zero at standstill, negative while it speeds up. */
+  /** Along its own axis, in m/s; negative backwards. */
+  double velocity() {
+    return direction * speed;
+  }
+
+  /** In m/s2, of the velocity; zero at standstill, negative while it speeds up. */
   double deceleration() {
-    return speed > 0.0 ? deceleration : 0.0;
+    return speed > 0.0 ? direction * deceleration : 0.0;
   }
 
   /**
-   * A command takes effect. The driver holds the speed until the software first asks for throttle
-   * or brake, and lifts the pedal then: with neither, the vehicle coasts. Braking wins over
-   * driving; the throttle adds to coasting in proportion, up to the maximal acceleration.
+   * A command takes effect. The driver holds the speed until the software first asks for throttle,
+   * brake, hand brake or another gear, and lifts the pedal then: with none, the vehicle coasts.
+   * Braking wins over driving; the throttle adds to coasting in proportion, up to the maximal
+   * acceleration. Another direction is engaged at standstill.
    */
-  void follow(VehicleCommand command) {
-    double brake = command.limitedBrake();
-    double throttle = command.limitedThrottle();
-    held &= brake == 0.0 && throttle == 0.0;
+  void follow(VehicleCommand newCommand) {
+    command = newCommand;
+    curvature = chassis.curvature(command.limitedSteering());
+    held &=
+        command.limitedBrake() == 0.0
+            && command.limitedThrottle() == 0.0
+            && !command.handBrake()
+            && command.gear() == 1;
+  }
+
+  /** The deceleration that the command asks for, in m/s2. */
+  private double demand() {
     if (held) {
-      demand = 0.0;
-    } else if (brake > 0.0) {
-      demand = Math.max(coastingDeceleration, brake * maximalDeceleration);
-    } else {
-      demand = coastingDeceleration - throttle * (coastingDeceleration + maximalAcceleration);
+      return 0.0;
     }
+    double handBrake = command.handBrake() ? chassis.handBrakeDeceleration() : 0.0;
+    double braking = Math.max(command.limitedBrake() * maximalDeceleration, handBrake);
+    if (braking > 0.0) {
+      return Math.max(coastingDeceleration, braking) + drag();
+    }
+    double throttle = command.gear() == direction ? command.limitedThrottle() : 0.0;
+    return coastingDeceleration - throttle * (coastingDeceleration + maximalAcceleration) + drag();
+  }
+
+  private double drag() {
+    return chassis.drag() * speed * speed;
   }
 
   /** Moves on for some seconds. */
   void advance(double seconds) {
+    if (speed == 0.0 && command.gear() != 0) {
+      direction = command.gear();
+    }
     double left = seconds;
+    double demand = demand();
     while (left > 0.0) {
       // In a piece the deceleration keeps its sign, so that the speed only falls or only grows.
       double target = deceleration * demand < 0.0 ? 0.0 : demand;
@@ -106,11 +174,25 @@ final class EgoMotion {
     boolean drives = deceleration < 0.0 || (deceleration == 0.0 && jerk < 0.0);
     double moving = drives ? seconds : speed > 0.0 ? movingTime(seconds, jerk) : 0.0;
     double before = speed;
-    position +=
+    move(
         before * moving
             - deceleration * moving * moving / 2.0
-            - jerk * moving * moving * moving / 6.0;
+            - jerk * moving * moving * moving / 6.0);
     speed = moving < seconds ? 0.0 : speedAfter(moving, jerk);
+  }
+
+  /** Along the arc, by a distance in m that is not negative. */
+  private void move(double distance) {
+    double way = direction * distance;
+    double before = heading;
+    heading += way * curvature;
+    if (curvature == 0.0) {
+      along += way * StrictMath.cos(heading);
+      across += way * StrictMath.sin(heading);
+    } else {
+      along += (StrictMath.sin(heading) - StrictMath.sin(before)) / curvature;
+      across += (StrictMath.cos(before) - StrictMath.cos(heading)) / curvature;
+    }
   }
 
   private double speedAfter(double seconds, double jerk) {

@@ -12,6 +12,7 @@ package dev.eventchain.simulation;
  * @param lidarBehindBumper from the front bumper back to the lidar, in m
  * @param lidarAboveRoad from the road up to the lidar, in m
  * @param lidarNoise standard deviation of a measured range, in m
+ * @param chassis what it has besides its pedals
  */
 record EgoVehicle(
     double speed,
@@ -22,10 +23,14 @@ record EgoVehicle(
     double maximalAcceleration,
     double lidarBehindBumper,
     double lidarAboveRoad,
-    double lidarNoise) {
+    double lidarNoise,
+    Chassis chassis) {
 
   /** Width of the body, in m. */
   static final double WIDTH = 1.8;
+
+  /** Length of the body, in m. */
+  static final double LENGTH = 4.5;
 
   /** The throttle, 0 to 1, for an acceleration in m/s2; none where coasting is too much already. */
   double throttleFor(double acceleration) {
@@ -43,6 +48,6 @@ record EgoVehicle(
 
   /** A passenger car with the mounting that the AEB example's object detection knows. */
   static EgoVehicle withSpeed(double speed) {
-    return new EgoVehicle(speed, 0.2, 0.3, 9.0, 0.5, 3.0, 2.4, 2.4, 0.01);
+    return new EgoVehicle(speed, 0.2, 0.3, 9.0, 0.5, 3.0, 2.4, 2.4, 0.01, Chassis.USUAL);
   }
 }

@@ -19,10 +19,10 @@ final class ImpactRules {
   }
 
   static Outcome noImpact(Trace trace) {
-    if (trace.minimalGap().isEmpty()) {
+    OptionalDouble impact = trace.impactSpeed();
+    if (trace.minimalGap().isEmpty() && impact.isEmpty()) {
       return nothingAhead();
     }
-    OptionalDouble impact = trace.impactSpeed();
     return impact.isPresent()
         ? new Outcome(
             false,
@@ -66,10 +66,10 @@ final class ImpactRules {
   }
 
   static Outcome maximalImpactSpeed(Trace trace, double limit) {
-    if (trace.minimalGap().isEmpty()) {
+    OptionalDouble impact = trace.impactSpeed();
+    if (trace.minimalGap().isEmpty() && impact.isEmpty()) {
       return nothingAhead();
     }
-    OptionalDouble impact = trace.impactSpeed();
     return impact.isPresent()
         ? new Outcome(
             impact.getAsDouble() <= limit,

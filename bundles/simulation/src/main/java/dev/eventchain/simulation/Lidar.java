@@ -77,7 +77,11 @@ final class Lidar {
     this.noise = (float) vehicle.lidarNoise();
     this.random = new SplittableRandom(seed);
     for (int ray = 0; ray < RAYS; ray++) {
-      background(ray);
+      background(
+          ray,
+          RoadScene.WALL_DISTANCE / Math.abs(DIRECTION_Y[ray]),
+          backgroundRange,
+          backgroundIntensity);
     }
   }
 
@@ -90,14 +94,13 @@ final class Lidar {
     return values;
   }
 
-  /** Road and walls look the same from every place on a straight road. */
-  private void background(int ray) {
+  /** Road and walls look the same from every place in the middle of a straight lane. */
+  private void background(int ray, double wall, float[] ranges, float[] intensities) {
     double road = DIRECTION_Z[ray] < 0.0 ? aboveRoad / -DIRECTION_Z[ray] : Double.POSITIVE_INFINITY;
-    double wall = RoadScene.WALL_DISTANCE / Math.abs(DIRECTION_Y[ray]);
     double wallHeight = aboveRoad + wall * DIRECTION_Z[ray];
     boolean hitsWall = wall < road && wallHeight <= RoadScene.WALL_HEIGHT;
-    backgroundRange[ray] = (float) (hitsWall ? wall : road);
-    backgroundIntensity[ray] = hitsWall ? WALL_INTENSITY : ROAD_INTENSITY;
+    ranges[ray] = (float) (hitsWall ? wall : road);
+    intensities[ray] = hitsWall ? WALL_INTENSITY : ROAD_INTENSITY;
   }
 
   /** Sets what never changes in the messages of scans. */
@@ -123,8 +126,8 @@ final class Lidar {
   }
 
   /** One scan into a message, but for its header. */
-  void scan(List<Box> boxes, MessageValue message) {
-    byte[] scanned = scan(boxes);
+  void scan(List<Box> boxes, Trace.Pose pose, MessageValue message) {
+    byte[] scanned = scan(boxes, pose);
     message.set("width", (long) scanned.length / POINT_STEP);
     message.set("row_step", (long) scanned.length);
     message.set("data", scanned);
@@ -133,14 +136,62 @@ final class Lidar {
   /**
    * One scan, as the data of a PointCloud2 in the lidar's frame (x forward, y left, z up).
    *
+   * @param boxes seen from the front bumper of an ego in the middle of the lane
+   * @param pose how the ego stands in the lane
    * @return {@link #POINT_STEP} bytes for each ray that returned
    */
-  byte[] scan(List<Box> boxes) {
-    System.arraycopy(backgroundRange, 0, range, 0, RAYS);
-    System.arraycopy(backgroundIntensity, 0, intensity, 0, RAYS);
-    for (Box box : boxes) {
-      see(box);
+  byte[] scan(List<Box> boxes, Trace.Pose pose) {
+    if (pose.offset() == 0.0 && pose.heading() == 0.0) {
+      System.arraycopy(backgroundRange, 0, range, 0, RAYS);
+      System.arraycopy(backgroundIntensity, 0, intensity, 0, RAYS);
+      boxes.forEach(this::see);
+    } else {
+      look(boxes, pose);
     }
+    return noisy();
+  }
+
+  /** Casts each ray from where the lidar is, which is slower than to look straight ahead. */
+  private void look(List<Box> boxes, Trace.Pose pose) {
+    double cos = StrictMath.cos(pose.heading());
+    double sin = StrictMath.sin(pose.heading());
+    double along = -behindBumper * cos;
+    double across = pose.offset() - behindBumper * sin;
+    for (int ray = 0; ray < RAYS; ray++) {
+      double dx = DIRECTION_X[ray] * cos - DIRECTION_Y[ray] * sin;
+      double dy = DIRECTION_X[ray] * sin + DIRECTION_Y[ray] * cos;
+      double wallAt = Math.copySign(RoadScene.WALL_DISTANCE, dy) - across;
+      background(ray, wallAt / dy, range, intensity);
+      for (Box box : boxes) {
+        double distance = distance(dx, dy, DIRECTION_Z[ray], box, along, across);
+        if (distance < range[ray]) {
+          range[ray] = (float) distance;
+          intensity[ray] = box.intensity();
+        }
+      }
+    }
+  }
+
+  /** Where a ray from a place enters a box: after the last of its entries into the three slabs. */
+  private double distance(double dx, double dy, double dz, Box box, double along, double across) {
+    double enter = Math.max(entry(box.rear() - along, box.front() - along, dx), 0.0);
+    enter = Math.max(enter, entry(box.right() - across, box.left() - across, dy));
+    enter = Math.max(enter, entry(-aboveRoad, box.height() - aboveRoad, dz));
+    double exit = -entry(along - box.front(), along - box.rear(), dx);
+    exit = Math.min(exit, -entry(across - box.left(), across - box.right(), dy));
+    exit = Math.min(exit, -entry(aboveRoad - box.height(), aboveRoad, dz));
+    return enter <= exit && enter > 0.0 ? enter : Double.POSITIVE_INFINITY;
+  }
+
+  /** When a ray enters a slab; never if it runs beside it, and always if it runs within. */
+  private static double entry(double low, double high, double direction) {
+    if (direction == 0.0) {
+      return low <= 0.0 && high >= 0.0 ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
+    }
+    return Math.min(low / direction, high / direction);
+  }
+
+  private byte[] noisy() {
     int offset = 0;
     int start = random.nextInt(NOISE.length);
     for (int ray = 0; ray < RAYS; ray++) {

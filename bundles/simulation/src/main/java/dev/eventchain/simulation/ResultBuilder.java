@@ -92,7 +92,7 @@ final class ResultBuilder {
             run ->
                 Diagnostic.error(
                         "simulation.command.ignored",
-                        "Scenario %s: the software commanded %s; the simulated vehicle follows throttle and brake from 0 to 1 only."
+                        "Scenario %s: the software commanded %s, which the simulated vehicle does not do."
                             .formatted(run.scenario().name(), run.trace().ignored()),
                         SourceLocation.NONE.withElement(setup.writer(setup.exit())))
                     .withHint(

@@ -38,7 +38,7 @@ final class RoadScene {
                 VEHICLE_INTENSITY));
       }
     }
-    double first = POST_SPACING - world.egoPosition() % POST_SPACING;
+    double first = POST_SPACING - world.ego().position() % POST_SPACING;
     for (double rear = first; rear < VIEW; rear += POST_SPACING) {
       boxes.add(post(rear, POST_DISTANCE));
       boxes.add(post(rear, -POST_DISTANCE));

@@ -13,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.OptionalDouble;
 
 /** Reads scenario files. Units stand in the names of the keys and become SI units here. */
 final class ScenarioReader {
@@ -94,9 +95,27 @@ final class ScenarioReader {
             number(section, "maximal_acceleration_mps2", usual.maximalAcceleration(), 0, 20),
             number(section, "lidar_behind_bumper_m", usual.lidarBehindBumper(), 0, 10),
             number(section, "lidar_above_road_m", usual.lidarAboveRoad(), 0.5, 5),
-            number(section, "lidar_noise_m", usual.lidarNoise(), 0, 1));
+            number(section, "lidar_noise_m", usual.lidarNoise(), 0, 1),
+            chassis(section));
     section.refuseOthers();
     return ego;
+  }
+
+  private static Chassis chassis(ObjectReader section) {
+    Chassis usual = Chassis.USUAL;
+    return new Chassis(
+        number(section, "wheelbase_m", usual.wheelbase(), 1, 10),
+        radians(section, "maximal_steering_angle_deg", usual.maximalSteeringAngle(), 1, 60),
+        number(section, "hand_brake_deceleration_mps2", usual.handBrakeDeceleration(), 0, 10),
+        number(section, "drag_per_m", usual.drag(), 0, 0.01),
+        number(section, "lateral_offset_m", usual.offset(), -6, 6),
+        radians(section, "heading_deg", usual.heading(), -45, 45));
+  }
+
+  private static double radians(
+      ObjectReader section, String key, double absent, double least, double most) {
+    OptionalDouble degrees = section.number(key, NumberRange.of(least, most));
+    return degrees.isPresent() ? StrictMath.toRadians(degrees.getAsDouble()) : absent;
   }
 
   private static TargetVehicle target(ObjectReader section) {

@@ -28,9 +28,13 @@ record TargetVehicle(
         gap, speed, lateralOffset, 1.8, 1.5, 4.5, Double.POSITIVE_INFINITY, 0.0);
   }
 
-  /** Whether the ego would hit it when it drives straight on. */
-  boolean inPath() {
-    return Math.abs(lateralOffset) < (EgoVehicle.WIDTH + width) / 2;
+  /**
+   * Whether the ego would hit it when it drives straight on.
+   *
+   * @param offset of the ego from the centre of the lane, in m
+   */
+  boolean inPath(double offset) {
+    return Math.abs(lateralOffset - offset) < (EgoVehicle.WIDTH + width) / 2;
   }
 
   /**

@@ -16,13 +16,14 @@ final class Trace {
    * A moment.
    *
    * @param time in ns
-   * @param speed of the ego, in m/s
+   * @param speed of the ego along its own axis, in m/s; negative backwards
    * @param gap to the nearest vehicle in the path, in m; infinite if there is none
    * @param timeToCollision in s, from the true distance and closing speed; infinite if nothing is
    *     approached
    * @param deceleration of the ego, in m/s2
    * @param position of the ego's front bumper since the start, in m
    * @param leadSpeed of the nearest vehicle in the path, in m/s; NaN if there is none
+   * @param pose how the ego stands in its lane
    */
   record State(
       long time,
@@ -31,10 +32,24 @@ final class Trace {
       double timeToCollision,
       double deceleration,
       double position,
-      double leadSpeed) {}
+      double leadSpeed,
+      Pose pose) {}
+
+  /**
+   * How the ego stands in its lane; all are positive to the left.
+   *
+   * @param offset of the middle of the front bumper from the centre of the lane, in m
+   * @param heading in rad
+   * @param yawRate in rad/s
+   */
+  record Pose(double offset, double heading, double yawRate) {
+
+    /** In the middle, straight on. */
+    static final Pose STRAIGHT = new Pose(0.0, 0.0, 0.0);
+  }
 
   /** A command: when it was published, in ns, and the positions of the pedals as it has them. */
-  record Command(long time, double pedal, double throttle) {
+  record Command(long time, double pedal, double throttle, double steering) {
 
     boolean brakes() {
       return pedal > 0.0;
@@ -102,7 +117,7 @@ final class Trace {
   }
 
   void command(long time, VehicleCommand command) {
-    commands.add(new Command(time, command.brake(), command.throttle()));
+    commands.add(new Command(time, command.brake(), command.throttle(), command.steering()));
     if (ignored.isEmpty() && !command.ignored().isEmpty()) {
       ignored =
           String.format(Locale.ROOT, "%s after %.2f s", command.ignored(), World.seconds(time));

@@ -1,6 +1,5 @@
 package dev.eventchain.simulation;
 
-import java.util.List;
 import java.util.Map;
 
 /**
@@ -9,22 +8,28 @@ import java.util.Map;
  * @param throttle 0.0 to 1.0; what lies outside is limited, what is no number does not drive
  * @param brake 0.0 to 1.0, as the software wrote it: what lies outside is limited where it takes
  *     effect
- * @param ignored what else it asks for and the simulated vehicle does not do, in words; empty if it
- *     asks for nothing else
+ * @param steering -1.0 (left) to 1.0 (right); what lies outside is limited
+ * @param handBrake whether it is set
+ * @param gear -1 backwards, 0 neutral, 1 forwards
+ * @param ignored what it asks for and the simulated vehicle does not do, in words; empty if it does
+ *     everything
  */
-record VehicleCommand(double throttle, double brake, String ignored) {
-
-  private static final List<Actuator> NOT_SIMULATED =
-      List.of(Actuator.STEERING, Actuator.HAND_BRAKE, Actuator.REVERSE, Actuator.MANUAL_GEAR_SHIFT);
+record VehicleCommand(
+    double throttle, double brake, double steering, boolean handBrake, int gear, String ignored) {
 
   /** A command to brake only. */
   static VehicleCommand brake(double pedal) {
-    return new VehicleCommand(0.0, pedal, "");
+    return pedals(0.0, pedal);
   }
 
   /** A command to drive only. */
   static VehicleCommand drive(double pedal) {
-    return new VehicleCommand(pedal, 0.0, "");
+    return pedals(pedal, 0.0);
+  }
+
+  /** A command that leaves everything but the pedals as it is at the start. */
+  static VehicleCommand pedals(double throttle, double brake) {
+    return new VehicleCommand(throttle, brake, 0.0, false, 1, "");
   }
 
   /**
@@ -34,22 +39,47 @@ record VehicleCommand(double throttle, double brake, String ignored) {
    * @param vehicle that turns an acceleration into positions of its pedals
    */
   static VehicleCommand of(Map<Actuator, Double> demands, EgoVehicle vehicle) {
-    double throttle = demands.getOrDefault(Actuator.THROTTLE, 0.0);
-    double brake = demands.getOrDefault(Actuator.BRAKE, 0.0);
-    String ignored = throttle >= 0.0 && throttle <= 1.0 ? "" : "throttle " + throttle;
+    double throttle = of(demands, Actuator.THROTTLE);
+    double brake = of(demands, Actuator.BRAKE);
     if (demands.containsKey(Actuator.ACCELERATION)) {
       double acceleration = demands.get(Actuator.ACCELERATION);
-      ignored = Double.isFinite(acceleration) ? "" : "acceleration " + acceleration;
       throttle = vehicle.throttleFor(acceleration);
       brake = vehicle.brakeFor(acceleration);
     }
-    for (Actuator actuator : NOT_SIMULATED) {
-      double demand = demands.getOrDefault(actuator, 0.0);
-      if (ignored.isEmpty() && demand != 0.0) {
-        ignored = actuator.truth() ? actuator.id() : actuator.id() + " " + demand;
-      }
+    double steering = of(demands, Actuator.STEERING);
+    if (demands.containsKey(Actuator.STEERING_ANGLE)) {
+      double angle = demands.get(Actuator.STEERING_ANGLE);
+      steering = 0.0 - angle / vehicle.chassis().maximalSteeringAngle();
     }
-    return new VehicleCommand(throttle, brake, ignored);
+    boolean backwards =
+        of(demands, Actuator.REVERSE) != 0.0 || demands.getOrDefault(Actuator.GEAR, 1.0) < 0.0;
+    int gear = backwards ? -1 : demands.getOrDefault(Actuator.GEAR, 1.0) == 0.0 ? 0 : 1;
+    return new VehicleCommand(
+        throttle,
+        brake,
+        steering,
+        of(demands, Actuator.HAND_BRAKE) != 0.0,
+        gear,
+        ignored(demands, throttle, steering));
+  }
+
+  private static double of(Map<Actuator, Double> demands, Actuator actuator) {
+    return demands.getOrDefault(actuator, 0.0);
+  }
+
+  /** What the vehicle cannot do, such as to drive with a throttle of 2. */
+  private static String ignored(Map<Actuator, Double> demands, double throttle, double steering) {
+    double acceleration = of(demands, Actuator.ACCELERATION);
+    if (!Double.isFinite(acceleration)) {
+      return "acceleration " + acceleration;
+    }
+    if (!(throttle >= 0.0 && throttle <= 1.0)) {
+      return "throttle " + throttle;
+    }
+    if (!(steering >= -1.0 && steering <= 1.0)) {
+      return "steering " + steering;
+    }
+    return of(demands, Actuator.MANUAL_GEAR_SHIFT) != 0.0 ? Actuator.MANUAL_GEAR_SHIFT.id() : "";
   }
 
   double limitedThrottle() {
@@ -60,7 +90,11 @@ record VehicleCommand(double throttle, double brake, String ignored) {
     return limited(brake);
   }
 
-  private static double limited(double pedal) {
-    return pedal > 0.0 ? Math.min(pedal, 1.0) : 0.0;
+  double limitedSteering() {
+    return Math.copySign(limited(Math.abs(steering)), steering);
+  }
+
+  private static double limited(double demand) {
+    return demand > 0.0 ? Math.min(demand, 1.0) : 0.0;
   }
 }

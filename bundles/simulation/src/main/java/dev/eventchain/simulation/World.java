@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.DoubleUnaryOperator;
 
 /**
  * The road with the ego and the other vehicles on it, as point masses along the lane. Gaps are
@@ -46,17 +47,17 @@ final class World {
     return now;
   }
 
-  /** The ego's way since the start, in m. */
-  double egoPosition() {
-    return ego.position();
+  /** How the ego moves; not to be changed. */
+  EgoMotion ego() {
+    return ego;
   }
 
-  /** The ego's speed, in m/s. */
+  /** The ego's speed, in m/s; never negative. */
   double egoSpeed() {
     return ego.speed();
   }
 
-  /** Whether the ego has hit another vehicle. */
+  /** Whether the ego has hit another vehicle or a wall beside the road. */
   boolean impacted() {
     return !Double.isNaN(impactSpeed);
   }
@@ -105,9 +106,12 @@ final class World {
   private void advancePiece(long until) {
     EgoMotion before = ego.copy();
     ego.advance(seconds(until - now));
-    Optional<TargetVehicle> hit = nearest(until, ego);
-    if (hit.isPresent() && gap(hit.get(), until, ego) <= 0.0) {
-      impact(before, until, hit.get());
+    Optional<TargetVehicle> hit = touched(until, ego);
+    if (hit.isPresent()) {
+      TargetVehicle target = hit.get();
+      impact(before, until, (time, tried) -> touches(target, time, tried), target::speed);
+    } else if (leavesTheRoad(ego)) {
+      impact(before, until, (time, tried) -> leavesTheRoad(tried), time -> 0.0);
     } else {
       now = until;
     }
@@ -116,24 +120,32 @@ final class World {
     }
   }
 
-  /** Finds the instant of the impact to a nanosecond. */
-  private void impact(EgoMotion before, long until, TargetVehicle target) {
+  private interface Touch {
+    boolean at(long time, EgoMotion motion);
+  }
+
+  /**
+   * Finds the instant of an impact to a nanosecond.
+   *
+   * @param speedOfOther that of what is hit, in m/s, after some seconds
+   */
+  private void impact(EgoMotion before, long until, Touch touch, DoubleUnaryOperator speedOfOther) {
     long apart = now;
     long touching = until;
     while (touching - apart > 1) {
       long middle = (apart + touching) / 2;
       EgoMotion tried = before.copy();
       tried.advance(seconds(middle - now));
-      if (gap(target, middle, tried) > 0.0) {
-        apart = middle;
-      } else {
+      if (touch.at(middle, tried)) {
         touching = middle;
+      } else {
+        apart = middle;
       }
     }
     EgoMotion touched = before.copy();
     touched.advance(seconds(touching - now));
     now = touching;
-    impactSpeed = Math.max(0.0, touched.speed() - target.speed(seconds(touching)));
+    impactSpeed = Math.abs(touched.velocity() - speedOfOther.applyAsDouble(seconds(touching)));
     trace.impact(impactSpeed);
   }
 
@@ -149,19 +161,38 @@ final class World {
   private Trace.State state() {
     Optional<TargetVehicle> ahead = nearest(now, ego);
     double gap = ahead.map(target -> gap(target, now, ego)).orElse(Double.POSITIVE_INFINITY);
-    double closing = ego.speed() - ahead.map(target -> target.speed(seconds(now))).orElse(0.0);
+    double closing = ego.velocity() - ahead.map(target -> target.speed(seconds(now))).orElse(0.0);
     double timeToCollision =
         ahead.isPresent() && closing > 0.0
             ? Math.max(0.0, gap) / closing
             : Double.POSITIVE_INFINITY;
     return new Trace.State(
         now,
-        ego.speed(),
+        ego.velocity(),
         Math.max(0.0, gap),
         timeToCollision,
         ego.deceleration(),
         ego.position(),
-        ahead.map(target -> target.speed(seconds(now))).orElse(Double.NaN));
+        ahead.map(target -> target.speed(seconds(now))).orElse(Double.NaN),
+        new Trace.Pose(ego.offset(), ego.heading(), ego.yawRate()));
+  }
+
+  /** A vehicle that the ego has driven into, forwards, backwards or aside. */
+  private Optional<TargetVehicle> touched(long time, EgoMotion motion) {
+    return targets.stream().filter(target -> touches(target, time, motion)).findFirst();
+  }
+
+  /** Whether the front touches a wall beside the road. */
+  private static boolean leavesTheRoad(EgoMotion motion) {
+    return Math.abs(motion.offset()) + EgoVehicle.WIDTH / 2 >= RoadScene.WALL_DISTANCE;
+  }
+
+  /** Whether bodies overlap; who is hit from behind has not driven into anybody. */
+  private static boolean touches(TargetVehicle target, long time, EgoMotion motion) {
+    double gap = gap(target, time, motion);
+    boolean ahead = gap <= 0.0 && gap > -target.length();
+    boolean behind = gap <= -target.length() && gap >= -target.length() - EgoVehicle.LENGTH;
+    return target.inPath(motion.offset()) && (ahead || (behind && motion.velocity() < 0.0));
   }
 
   /** The nearest vehicle that is in the ego's path and not behind it. */
@@ -169,7 +200,7 @@ final class World {
     TargetVehicle nearest = null;
     for (TargetVehicle target : targets) {
       double gap = gap(target, time, motion);
-      if (target.inPath()
+      if (target.inPath(motion.offset())
           && gap > -target.length()
           && (nearest == null || gap < gap(nearest, time, motion))) {
         nearest = target;

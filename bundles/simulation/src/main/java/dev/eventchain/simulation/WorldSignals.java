@@ -16,15 +16,29 @@ final class WorldSignals implements Signal.Source {
 
   static {
     add("ego.position", "m", "way of the front bumper", ofStates(Trace.State::position));
-    add("ego.speed", "m/s", "speed over ground", ofStates(Trace.State::speed));
+    add("ego.speed", "m/s", "speed along its own axis", ofStates(Trace.State::speed));
     // 0.0 - x and not -x, since nobody wants to read of an acceleration of -0.
     add("ego.acceleration", "m/s2", "negative in braking", ofStates(s -> 0.0 - s.deceleration()));
+    add("ego.offset", "m", "front bumper left of the lane's centre", ofPose(Trace.Pose::offset));
+    add("ego.heading", "rad", "to the left of the road", ofPose(Trace.Pose::heading));
+    add("ego.yaw_rate", "rad/s", "to the left", ofPose(Trace.Pose::yawRate));
+    add(
+        "ego.orientation.z",
+        "1",
+        "heading as quaternion, z",
+        ofPose(pose -> StrictMath.sin(pose.heading() / 2)));
+    add(
+        "ego.orientation.w",
+        "1",
+        "heading as quaternion, w",
+        ofPose(pose -> StrictMath.cos(pose.heading() / 2)));
     addTruth("lead.present", "whether a vehicle is in the path", s -> Double.isFinite(s.gap()));
     addAhead("gap", "m", "bumper to bumper", Trace.State::gap);
     addAhead("lead.speed", "m/s", "speed of the nearest in the path", Trace.State::leadSpeed);
     addAhead("ttc", "s", "true time to collision", Trace.State::timeToCollision);
     addCommand("brake", "last brake command, 0 to 1", Trace.Command::pedal);
     addCommand("throttle", "last throttle command, 0 to 1", Trace.Command::throttle);
+    addCommand("steering", "last steering command, -1 (left) to 1", Trace.Command::steering);
   }
 
   private static void add(
@@ -54,6 +68,10 @@ final class WorldSignals implements Signal.Source {
 
   private static Function<Trace, double[]> ofStates(ToDoubleFunction<Trace.State> value) {
     return trace -> trace.states().stream().mapToDouble(value).toArray();
+  }
+
+  private static Function<Trace, double[]> ofPose(ToDoubleFunction<Trace.Pose> value) {
+    return ofStates(state -> value.applyAsDouble(state.pose()));
   }
 
   /** A command holds until the next one; before the first one the pedals are not pressed. */

@@ -24,7 +24,8 @@ class LidarTest {
   private static List<Point> scan(EgoVehicle ego, long seed, TargetVehicle... targets) {
     World world = new World(ego, List.of(targets));
     ByteBuffer data =
-        ByteBuffer.wrap(new Lidar(ego, seed).scan(RoadScene.boxes(world)))
+        ByteBuffer.wrap(
+                new Lidar(ego, seed).scan(RoadScene.boxes(world), world.moment().end().pose()))
             .order(ByteOrder.LITTLE_ENDIAN);
     List<Point> points = new ArrayList<>();
     for (int at = 0; at < data.limit(); at += Lidar.POINT_STEP) {
@@ -82,15 +83,18 @@ class LidarTest {
   @Test
   void sameSeedGivesTheSameBytesAndAnotherSeedOthers() {
     World world = new World(EGO, List.of(TargetVehicle.passengerCar(30, 0, 0)));
-    byte[] first = new Lidar(EGO, 7).scan(RoadScene.boxes(world));
-    assertArrayEquals(first, new Lidar(EGO, 7).scan(RoadScene.boxes(world)));
-    assertFalse(Arrays.equals(first, new Lidar(EGO, 8).scan(RoadScene.boxes(world))));
+    byte[] first = new Lidar(EGO, 7).scan(RoadScene.boxes(world), world.moment().end().pose());
+    assertArrayEquals(
+        first, new Lidar(EGO, 7).scan(RoadScene.boxes(world), world.moment().end().pose()));
+    assertFalse(
+        Arrays.equals(
+            first, new Lidar(EGO, 8).scan(RoadScene.boxes(world), world.moment().end().pose())));
   }
 
   @Test
   void rangesHaveTheNoiseOfTheScenario() {
-    EgoVehicle ego = new EgoVehicle(10, 0.2, 0.3, 9, 0.5, 3, 2.4, 2.4, 0.02);
-    EgoVehicle silent = new EgoVehicle(10, 0.2, 0.3, 9, 0.5, 3, 2.4, 2.4, 0);
+    EgoVehicle ego = new EgoVehicle(10, 0.2, 0.3, 9, 0.5, 3, 2.4, 2.4, 0.02, Chassis.USUAL);
+    EgoVehicle silent = new EgoVehicle(10, 0.2, 0.3, 9, 0.5, 3, 2.4, 2.4, 0, Chassis.USUAL);
     List<Point> noisy = scan(ego, 3);
     List<Point> exact = scan(silent, 3);
     double squares = 0;

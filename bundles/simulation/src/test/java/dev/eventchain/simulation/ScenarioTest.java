@@ -87,7 +87,8 @@ class ScenarioTest {
                   tolerance_reaction_s: 0.4
                 """),
             Bench.carla());
-    assertEquals(new EgoVehicle(10, 0.1, 0.4, 8, 0.3, 3, 1.5, 2, 0.02), scenario.ego());
+    assertEquals(
+        new EgoVehicle(10, 0.1, 0.4, 8, 0.3, 3, 1.5, 2, 0.02, Chassis.USUAL), scenario.ego());
     assertEquals(List.of(new TargetVehicle(40, 5, -3.5, 2.5, 4, 12, 2, 6)), scenario.targets());
     assertEquals(List.of("AEB-1", "AEB-2"), scenario.requirements());
     assertEquals(7.5, scenario.duration());

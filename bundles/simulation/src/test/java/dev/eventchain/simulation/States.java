@@ -7,6 +7,7 @@ final class States {
 
   static Trace.State of(
       long time, double speed, double gap, double timeToCollision, double deceleration) {
-    return new Trace.State(time, speed, gap, timeToCollision, deceleration, 0, Double.NaN);
+    return new Trace.State(
+        time, speed, gap, timeToCollision, deceleration, 0, Double.NaN, Trace.Pose.STRAIGHT);
   }
 }

@@ -26,7 +26,7 @@ class WorldTest {
     world.command(0, VehicleCommand.brake(0.0));
     world.advanceTo(3 * SECOND);
     assertEquals(20, world.egoSpeed());
-    assertEquals(60, world.egoPosition(), 1e-9);
+    assertEquals(60, world.ego().position(), 1e-9);
   }
 
   @Test
@@ -55,7 +55,7 @@ class WorldTest {
         v * 0.2 + v * 0.3 - 30 * 0.3 * 0.3 * 0.3 / 6 + afterRamp * afterRamp / (2 * 9);
     assertEquals(0, world.egoSpeed());
     assertEquals(0, world.moment().end().deceleration());
-    assertEquals(expected, world.egoPosition(), 1e-6);
+    assertEquals(expected, world.ego().position(), 1e-6);
   }
 
   @ParameterizedTest
@@ -63,7 +63,7 @@ class WorldTest {
   void resultDoesNotDependOnTheStep(long step) {
     World coarse = braked(4 * SECOND);
     World fine = braked(step);
-    assertEquals(coarse.egoPosition(), fine.egoPosition(), 1e-9);
+    assertEquals(coarse.ego().position(), fine.ego().position(), 1e-9);
     assertEquals(coarse.egoSpeed(), fine.egoSpeed(), 1e-9);
     assertTrue(fine.egoSpeed() > 0);
   }
@@ -160,7 +160,8 @@ class WorldTest {
       double partial,
       double kmh,
       double impact) {
-    EgoVehicle ego = new EgoVehicle(kmh / 3.6, delay, buildUp, deceleration, 0, 3, 2.4, 2.4, 0);
+    EgoVehicle ego =
+        new EgoVehicle(kmh / 3.6, delay, buildUp, deceleration, 0, 3, 2.4, 2.4, 0, Chassis.USUAL);
     DoubleSummaryStatistics impacts = new DoubleSummaryStatistics();
     for (double early = 0.0005; early < 0.05; early += 0.007) {
       World world =
@@ -210,23 +211,23 @@ class WorldTest {
     world.command(0, VehicleCommand.drive(0.3));
     world.advanceTo(3 * SECOND);
     assertTrue(world.egoSpeed() > 1, () -> "speed " + world.egoSpeed());
-    double before = world.egoPosition();
+    double before = world.ego().position();
     assertTrue(before > 1);
     world.command(3 * SECOND, VehicleCommand.brake(1.0));
     world.advanceTo(6 * SECOND);
     assertEquals(0, world.egoSpeed());
-    double stood = world.egoPosition();
+    double stood = world.ego().position();
     world.advanceTo(7 * SECOND);
-    assertEquals(stood, world.egoPosition());
+    assertEquals(stood, world.ego().position());
     world.command(7 * SECOND, VehicleCommand.drive(1.0));
     world.advanceTo(9 * SECOND);
-    assertTrue(world.egoPosition() > stood + 1);
+    assertTrue(world.ego().position() > stood + 1);
   }
 
   @Test
   void brakeWinsOverThrottle() {
     World world = empty(20);
-    world.command(0, new VehicleCommand(1.0, 1.0, ""));
+    world.command(0, VehicleCommand.pedals(1.0, 1.0));
     world.advanceTo(SECOND);
     assertEquals(9, world.moment().end().deceleration(), 1e-9);
   }
@@ -245,7 +246,7 @@ class WorldTest {
     }
     fine.advanceTo(4 * SECOND);
     coarse.advanceTo(4 * SECOND);
-    assertEquals(coarse.egoPosition(), fine.egoPosition(), 1e-6);
+    assertEquals(coarse.ego().position(), fine.ego().position(), 1e-6);
     assertEquals(coarse.egoSpeed(), fine.egoSpeed(), 1e-6);
   }
 }

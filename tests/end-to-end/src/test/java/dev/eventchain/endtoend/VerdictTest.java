@@ -65,11 +65,11 @@ class VerdictTest {
   @Test
   void commandThatTheSimulatedVehicleDoesNotFollowIsNotTested() throws IOException {
     replace(
-        "software-base/components/Carla_Vehicle_Control.py", "\"steer\": 0.0", "\"steer\": 0.5");
+        "software-base/components/Carla_Vehicle_Control.py", "\"steer\": 0.0", "\"steer\": 1.5");
     run()
         .expect(1)
         .says("INCOMPLETE")
-        .says("the software commanded steering 0.5 after")
+        .says("the software commanded steering 1.5 after")
         .says("[simulation.command.ignored]");
     assertNoPass();
   }
