@@ -114,7 +114,9 @@ class VerdictTest {
         "software-base/components/Carla_Vehicle_Control.py",
         "\"throttle\": 0.0",
         "\"throttle\": 7.0");
-    run().expect(1).says("the software commanded throttle 7.0 after")
+    run()
+        .expect(1)
+        .says("the software commanded throttle 7.0 after")
         .says("[simulation.command.ignored]");
     assertNoPass();
   }
