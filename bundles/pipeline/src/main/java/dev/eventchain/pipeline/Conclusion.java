@@ -1,6 +1,7 @@
 package dev.eventchain.pipeline;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.MissingNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -123,14 +124,23 @@ final class Conclusion {
     String scenarioText = passed + " of " + scenarios.size() + " scenarios passed";
     long errors = found.stream().filter(finding -> finding.severity() == Severity.ERROR).count();
     String errorText = Coverage.counted(errors, "error");
+    String requirements = RequirementOutcomes.counted(requirementOutcomes());
+    String counted = requirements.isEmpty() ? "" : requirements + ", ";
     return switch (verdict) {
-      case PASSED -> scenarioText;
-      case FAILED -> scenarios.isEmpty() ? errorText : scenarioText + ", " + errorText;
+      case PASSED -> requirements.isEmpty() ? scenarioText : scenarioText + ", " + requirements;
+      case FAILED -> scenarios.isEmpty() ? errorText : scenarioText + ", " + counted + errorText;
       case INCOMPLETE ->
           onlyUntested(found)
-              ? untested(scenarios, scenarioText) + ": " + errorText
+              ? untested(scenarios, scenarioText) + ": " + counted + errorText
               : failure.isPresent() ? stopped() : unjudged(scenarios, scenarioText);
     };
+  }
+
+  private JsonNode requirementOutcomes() {
+    StageOutcome simulated = outcome(Stage.SIMULATE);
+    return simulated.status() == Status.NOT_RUN || simulated.report().isEmpty()
+        ? MissingNode.getInstance()
+        : simulated.report().get().path("requirements");
   }
 
   private static String untested(List<ScenarioLine> scenarios, String scenarioText) {

@@ -4,7 +4,6 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.metamodel.Origins;
 import dev.eventchain.metamodel.XmiStore;
@@ -78,7 +77,7 @@ final class SimulateStage implements StageWork {
       found.addAll(ProjectScenarios.untested(run, scenarios));
       found.addAll(unmeasured(chain, result, run.chain()::locate));
       // Last, so that it is never there without what it is about.
-      run.writeResult(VERDICT, SimulationReport.verdict(chain, result, errors(run, found)));
+      run.writeResult(VERDICT, verdict(run, chain, result, found));
     }
     Coverage coverage = Constraints.coverage(List.of(measuredFile(run)), validation).and(ecore);
     ObjectNode report = report(run, result, validation);
@@ -107,6 +106,11 @@ final class SimulateStage implements StageWork {
 
   private static ObjectNode report(RunContext run, SimulationResult result, OclResult validation) {
     ObjectNode report = SimulationReport.of(result);
+    if (!run.options().isPartial()) {
+      report.set(
+          "requirements",
+          RequirementOutcomes.of(ProjectScenarios.requirements(run), result.verdicts()));
+    }
     report.set("validation", Constraints.report(measuredFile(run), validation));
     return report;
   }
@@ -144,11 +148,14 @@ final class SimulateStage implements StageWork {
     return node == null ? "?" : node.getName();
   }
 
-  /** The errors that count: a verdict must not be better than the run that reached it. */
-  private static List<Diagnostic> errors(RunContext run, List<Diagnostic> found) {
-    return run.options().suppressions().part(found).remaining().stream()
-        .filter(each -> each.severity() == Severity.ERROR)
-        .toList();
+  /** A verdict must not be better than the run that reached it. */
+  private static byte[] verdict(
+      RunContext run, EventChain chain, SimulationResult result, List<Diagnostic> found) {
+    return SimulationReport.verdict(
+        chain,
+        result,
+        ProjectScenarios.requirements(run),
+        run.options().suppressions().part(found));
   }
 
   private static String details(SimulationResult result) {

@@ -8,7 +8,10 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.modeler.Requirements;
 import dev.eventchain.simulation.Measurements;
 import dev.eventchain.simulation.ScenarioVerdict;
 import dev.eventchain.simulation.SimulationResult;
@@ -50,11 +53,23 @@ final class SimulationReport {
   /**
    * The content of {@code verdict.json}: the same bytes for the same nodes and scenarios.
    *
-   * @param errors what was found wanting, of the scenarios and of what was measured
+   * @param requirements the project's
+   * @param found all findings, of the scenarios and of what was measured, parted by what people
+   *     have decided to live with: a scenario that did not pass has one
    */
-  static byte[] verdict(EventChain chain, SimulationResult result, List<Diagnostic> errors) {
+  static byte[] verdict(
+      EventChain chain,
+      SimulationResult result,
+      List<Requirements.Item> requirements,
+      Suppressions.Parted found) {
+    List<Diagnostic> errors =
+        found.remaining().stream().filter(each -> each.severity() == Severity.ERROR).toList();
+    boolean accepted = result.passed() || !found.suppressed().isEmpty();
     ObjectNode json = JsonNodeFactory.instance.objectNode();
-    json.put("chain", chain.getName()).put("passed", result.passed() && errors.isEmpty());
+    json.put("chain", chain.getName()).put("passed", accepted && errors.isEmpty());
+    if (!found.suppressed().isEmpty()) {
+      json.put("suppressed", found.suppressed().size());
+    }
     ArrayNode violated = JsonNodeFactory.instance.arrayNode();
     errors.stream()
         .map(Diagnostic::rule)
@@ -64,16 +79,18 @@ final class SimulationReport {
     if (!violated.isEmpty()) {
       json.set("violated", violated);
     }
+    json.set("requirements", RequirementOutcomes.of(requirements, result.verdicts()));
     ArrayNode scenarios = json.putArray("scenarios");
-    for (ScenarioVerdict verdict : result.verdicts()) {
-      ObjectNode scenario = scenarios.addObject();
-      scenario.put("name", verdict.scenario()).put("tested", verdict.tested());
-      scenario.put("passed", verdict.passed());
-      ArrayNode requirements = scenario.putArray("requirements");
-      verdict.requirements().forEach(requirements::add);
-      criteria(scenario, verdict);
-    }
+    result.verdicts().forEach(verdict -> outcome(scenarios.addObject(), verdict));
     return pretty(json);
+  }
+
+  private static void outcome(ObjectNode json, ScenarioVerdict verdict) {
+    json.put("name", verdict.scenario()).put("tested", verdict.tested());
+    json.put("passed", verdict.passed());
+    ArrayNode named = json.putArray("requirements");
+    verdict.requirements().forEach(named::add);
+    criteria(json, verdict);
   }
 
   /**

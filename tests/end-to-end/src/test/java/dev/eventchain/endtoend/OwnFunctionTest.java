@@ -47,7 +47,10 @@ class OwnFunctionTest {
 
   @Test
   void allRequirementsAreProved() throws IOException {
-    run().expect(0).says("PASSED: 2 of 2 scenarios passed").says("0 errors, 0 warnings");
+    run()
+        .expect(0)
+        .says("PASSED: 2 of 2 scenarios passed, 4 requirements proved")
+        .says("0 errors, 0 warnings");
     new Program()
         .run("bench", project)
         .expect(0)
@@ -131,10 +134,30 @@ class OwnFunctionTest {
     replace(SCENARIO, "ttc < 2.5 s implies", "ttc < 2.5 s and ego.speed > 60 km/h implies");
     run()
         .expect(1)
-        .says("INCOMPLETE: 1 of 2 scenarios passed, but not all was tested")
+        .says(
+            "INCOMPLETE: 1 of 2 scenarios passed, but not all was tested: 4 requirements not tested,")
         .says("the driver is warned")
         .says("[simulation.criterion.untested]");
     notPassed();
+  }
+
+  @Test
+  void whatPeopleDecidedToLiveWithIsAcceptedByConsoleAndFileAlike() throws IOException {
+    replace(SCENARIO, "ttc < 2.5 s implies", "ttc < 2.5 s and ego.speed > 60 km/h implies");
+    Files.writeString(
+        project.resolve("eventchain-suppressions.yaml"),
+        """
+        - id: simulation.criterion.untested
+          reason: The test track has no such speed.
+          expires: 2027-03-31
+        """);
+    new Program()
+        .run("run", project, "--date", "2026-11-30")
+        .expect(0)
+        .says("PASSED: 1 of 2 scenarios passed, 4 requirements not tested, 1 finding suppressed");
+    String verdict = Files.readString(project.resolve("out/verdict.json"));
+    assertTrue(verdict.contains("\"passed\" : true,\n  \"suppressed\" : 1,"), verdict);
+    assertTrue(verdict.contains("\"outcome\" : \"not tested\""), verdict);
   }
 
   @Test

@@ -37,7 +37,10 @@ class RunTest {
 
   @Test
   void theExamplePassesAndSaysSo() {
-    first.expect(0).says("PASSED: 10 of 10 scenarios passed").says("report.html");
+    first
+        .expect(0)
+        .says("PASSED: 10 of 10 scenarios passed, 6 requirements proved")
+        .says("report.html");
   }
 
   @Test

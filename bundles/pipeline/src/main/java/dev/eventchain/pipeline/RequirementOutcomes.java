@@ -1,0 +1,68 @@
+package dev.eventchain.pipeline;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import dev.eventchain.modeler.Requirements;
+import dev.eventchain.simulation.ScenarioVerdict;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+
+/** What the scenarios say of the requirements that they name. */
+final class RequirementOutcomes {
+
+  private enum Outcome {
+    /** Each scenario that names it passed, and there is one. */
+    PROVED,
+    /** A scenario that names it failed. */
+    VIOLATED,
+    /** No scenario names it, or one that does could not be judged. */
+    NOT_TESTED;
+
+    String words() {
+      return name().toLowerCase(Locale.ROOT).replace('_', ' ');
+    }
+  }
+
+  private RequirementOutcomes() {}
+
+  /** The id and the outcome of each requirement, in their order. */
+  static ArrayNode of(List<Requirements.Item> requirements, List<ScenarioVerdict> verdicts) {
+    ArrayNode outcomes = JsonNodeFactory.instance.arrayNode();
+    for (Requirements.Item item : requirements) {
+      List<ScenarioVerdict> about =
+          verdicts.stream().filter(each -> each.requirements().contains(item.id())).toList();
+      outcomes.addObject().put("id", item.id()).put("outcome", outcome(about).words());
+    }
+    return outcomes;
+  }
+
+  private static Outcome outcome(List<ScenarioVerdict> verdicts) {
+    if (verdicts.stream().anyMatch(each -> each.tested() && !each.passed())) {
+      return Outcome.VIOLATED;
+    }
+    boolean proved = !verdicts.isEmpty() && verdicts.stream().allMatch(ScenarioVerdict::passed);
+    return proved ? Outcome.PROVED : Outcome.NOT_TESTED;
+  }
+
+  /**
+   * How many there are of each kind: "5 requirements proved, 1 violated"; empty if there are none.
+   *
+   * @param outcomes as {@link #of} makes them
+   */
+  static String counted(JsonNode outcomes) {
+    List<String> counts = new ArrayList<>();
+    for (Outcome outcome : Outcome.values()) {
+      int count = 0;
+      for (JsonNode each : outcomes) {
+        count += each.path("outcome").asText().equals(outcome.words()) ? 1 : 0;
+      }
+      if (count > 0) {
+        String noun = !counts.isEmpty() ? "" : count == 1 ? "requirement " : "requirements ";
+        counts.add(count + " " + noun + outcome.words());
+      }
+    }
+    return String.join(", ", counts);
+  }
+}
