@@ -32,7 +32,10 @@ final class CriteriaReader {
       }
     }
     List<ObjectReader> written = section.objects("formulas");
-    if (written.isEmpty() && criteria.stream().allMatch(each -> each.kind().always())) {
+    List<FormulaCriterion> named = NamedFormulas.read(section, formulas);
+    if (written.isEmpty()
+        && named.isEmpty()
+        && criteria.stream().allMatch(each -> each.kind().always())) {
       section.find(
           "scenario.key.missing",
           "Nothing is asked of the software in this scenario.",
@@ -40,6 +43,7 @@ final class CriteriaReader {
     }
     checkTolerance(section, tolerances, criteria);
     List<Expectation> all = new ArrayList<>(criteria);
+    all.addAll(named);
     all.addAll(formulas.read(written));
     section.refuseOthers();
     return all;

@@ -114,11 +114,24 @@ final class FormulaParser {
     Part left = conjunction();
     while (tokens.nextIs("or")) {
       Condition before = condition(left, first);
+      String text = tokens.textSince(first);
       tokens.next();
       Token second = tokens.peek();
-      left = new Condition.Junction(false, before, condition(conjunction(), second));
+      left = alternative(before, text, condition(conjunction(), second), second);
     }
     return left;
+  }
+
+  /** {@code not p or q} is how some write {@code p implies q}, and says as little without p. */
+  private Condition alternative(Condition before, String text, Condition after, Token second) {
+    boolean isPremise = before instanceof Condition.Negation;
+    if (isPremise == after instanceof Condition.Negation) {
+      return new Condition.Junction(false, before, after);
+    }
+    String negated = isPremise ? text : tokens.textSince(second);
+    Condition.Negation negation = (Condition.Negation) (isPremise ? before : after);
+    return new Condition.Implication(
+        negation.operand(), isPremise ? after : before, negated.replaceFirst("^not\\s*", ""));
   }
 
   private Part conjunction() {

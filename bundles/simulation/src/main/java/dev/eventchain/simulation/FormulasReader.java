@@ -3,6 +3,7 @@ package dev.eventchain.simulation;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.ObjectReader;
 import java.util.ArrayList;
@@ -41,7 +42,7 @@ final class FormulasReader {
       }
       section
           .text(KEY)
-          .flatMap(text -> formula(section, text))
+          .flatMap(text -> formula(section, KEY, source.range(section.at(KEY), text)))
           .map(formula -> new FormulaCriterion(name, formula, section.atKey(KEY)))
           .ifPresent(criteria::add);
       section.refuseOthers();
@@ -49,12 +50,28 @@ final class FormulasReader {
     return criteria;
   }
 
-  private Optional<Formula> formula(ObjectReader section, String text) {
+  /** In s. */
+  double duration() {
+    return duration;
+  }
+
+  /**
+   * A criterion whose formula is not written in the file; problems are those of a key.
+   *
+   * @param key the key of the section that the formula was made of
+   */
+  Optional<FormulaCriterion> parse(ObjectReader section, String key, String name, String text) {
+    SourceRange range = SourceText.within(section.at(key), text).whole();
+    return formula(section, key, range)
+        .map(formula -> new FormulaCriterion(name, formula, section.atKey(key)));
+  }
+
+  private Optional<Formula> formula(ObjectReader section, String key, SourceRange range) {
     try {
-      return Optional.of(Formula.parse(source.range(section.at(KEY), text), signals, duration));
+      return Optional.of(Formula.parse(range, signals, duration));
     } catch (DiagnosticException e) {
       for (Diagnostic problem : e.diagnostics()) {
-        SourceLocation place = problem.location().withElement(section.pointerTo(KEY));
+        SourceLocation place = problem.location().withElement(section.pointerTo(key));
         section.find(problem.withLocation(place));
       }
       return Optional.empty();

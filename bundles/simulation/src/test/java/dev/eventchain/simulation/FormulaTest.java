@@ -139,4 +139,23 @@ class FormulaTest {
             .map(it -> it.location().toString().replaceFirst("^[^:]*:", "") + " " + it.text())
             .toList());
   }
+
+  @Test
+  void criteriaWithNamesOfTheirOwnAreFormulas() {
+    Scenario scenario =
+        Scenario.read(Path.of("src/test/resources/formulas/named.yaml"), Bench.carla());
+    assertEquals(
+        List.of(
+            "minimal_time_gap_s (always (ego.speed > 1 m/s implies gap / ego.speed >= 1.5 s))",
+            "maximal_lane_offset_m (always abs(ego.offset) <= 0.25 m)",
+            "ego.speed settles at 80 km/h"
+                + " (always[12, 20] abs((ego.speed) - (80 km/h)) <= 2 km/h)",
+            "ego.speed overshoots 80 km/h by 3 km/h at most"
+                + " (always (ego.speed) - (80 km/h) <= 3 km/h)"),
+        scenario.criteria().stream()
+            .filter(FormulaCriterion.class::isInstance)
+            .map(Expectation::text)
+            .toList());
+    assertEquals(20_000_000_000L, scenario.horizon());
+  }
 }
