@@ -206,6 +206,15 @@ public final class Bench {
     return new BenchListing(this, chain).text();
   }
 
+  /**
+   * A file {@code bench.yaml} for a project that has none: what can be told from names and units is
+   * connected, the rest stands in comments.
+   */
+  public static String proposal(
+      List<dev.eventchain.metamodel.Signal> declared, MessageCatalog messages) {
+    return new BenchProposal(declared, messages).text();
+  }
+
   /** The JSON Schema of {@code bench.yaml}. */
   public static String schema() {
     return BenchReader.resource("bench.schema.json");

@@ -25,7 +25,7 @@ class OwnFunctionTest {
   @BeforeEach
   void copyProject() throws IOException {
     project = folder.resolve("radar-aeb");
-    Program.copy(Path.of("src/test/resources/radar-aeb"), project);
+    Program.copy(Program.ROOT.resolve("examples/radar-aeb"), project);
   }
 
   private void replace(String file, String text, String by) throws IOException {

@@ -1,0 +1,40 @@
+package dev.eventchain.cli;
+
+import dev.eventchain.pipeline.ProjectStart;
+import java.nio.file.Path;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Parameters;
+
+/** {@code init}: begins a project. */
+@Command(
+    name = "init",
+    mixinStandardHelpOptions = true,
+    description = {
+      "Begin a project. In a new or empty folder it is a small one that runs as it is: emergency",
+      "braking on a radar, without a language model. In a folder with software-base/signals.json it",
+      "gets the files that it needs, with bench.yaml filled in from the signals.",
+      "No file that is there is changed."
+    })
+final class InitCommand implements Callable<Integer> {
+
+  @Parameters(paramLabel = "DIR", description = "The project's folder.")
+  private Path folder;
+
+  private final Console console;
+
+  InitCommand(Console console) {
+    this.console = console;
+  }
+
+  @Override
+  public Integer call() {
+    for (String file : ProjectStart.create(folder)) {
+      console.out().println(folder.resolve(file));
+    }
+    console.out().println();
+    console.out().println("Next: eventchain bench " + folder + "; eventchain run " + folder);
+    console.out().flush();
+    return ExitCode.FINE;
+  }
+}

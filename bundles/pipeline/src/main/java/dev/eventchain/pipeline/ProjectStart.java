@@ -1,0 +1,169 @@
+package dev.eventchain.pipeline;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.modeler.SoftwareBase;
+import dev.eventchain.simulation.Bench;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Stream;
+
+/**
+ * Begins a project: a small one that runs as it is, or around the software that a folder has, with
+ * the bench filled in from its signals.
+ */
+public final class ProjectStart {
+
+  /** The files of {@code examples/radar-aeb}, which are in the jar. */
+  static final List<String> STARTER =
+      List.of(
+          "bench.yaml",
+          "eventchain.yaml",
+          "model/chain.xmi",
+          "requirements.md",
+          "scenarios/short-sight.yaml",
+          "scenarios/stopped-vehicle-50.yaml",
+          "software-base/components.json",
+          "software-base/components/Brake_Request.py",
+          "software-base/components/Collision_Warning.py",
+          "software-base/components/Radar_Tracking.py",
+          "software-base/msg/demo_msgs/msg/BrakeRequest.msg",
+          "software-base/msg/demo_msgs/msg/RadarTarget.msg",
+          "software-base/msg/demo_msgs/msg/Threat.msg",
+          "software-base/signals.json");
+
+  private static final String SIGNALS = "software-base/signals.json";
+
+  private final Path folder;
+
+  private ProjectStart(Path folder) {
+    this.folder = folder;
+  }
+
+  /**
+   * Writes the files that a project needs and the folder does not have.
+   *
+   * @param folder empty or missing; or with {@code software-base/signals.json}
+   * @return the files, relative to the folder
+   * @throws DiagnosticException INPUT if it is a project already ({@code project.exists}), holds
+   *     something else ({@code project.foreign}), has signals that cannot be read, or cannot be
+   *     written
+   */
+  public static List<String> create(Path folder) {
+    return new ProjectStart(folder).create();
+  }
+
+  private List<String> create() {
+    if (exists("eventchain.yaml")) {
+      throw refused("project.exists", "This is a project already.", "Run it: eventchain run DIR");
+    }
+    Map<String, String> files = new LinkedHashMap<>();
+    if (exists(SIGNALS)) {
+      aroundSoftware(files);
+    } else if (isEmpty()) {
+      STARTER.forEach(name -> files.put(name, starter(name)));
+    } else {
+      throw refused(
+          "project.foreign",
+          "The folder holds something, but no software-base/signals.json.",
+          "Name a new folder, or describe your signals there first.");
+    }
+    List<String> written = new ArrayList<>();
+    files.forEach(
+        (name, text) -> {
+          if (!exists(name)) {
+            write(name, text);
+            written.add(name);
+          }
+        });
+    return written;
+  }
+
+  private boolean exists(String name) {
+    return Files.exists(folder.resolve(name), LinkOption.NOFOLLOW_LINKS);
+  }
+
+  private boolean isEmpty() {
+    if (!Files.exists(folder, LinkOption.NOFOLLOW_LINKS)) {
+      return true;
+    }
+    try (Stream<Path> files = Files.list(folder)) {
+      return files.findAny().isEmpty();
+    } catch (IOException e) {
+      throw Project.unreadable(folder, e);
+    }
+  }
+
+  private void aroundSoftware(Map<String, String> files) {
+    SoftwareBase base = SoftwareBase.read(folder.resolve("software-base"));
+    if (Diagnostic.anyError(base.diagnostics())) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, base.diagnostics());
+    }
+    Path messages = folder.resolve("software-base/msg");
+    MessageCatalog catalog =
+        MessageCatalog.of(Files.isDirectory(messages) ? List.of(messages) : List.of());
+    String name = folder.toAbsolutePath().normalize().getFileName().toString();
+    String plain = name.replaceAll("[^A-Za-z0-9]+", "_").replaceAll("^[^A-Za-z]+", "");
+    files.put("eventchain.yaml", "name: " + (plain.isEmpty() ? "chain" : plain) + "\n");
+    files.put("requirements.md", "# Requirements\n- REQ-1: The system shall ...\n");
+    files.put(Bench.FILE, Bench.proposal(base.signals().orElse(List.of()), catalog));
+    files.put(
+        "scenarios/stopped-vehicle.yaml",
+        """
+        name: stopped-vehicle
+        title: A stopped vehicle ahead, 50 km/h
+        requirements: [REQ-1]
+        duration_s: 12
+        ego:
+          speed_kmh: 50
+        targets:
+          - gap_m: 80
+            speed_kmh: 0
+        accept:
+          no_impact: true
+        """);
+  }
+
+  private static String starter(String name) {
+    try (InputStream input =
+        ProjectStart.class.getResourceAsStream("/META-INF/eventchain/starter/" + name)) {
+      return new String(input.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private void write(String name, String text) {
+    Path file = folder.resolve(name);
+    try {
+      Files.createDirectories(file.getParent());
+      Files.writeString(file, text, StandardOpenOption.CREATE_NEW);
+    } catch (IOException e) {
+      throw new DiagnosticException(
+          DiagnosticException.Reason.INPUT,
+          Diagnostic.error(
+              "output.unwritable",
+              "This cannot be written: " + SourceText.reason(e) + ".",
+              SourceLocation.of(file)));
+    }
+  }
+
+  private DiagnosticException refused(String id, String message, String hint) {
+    return new DiagnosticException(
+        DiagnosticException.Reason.INPUT,
+        Diagnostic.error(id, message, SourceLocation.of(folder)).withHint(hint));
+  }
+}

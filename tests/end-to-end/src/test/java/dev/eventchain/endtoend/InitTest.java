@@ -1,0 +1,91 @@
+package dev.eventchain.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** {@code init} makes a project that runs, or one around the software that a folder has. */
+class InitTest {
+
+  @TempDir private Path folder;
+
+  private static List<String> files(Path folder) throws IOException {
+    try (Stream<Path> all = Files.walk(folder)) {
+      return all.filter(Files::isRegularFile)
+          .map(file -> folder.relativize(file).toString())
+          .filter(file -> !file.startsWith("out"))
+          .sorted()
+          .toList();
+    }
+  }
+
+  @Test
+  void newProjectRunsAsItIsAndIsTheExample() throws IOException {
+    Path project = folder.resolve("my project");
+    new Program().run("init", project).expect(0).says("bench.yaml").says("Next: eventchain bench");
+    assertEquals(files(Program.ROOT.resolve("examples/radar-aeb")), files(project));
+    new Program().run("run", project).expect(0).says("PASSED: 2 of 2 scenarios passed");
+    new Program().run("init", project).expect(2).says("[project.exists]");
+  }
+
+  @Test
+  void benchIsFilledInFromTheSignalsAndNothingIsReplaced() throws IOException {
+    Path project = folder.resolve("radar");
+    Program.copy(
+        Program.ROOT.resolve("examples/radar-aeb/software-base"), project.resolve("software-base"));
+    Files.writeString(project.resolve("requirements.md"), "- OWN-1: The system shall brake.\n");
+    new Program().run("init", project).expect(0);
+    assertEquals(
+        "- OWN-1: The system shall brake.\n", Files.readString(project.resolve("requirements.md")));
+    assertEquals(
+        """
+        # How the simulated road and this project are connected; `eventchain bench DIR` lists
+        # what there is. What stands in a comment could not be guessed.
+        provides:
+          /radar/target:
+            rate_hz: 20
+            fields:
+              valid: lead.present
+              range: min(gap, 200 m)
+              range_rate: lead.speed - ego.speed
+        consumes:
+          /brake/request:
+            fields:
+              active: observed
+              acceleration: acceleration
+          /cluster/collision_warning:
+            observed: true
+        """,
+        Files.readString(project.resolve("bench.yaml")));
+    new Program().run("bench", project).expect(0).says("consumes /brake/request");
+  }
+
+  @Test
+  void exampleOfCarlaIsConnectedAsCarlaIs() throws IOException {
+    Path project = folder.resolve("carla");
+    Program.copy(
+        Program.ROOT.resolve("examples/aeb/software-base"), project.resolve("software-base"));
+    new Program().run("init", project).expect(0);
+    String bench = Files.readString(project.resolve("bench.yaml"));
+    assertTrue(bench.contains("    sensor: lidar\n"), bench);
+    assertTrue(bench.contains("      velocity: ego.speed\n"), bench);
+    assertTrue(bench.contains("#      pose.pose.orientation.z: ? # 1\n"), bench);
+    assertTrue(bench.contains("      brake: brake\n"), bench);
+    assertTrue(bench.contains("      hand_brake: hand_brake\n"), bench);
+    new Program().run("bench", project).expect(0);
+  }
+
+  @Test
+  void foreignFolderIsLeftAlone() throws IOException {
+    Files.writeString(folder.resolve("thesis.txt"), "mine");
+    new Program().run("init", folder).expect(2).says("[project.foreign]");
+    assertEquals(List.of("thesis.txt"), files(folder));
+  }
+}
