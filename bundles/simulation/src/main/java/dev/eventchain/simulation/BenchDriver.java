@@ -16,6 +16,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -81,6 +82,7 @@ final class BenchDriver {
   private final MessageCatalog catalog;
   private final Bench bench;
   private final Scenario scenario;
+  private final ChainSignals chain;
   private final Lidar lidar;
   private final List<Publisher> publishers = new ArrayList<>();
   private final List<Receiver> receivers = new ArrayList<>();
@@ -97,6 +99,7 @@ final class BenchDriver {
     this.catalog = setup.catalog();
     this.bench = setup.bench();
     this.scenario = scenario;
+    this.chain = setup.chainSignals();
     this.lidar = new Lidar(scenario.ego(), scenario.seed());
     publishers.add(new Publisher(CLOCK, Optional.empty(), message(CLOCK), List.of()));
     Set<String> read = setup.topicsRead();
@@ -125,28 +128,31 @@ final class BenchDriver {
     receivers.add(new Receiver(topic, type, Optional.of(consumed), recorded(consumed.topic())));
   }
 
-  /** Listens to the topics between components that formulas ask for. */
+  /** Listens to the topics between components that formulas ask for, or that reports show. */
   private void observe(NodeSetup setup) {
-    for (Signal signal : scenario.signals()) {
-      bench
-          .signals()
-          .topicOf(signal)
-          .filter(topic -> setup.topicsWritten().contains(topic.name()))
-          .filter(
-              topic -> receivers.stream().noneMatch(it -> it.topic().name().equals(topic.name())))
-          .map(topic -> new Topic(topic.name(), topic.type()))
-          .ifPresent(
-              topic ->
-                  receivers.add(
-                      new Receiver(topic, type(topic), Optional.empty(), recorded(topic.name()))));
+    scenario.signals().stream()
+        .flatMap(signal -> bench.signals().topicOf(signal).stream())
+        .filter(topic -> setup.topicsWritten().contains(topic.name()))
+        .forEach(topic -> observe(new Topic(topic.name(), topic.type())));
+    chain.topics().stream()
+        .filter(topic -> setup.topicsWritten().contains(topic.name()))
+        .forEach(this::observe);
+  }
+
+  private void observe(Topic topic) {
+    if (receivers.stream().noneMatch(it -> it.topic().name().equals(topic.name()))) {
+      receivers.add(new Receiver(topic, type(topic), Optional.empty(), recorded(topic.name())));
     }
   }
 
-  /** The fields of a topic that formulas of the scenario read. */
+  /** The fields of a topic that formulas of the scenario read or that reports show. */
   private List<Signal> recorded(String topic) {
-    return scenario.signals().stream()
+    Map<String, Signal> recorded = new LinkedHashMap<>();
+    chain.on(topic).forEach(signal -> recorded.put(signal.name(), signal));
+    scenario.signals().stream()
         .filter(it -> bench.signals().topicOf(it).filter(of -> of.name().equals(topic)).isPresent())
-        .toList();
+        .forEach(signal -> recorded.put(signal.name(), signal));
+    return List.copyOf(recorded.values());
   }
 
   private MessageType type(Topic topic) {

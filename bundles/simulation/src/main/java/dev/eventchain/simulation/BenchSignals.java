@@ -108,21 +108,27 @@ final class BenchSignals implements Signal.Source {
     Optional<MessageType> type = catalog.find(topic.type());
     return type.flatMap(known -> known.resolve(path).type())
         .filter(BenchSignals::isNumberOrTruth)
-        .map(field -> signal(name, topic, path, field.kind() == FieldType.Kind.BOOL));
+        .map(field -> signal(topic, path, field.kind() == FieldType.Kind.BOOL));
   }
 
-  private static Signal signal(String name, Topic topic, String path, boolean truth) {
+  private static Signal signal(Topic topic, String path, boolean truth) {
     String unit = topic.units().getOrDefault(path, "");
     boolean known = !unit.isEmpty() && Unit.parse(unit).isPresent();
+    return ofField(topic.name(), path, topic.type(), known ? unit : "1", truth);
+  }
+
+  /** The signal that a field of a topic is. */
+  static Signal ofField(String topic, String path, String type, String unit, boolean truth) {
+    String name = topic + "." + path;
     return new Signal(
         name,
-        known ? unit : "1",
+        unit,
         truth,
-        "field of " + topic.type(),
+        "field of " + type,
         trace -> Signal.held(trace, trace.samples(name), Double.NaN),
         trace ->
             trace.samples(name).isEmpty()
-                ? Optional.of("nothing came on " + topic.name())
+                ? Optional.of("nothing came on " + topic)
                 : Optional.empty());
   }
 

@@ -108,7 +108,7 @@ final class InputAges {
             String.format(
                 Locale.ROOT,
                 "Scenario %s: %s was %.0f ms old when '%s' was due after %.2f s; at most %.0f ms are"
-                    + " allowed. In all scenarios, it did not execute %d times.",
+                    + " allowed. In all scenarios, that was so %d times.",
                 worst.scenario(),
                 topic,
                 worst.age(),

@@ -105,6 +105,16 @@ final class NodeSetup {
         .collect(Collectors.toCollection(TreeSet::new));
   }
 
+  /** What the simulated components write, for reports. */
+  ChainSignals chainSignals() {
+    return ChainSignals.of(
+        topics.topics().stream()
+            .filter(topic -> topic.publishers().stream().anyMatch(this::isSimulated))
+            .toList(),
+        catalog,
+        bench().consumed());
+  }
+
   /** The first topic of the bench that a node reads; empty if none reads any. */
   String entry() {
     Set<String> read = topicsRead();

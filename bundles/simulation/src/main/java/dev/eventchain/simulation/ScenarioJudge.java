@@ -26,7 +26,7 @@ final class ScenarioJudge {
   ScenarioVerdict verdict(Run run, boolean worked) {
     Scenario scenario = run.scenario();
     Trace trace = run.trace();
-    List<Signal> signals = setup.bench().signals().reported(scenario);
+    List<Signal> signals = setup.chainSignals().with(setup.bench().signals().reported(scenario));
     List<CriterionResult> criteria =
         scenario.criteria().stream()
             .filter(this::applies)

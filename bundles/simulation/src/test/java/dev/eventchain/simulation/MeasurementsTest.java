@@ -113,6 +113,18 @@ class MeasurementsTest {
   }
 
   @Test
+  void numbersThatComponentsTellEachOtherAreMeasured() throws Exception {
+    EventChain measured = measured(new AebProject(folder));
+
+    String force = measured.getSoftware().get(2).getOutput().get(0).getTopicName() + ".data";
+    ChainMeasurement stopped = measured.getMeasured().get(1);
+    assertEquals(0.5, find(stopped, force, StatisticKind.MAXIMUM).orElseThrow().getValue());
+    assertTrue(
+        stopped.getMeasurements().stream().noneMatch(each -> each.getName().startsWith("/scan")),
+        "what carries arrays is too much");
+  }
+
+  @Test
   void measuringAgainReplacesWhatWasMeasuredBefore() throws Exception {
     AebProject project = new AebProject(folder);
     SimulationResult result = project.simulate(List.of(AebProject.scenario("empty-road")));

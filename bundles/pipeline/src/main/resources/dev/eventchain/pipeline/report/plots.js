@@ -155,9 +155,9 @@ function drawPanel(panel, samples, top, frame) {
   const value = svg("text", { class: "value", x: frame.right, y: top + 13 });
   const group = svg("g", { role: "img", "aria-label": spokenSeries(panel, values, range) },
     svg("text", { class: "title", x: frame.left, y: top + 13 }, panel.name + (panel.unit ? `, ${panel.unit}` : "")), value);
-  if (!range) {
+  if (!range || range.low === range.high) {
     value.setAttribute("class", "absent");
-    value.append(panel.absent || "no values");
+    value.append(range ? `always ${reading(panel, range.low)}` : panel.absent || "no values");
     return { group, height: PLOT.title, update() {} };
   }
   const scale = domain(panel, range);
