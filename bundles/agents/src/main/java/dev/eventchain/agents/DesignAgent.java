@@ -2,7 +2,6 @@ package dev.eventchain.agents;
 
 import dev.eventchain.analysis.ChainAnalysis;
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.messages.MessageCatalog;
@@ -17,8 +16,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
-import java.util.function.Function;
-import org.eclipse.emf.ecore.EObject;
 
 /**
  * Designs an event chain from requirements and the software that exists (the paper's Section IV-A
@@ -73,11 +70,12 @@ public final class DesignAgent {
       SourceText text, Requirements requirements, SoftwareBase base, MessageCatalog messages) {
     Modeled<EventChain> chain =
         EventChainReader.read(text, "chain", requirements, OptionalDouble.empty());
-    Function<EObject, SourceLocation> locator = chain.origins()::locate;
     List<Diagnostic> diagnostics = new ArrayList<>(chain.diagnostics());
-    diagnostics.addAll(base.check(chain.root(), locator));
+    diagnostics.addAll(base.check(chain.root(), chain.origins()::locate));
     diagnostics.addAll(
-        ChainAnalysis.of(messages, base.signals()).check(chain.root(), locator).diagnostics());
+        ChainAnalysis.of(messages, base.signals())
+            .check(chain.root(), chain.origins()::locate)
+            .diagnostics());
     Document json = JsonDocument.parse(text);
     if (json.root().isArray()) {
       diagnostics.addAll(new ChainCheck(requirements).check(json));

@@ -10,8 +10,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Function;
+import java.util.function.BiFunction;
 import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EStructuralFeature;
 
 /**
  * What OCL cannot say about a chain: whether its components, and the vehicle around it, mean the
@@ -51,16 +52,16 @@ public final class ChainAnalysis {
   /**
    * Checks a chain, and the definitions in the user's folders of messages.
    *
-   * @param locator the places of the chain's elements
+   * @param locator the places of the features of the chain's elements
    */
-  public AnalysisResult check(EventChain chain, Function<EObject, SourceLocation> locator) {
+  public AnalysisResult check(
+      EventChain chain, BiFunction<EObject, EStructuralFeature, SourceLocation> locator) {
     Findings findings = new Findings(locator);
     findings.addAll(catalog.diagnostics());
     List<Topic> topics = Topic.of(chain, signals.orElse(Map.of()));
     TypeContracts types = new TypeContracts(catalog, findings);
     DataFlowIndex flow = DataFlowIndex.of(chain);
-    TopicContracts partners =
-        new TopicContracts(topics, signals.map(Map::keySet), flow, types, findings);
+    TopicContracts partners = new TopicContracts(topics, signals, flow, types, findings);
     SignalContracts described = new SignalContracts(types, findings);
     UnitContracts units = new UnitContracts(findings);
     AgeContracts ages = new AgeContracts(types, findings);

@@ -22,6 +22,11 @@ record Endpoint(SoftwareNode node, List<Data> data) {
     return data.get(0);
   }
 
+  /** Whether what is published leaves the chain: a message does so with all of its fields. */
+  boolean isExternal() {
+    return data.stream().anyMatch(Data::isExternal);
+  }
+
   /** The element whose profile counts: generated nodes take the first that there is. */
   Data holderOfQos() {
     return data.stream().filter(d -> d.getQos() != null).findFirst().orElse(first());

@@ -11,23 +11,27 @@ import java.util.List;
 import java.util.Map;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import java.util.function.Function;
+import java.util.function.BiFunction;
 import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EStructuralFeature;
 
 /** What was checked and found so far. */
 final class Findings {
 
-  private final Function<EObject, SourceLocation> locator;
+  private final BiFunction<EObject, EStructuralFeature, SourceLocation> locator;
   private final Map<Rule, Long> checks = new EnumMap<>(Rule.class);
   private final SortedSet<Diagnostic> found = new TreeSet<>();
 
-  Findings(Function<EObject, SourceLocation> locator) {
+  Findings(BiFunction<EObject, EStructuralFeature, SourceLocation> locator) {
     this.locator = locator;
   }
 
-  /** Places are looked up for findings only: most elements have none. */
-  SourceLocation at(EObject element) {
-    return locator.apply(element);
+  /**
+   * Where a feature of an element is stated. Places are looked up for findings only: most elements
+   * have none.
+   */
+  SourceLocation at(EObject element, EStructuralFeature feature) {
+    return locator.apply(element, feature);
   }
 
   void checked(Rule rule) {

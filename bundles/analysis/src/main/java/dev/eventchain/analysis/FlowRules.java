@@ -2,6 +2,7 @@ package dev.eventchain.analysis;
 
 import dev.eventchain.metamodel.DataFlowIndex;
 import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.EventchainPackage.Literals;
 import dev.eventchain.metamodel.eventchain.LatencyConstraint;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import java.util.ArrayDeque;
@@ -59,7 +60,7 @@ final class FlowRules {
         List<SoftwareNode> cycle = line.subList(line.indexOf(node), line.size());
         findings.error(
             Rule.NEXTSTEP_CYCLE,
-            findings.at(cycle.get(0)),
+            findings.at(cycle.get(0), Literals.SOFTWARE_NODE__NEXTSTEP),
             "The next steps go in a circle: " + path(cycle) + ".",
             "The main line of a chain ends: take the nextstep of one of them away.");
       }
@@ -74,7 +75,7 @@ final class FlowRules {
     for (List<SoftwareNode> group : flow.cycles()) {
       findings.warning(
           Rule.FLOW_CYCLE,
-          findings.at(group.get(0)),
+          findings.at(group.get(0), Literals.SOFTWARE_NODE__OUTPUT),
           "The data flow in a circle: " + path(shortestCycle(group)) + ".",
           "If that is no feedback that you want, look for the topic that is written further down"
               + " and read further up.");
@@ -159,14 +160,14 @@ final class FlowRules {
     removeReached(last, backwards);
     findings.error(
         Rule.LATENCY_UNCONNECTED,
-        findings.at(constraint),
+        findings.at(constraint, Literals.LATENCY_CONSTRAINT__FIRST),
         "The latency constraint '%s' bounds the time from '%s' to '%s', but no data flow there."
             .formatted(constraint.getName(), first.getName(), last.getName()),
         backwards.isEmpty()
             ? "They flow the other way: exchange first and last."
             : "Name two components with a way of data between them.",
-        findings.at(first),
-        findings.at(last));
+        findings.at(first, Literals.SOFTWARE_NODE__OUTPUT),
+        findings.at(last, Literals.SOFTWARE_NODE__INPUT));
   }
 
   /** {@code A -> B -> A}. */

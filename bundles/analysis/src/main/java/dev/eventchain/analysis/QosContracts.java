@@ -5,6 +5,7 @@ import dev.eventchain.messages.QosSettings;
 import dev.eventchain.messages.QosSettings.Incompatibility;
 import dev.eventchain.metamodel.Signal;
 import dev.eventchain.metamodel.eventchain.Data;
+import dev.eventchain.metamodel.eventchain.EventchainPackage.Literals;
 import dev.eventchain.metamodel.eventchain.QosProfile;
 import java.util.ArrayList;
 import java.util.List;
@@ -62,12 +63,12 @@ final class QosContracts {
         if (!Qos.settings(data.getQos()).equals(Qos.settings(holder.getQos()))) {
           findings.warning(
               Rule.QOS_AMBIGUOUS,
-              findings.at(data),
+              findings.at(data, Literals.DATA__QOS),
               "%s states two different qualities of service for %s."
                   .formatted(endpoint.name(), topic.name()),
               "It has one message for all fields of a topic, and the first profile holds for it:"
                   + " state the same here.",
-              findings.at(holder));
+              findings.at(holder, Literals.DATA__QOS));
         }
       }
     }
@@ -77,7 +78,9 @@ final class QosContracts {
     List<Side> sides = new ArrayList<>();
     for (Endpoint endpoint : endpoints) {
       Data holder = endpoint.holderOfQos();
-      sides.add(new Side(endpoint.name(), holder.getQos(), () -> findings.at(holder)));
+      sides.add(
+          new Side(
+              endpoint.name(), holder.getQos(), () -> findings.at(holder, Literals.DATA__QOS)));
     }
     topic
         .signal()

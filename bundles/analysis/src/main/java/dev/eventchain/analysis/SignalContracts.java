@@ -3,6 +3,7 @@ package dev.eventchain.analysis;
 import dev.eventchain.messages.RosNames;
 import dev.eventchain.metamodel.Signal;
 import dev.eventchain.metamodel.eventchain.Data;
+import dev.eventchain.metamodel.eventchain.EventchainPackage.Literals;
 import java.util.stream.Collectors;
 
 /** Whether the chain uses the vehicle's topics as they are described. */
@@ -26,9 +27,9 @@ final class SignalContracts {
       if (signal.direction() == Signal.Direction.PROVIDED) {
         findings.error(
             Rule.SIGNAL_DIRECTION,
-            findings.at(publisher.first()),
+            findings.at(publisher.first(), Literals.DATA__TOPIC_NAME),
             "%s writes %s, which the vehicle provides.".formatted(publisher.name(), topic.name()),
-            "Write another topic, or correct the direction in signals.json.",
+            "Write another topic, unless the direction of the signal is wrong.",
             signal.location());
       }
     }
@@ -52,10 +53,10 @@ final class SignalContracts {
       if (!described) {
         findings.warning(
             Rule.SIGNAL_FIELD,
-            findings.at(data),
-            "%s uses the field '%s' of %s, which signals.json does not describe."
+            findings.at(data, Literals.DATA__FIELD_NAME),
+            "%s uses the field '%s' of %s, which the description of the signal does not name."
                 .formatted(endpoint.name(), path, signal.topic()),
-            "Described are %s. Use one of them, or describe this one."
+            "Described are %s. Use one of them."
                 .formatted(
                     signal.fields().stream()
                         .map(Signal.Field::path)

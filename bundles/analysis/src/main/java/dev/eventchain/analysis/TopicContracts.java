@@ -6,10 +6,12 @@ import dev.eventchain.messages.RosNames;
 import dev.eventchain.metamodel.DataFlowIndex;
 import dev.eventchain.metamodel.Signal;
 import dev.eventchain.metamodel.eventchain.Data;
+import dev.eventchain.metamodel.eventchain.EventchainPackage.Literals;
 import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -17,6 +19,11 @@ import java.util.function.Supplier;
 
 /** Whether each topic has one type, someone who writes it and someone who reads it. */
 final class TopicContracts {
+
+  private static final String LEAVES =
+      "leave the output out; or, if a requirement asks for a signal that leaves the chain, say so"
+          + " with the output: \"consumer\": \"external\", and in \"requirements\" the ids of those"
+          + " that ask for it.";
 
   private final boolean vehicleKnown;
   private final Collection<String> signals;
@@ -26,20 +33,23 @@ final class TopicContracts {
   private final Set<String> written = new TreeSet<>();
   private final Set<String> read = new TreeSet<>();
 
+  /** The topics that the vehicle consumes and no component of the chain writes. */
+  private final Set<String> awaited = new TreeSet<>();
+
   /**
    * Prepares the checks.
    *
-   * @param signals the topics that the vehicle's description names; empty if there is none, so that
+   * @param signals what the vehicle's description says, by topic; empty if there is none, so that
    *     nobody knows what comes from outside of the chain
    */
   TopicContracts(
       List<Topic> topics,
-      Optional<? extends Collection<String>> signals,
+      Optional<Map<String, Signal>> signals,
       DataFlowIndex flow,
       TypeContracts types,
       Findings findings) {
     this.vehicleKnown = signals.isPresent();
-    this.signals = signals.isPresent() ? signals.get() : List.of();
+    this.signals = signals.orElse(Map.of()).keySet();
     this.flow = flow;
     this.types = types;
     this.findings = findings;
@@ -53,6 +63,14 @@ final class TopicContracts {
         read.add(topic.name());
       }
     }
+    signals
+        .orElse(Map.of())
+        .forEach(
+            (name, signal) -> {
+              if (signal.direction() == Signal.Direction.CONSUMED && !written.contains(name)) {
+                awaited.add(name);
+              }
+            });
   }
 
   void check(Topic topic) {
@@ -70,7 +88,7 @@ final class TopicContracts {
     Rule rule = topic.signal().isPresent() ? Rule.SIGNAL_TYPE : Rule.TOPIC_TYPE;
     String wanted = topic.signal().map(Signal::messageType).orElse("");
     Supplier<SourceLocation> other = () -> topic.signal().orElseThrow().location();
-    String owner = topic.signal().isPresent() ? "signals.json" : "";
+    String owner = topic.signal().isPresent() ? "the existing signal" : "";
     for (Endpoint endpoint : topic.endpoints()) {
       Set<String> seen = new HashSet<>();
       for (Data data : endpoint.data()) {
@@ -80,14 +98,14 @@ final class TopicContracts {
         if (wanted.isEmpty()) {
           wanted = data.getMessageType();
           owner = endpoint.name();
-          other = () -> findings.at(data);
+          other = () -> findings.at(data, Literals.DATA__MESSAGE_TYPE);
           continue;
         }
         findings.checked(rule);
         if (!same(wanted, data.getMessageType())) {
           findings.error(
               rule,
-              findings.at(data),
+              findings.at(data, Literals.DATA__MESSAGE_TYPE),
               "%s takes the messages of %s for %s, but %s has %s."
                   .formatted(endpoint.name(), topic.name(), data.getMessageType(), owner, wanted),
               "A topic has one type: write %s, or use another topic.".formatted(wanted),
@@ -114,69 +132,61 @@ final class TopicContracts {
     for (Endpoint publisher : topic.publishers().subList(1, topic.publishers().size())) {
       findings.warning(
           Rule.PUBLISHERS_SEVERAL,
-          findings.at(publisher.first()),
+          findings.at(publisher.first(), Literals.DATA__TOPIC_NAME),
           "%s writes %s, which %s writes too."
               .formatted(publisher.name(), topic.name(), first.name()),
           "Readers get the messages of both mixed: give one of them another topic, unless that is"
               + " meant.",
-          findings.at(first.first()));
+          findings.at(first.first(), Literals.DATA__TOPIC_NAME));
     }
   }
 
   private void isFed(Topic topic, Endpoint subscriber) {
     findings.checked(Rule.PUBLISHER_MISSING);
     if (!written.contains(topic.name())) {
-      String vehicle =
-          topic
-              .signal()
-              .map(signal -> "signals.json has it as " + word(signal) + ", not as provided")
-              .orElse("signals.json has no such signal");
       findings.error(
           Rule.PUBLISHER_MISSING,
-          findings.at(subscriber.first()),
+          findings.at(subscriber.first(), Literals.DATA__TOPIC_NAME),
           "%s reads %s, but no component of the chain writes it, and %s."
-              .formatted(subscriber.name(), topic.name(), vehicle),
+              .formatted(subscriber.name(), topic.name(), vehicle(topic, "provided")),
           hint(
               topic.name(),
               written,
-              "add the component that writes it, or describe it in signals.json with the direction"
-                  + " provided."),
+              "read a topic that somebody writes, or add the component that writes this one."),
           place(topic));
     }
   }
 
   private void isRead(Topic topic, Endpoint publisher) {
     findings.checked(Rule.CONSUMER_MISSING);
-    if (!read.contains(topic.name())) {
-      String vehicle =
-          topic
-              .signal()
-              .map(signal -> "signals.json has it as " + word(signal) + ", not as consumed")
-              .orElse("signals.json has no such signal");
+    if (publisher.isExternal()) {
+      new ExternalSignal(topic, publisher, findings).check(awaited);
+    } else if (!read.contains(topic.name())) {
       findings.error(
           Rule.CONSUMER_MISSING,
-          findings.at(publisher.first()),
+          findings.at(publisher.first(), Literals.DATA__TOPIC_NAME),
           "%s writes %s, but no component of the chain reads it, and %s."
-              .formatted(publisher.name(), topic.name(), vehicle),
-          hint(
-              topic.name(),
-              read,
-              "leave the output out, or describe it in signals.json with the direction"
-                  + " consumed."),
+              .formatted(publisher.name(), topic.name(), vehicle(topic, "consumed")),
+          hint(topic.name(), read, topic.signal().isPresent() ? "leave the output out." : LEAVES),
           place(topic));
     }
+  }
+
+  private static String vehicle(Topic topic, String wanted) {
+    return topic
+        .signal()
+        .map(signal -> "the existing signal of this name is " + word(signal) + ", not " + wanted)
+        .orElse("no existing signal has this name");
   }
 
   /** The topic that may have been meant: one that somebody uses, or at least knows. */
   private String hint(String topic, Set<String> used, String otherwise) {
     Set<String> known = new TreeSet<>(used);
     known.addAll(signals);
-    known.remove(topic);
-    Optional<String> nearest = NearestName.of(topic, known);
-    return nearest.map(name -> "Did you mean `" + name + "`? Else ").orElse("")
-        + (nearest.isPresent()
-            ? otherwise
-            : Character.toUpperCase(otherwise.charAt(0)) + otherwise.substring(1));
+    String question = NearestName.question(topic, known);
+    return question.isEmpty()
+        ? Character.toUpperCase(otherwise.charAt(0)) + otherwise.substring(1)
+        : question + " Else " + otherwise;
   }
 
   private static String word(Signal signal) {
@@ -204,7 +214,7 @@ final class TopicContracts {
           Set<String> set = fieldsThatAreSet(topic, data.getMessageType());
           findings.error(
               Rule.FIELD_UNSET,
-              findings.at(data),
+              findings.at(data, Literals.DATA__FIELD_NAME),
               "%s reads the field '%s' of %s, which %s does not set."
                   .formatted(
                       subscriber.name(), data.getFieldName(), topic.name(), publisher.name()),
@@ -212,7 +222,7 @@ final class TopicContracts {
                   ? "Set it, or read it nowhere."
                   : "Set are %s: read one of them, or set this one too."
                       .formatted(String.join(", ", set)),
-              findings.at(publisher.first()));
+              findings.at(publisher.first(), Literals.DATA__TOPIC_NAME));
         }
       }
     }

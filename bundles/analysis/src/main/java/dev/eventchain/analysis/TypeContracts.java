@@ -9,14 +9,17 @@ import dev.eventchain.messages.MessageType;
 import dev.eventchain.messages.RosNames;
 import dev.eventchain.metamodel.Signal;
 import dev.eventchain.metamodel.eventchain.Data;
+import dev.eventchain.metamodel.eventchain.EventchainPackage.Literals;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
+import org.eclipse.emf.ecore.EAttribute;
 
 /** Whether message types and fields exist, and are what the chain and the signals take them for. */
 final class TypeContracts {
@@ -37,11 +40,10 @@ final class TypeContracts {
       for (Data data : endpoint.data()) {
         String type = data.getMessageType();
         if (isQualified(type)) {
-          Supplier<SourceLocation> place = () -> findings.at(data);
           if (seen.add(type)) {
-            known(type, topic.name(), place);
+            known(type, topic.name(), () -> findings.at(data, Literals.DATA__MESSAGE_TYPE));
           }
-          typeOf(type).ifPresent(found -> field(found, data, place));
+          typeOf(type).ifPresent(found -> field(found, data));
         }
       }
     }
@@ -114,25 +116,31 @@ final class TypeContracts {
             .formatted(searched, wanted);
   }
 
-  private void field(MessageType type, Data data, Supplier<SourceLocation> place) {
+  private void field(MessageType type, Data data) {
     if (data.getFieldName() != null && !data.getFieldName().isEmpty()) {
       String user = "the data '" + data.getName() + "'";
+      Function<EAttribute, SourceLocation> place = feature -> findings.at(data, feature);
       field(type, data.getFieldName(), data.getType(), user, place);
     }
   }
 
   private void field(MessageType type, Signal.Field field) {
-    field(type, field.path(), field.type(), "the signal's description", field::location);
+    String user = "the signal's description";
+    field(type, field.path(), field.type(), user, feature -> field.location());
   }
 
   private void field(
-      MessageType type, String path, String declared, String user, Supplier<SourceLocation> place) {
+      MessageType type,
+      String path,
+      String declared,
+      String user,
+      Function<EAttribute, SourceLocation> place) {
     findings.checked(Rule.FIELD_UNKNOWN);
     MessageType.Resolution resolution = type.resolve(path);
     if (resolution.type().isEmpty()) {
       findings.error(
           Rule.FIELD_UNKNOWN,
-          place.get(),
+          place.apply(Literals.DATA__FIELD_NAME),
           "%s names the field '%s' of %s, but %s"
               .formatted(capitalized(user), path, type, resolution.problem()),
           resolution.hint());
@@ -141,7 +149,7 @@ final class TypeContracts {
       if (!DeclaredType.fits(declared, resolution.type().get())) {
         findings.error(
             Rule.TYPE_MISMATCH,
-            place.get(),
+            place.apply(Literals.DATA__TYPE),
             "%s gives the type of '%s' as '%s', but %s has '%s' there."
                 .formatted(capitalized(user), path, declared, type, resolution.type().get()),
             "Write '%s', and convert inside of the component.".formatted(resolution.type().get()));

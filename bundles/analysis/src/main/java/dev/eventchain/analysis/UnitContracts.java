@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.Unit;
 import dev.eventchain.metamodel.Signal;
 import dev.eventchain.metamodel.eventchain.Data;
+import dev.eventchain.metamodel.eventchain.EventchainPackage.Literals;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -32,7 +33,7 @@ final class UnitContracts {
     for (Signal.Field field : topic.signal().map(Signal::fields).orElse(List.of())) {
       if (!field.unit().isBlank()) {
         references.putIfAbsent(
-            field.path(), new Reference("signals.json", field.unit(), field::location));
+            field.path(), new Reference("the existing signal", field.unit(), field::location));
       }
     }
     topic.publishers().forEach(publisher -> check(topic, publisher, true, references));
@@ -49,7 +50,8 @@ final class UnitContracts {
       if (reference == null) {
         references.put(
             data.getFieldName(),
-            new Reference(endpoint.name(), data.getUnit(), () -> findings.at(data)));
+            new Reference(
+                endpoint.name(), data.getUnit(), () -> findings.at(data, Literals.DATA__UNIT)));
       } else {
         findings.checked(Rule.UNIT_MISMATCH);
         compare(topic, endpoint, data, writes, reference);
@@ -75,7 +77,7 @@ final class UnitContracts {
       String unread = unit.isEmpty() ? here : there;
       findings.warning(
           Rule.UNIT_MISMATCH,
-          findings.at(data),
+          findings.at(data, Literals.DATA__UNIT),
           message,
           "'%s' is no unit that is known here, such as m/s2, km/h, deg, %%: write both sides alike."
               .formatted(unread),
@@ -87,21 +89,21 @@ final class UnitContracts {
       case ANGLE ->
           findings.warning(
               Rule.UNIT_MISMATCH,
-              findings.at(data),
+              findings.at(data, Literals.DATA__UNIT),
               message,
               "One side speaks of angles and the other does not: write what is meant on both.",
               place);
       case INCOMPATIBLE ->
           findings.error(
               Rule.UNIT_MISMATCH,
-              findings.at(data),
+              findings.at(data, Literals.DATA__UNIT),
               message,
               "No factor makes the one of the other: one side means another quantity.",
               place);
       case CONVERTIBLE ->
           findings.error(
               Rule.UNIT_MISMATCH,
-              findings.at(data),
+              findings.at(data, Literals.DATA__UNIT),
               message,
               writes
                   ? "Give it in %s: %s.".formatted(there, unit.get().conversionTo(other.get()))

@@ -5,7 +5,10 @@ import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;
+import java.util.Optional;
+import java.util.function.Function;
 import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EStructuralFeature;
 
 /**
  * Where the elements of a model were written: in an XMI file, or in the JSON that the model was
@@ -16,12 +19,26 @@ public final class Origins {
   /** Where elements are that did not come from a file read here. */
   private final IdentityHashMap<EObject, SourceLocation> places = new IdentityHashMap<>();
 
+  /** Where the features of elements are stated, for those of which that is known. */
+  private final IdentityHashMap<EObject, Function<EStructuralFeature, Optional<SourceLocation>>>
+      features = new IdentityHashMap<>();
+
   /** The elements of each file that was read. */
   private final List<Offsets> files = new ArrayList<>();
 
   /** Notes where an element was written, in place of what was known before. */
   public void put(EObject element, SourceLocation location) {
     places.put(element, location);
+  }
+
+  /**
+   * Notes where the features of an element are stated.
+   *
+   * @param places asked for one feature at a time; nothing where that is not known
+   */
+  public void putFeatures(
+      EObject element, Function<EStructuralFeature, Optional<SourceLocation>> places) {
+    features.put(element, places);
   }
 
   /** A place to note the elements of a text in. */
@@ -45,6 +62,13 @@ public final class Origins {
       }
     }
     return SourceLocation.NONE.withElement(pathOf(element));
+  }
+
+  /** Where a feature of an element is stated; the place of the element where that is not known. */
+  public SourceLocation locate(EObject element, EStructuralFeature feature) {
+    return Optional.ofNullable(features.get(element))
+        .flatMap(places -> places.apply(feature))
+        .orElseGet(() -> locate(element));
   }
 
   private SourceLocation known(EObject element) {

@@ -16,6 +16,7 @@ import dev.eventchain.metamodel.eventchain.ComponentOrigin;
 import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainFactory;
+import dev.eventchain.metamodel.eventchain.EventchainPackage.Literals;
 import dev.eventchain.metamodel.eventchain.QosProfile;
 import dev.eventchain.metamodel.eventchain.Requirement;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
@@ -30,14 +31,18 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
+import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
 /**
  * Turns an event-chain description into a model, directly. The description is the JSON array of the
  * paper's Appendix A; we add {@code frequency} (Hz), {@code requirements} (ids), {@code type},
- * {@code unit}, {@code maximum_age} (ms) and {@code safe_value} of values, and {@code
+ * {@code unit}, {@code maximum_age} (ms) and {@code safe_value} of values, {@code consumer}
+ * ("external") and {@code requirements} of outputs that leave the chain, and {@code
  * worst_case_execution_time}, {@code best_case_execution_time} (ms) and {@code memory} (MiB) of
  * components, all optional.
  *
@@ -49,6 +54,29 @@ public final class EventChainReader {
   private static final EventchainFactory FACTORY = EventchainFactory.eINSTANCE;
 
   private static final NumberRange NOT_NEGATIVE = NumberRange.atLeast(0);
+
+  private static final String EXTERNAL = "external";
+
+  /** The properties of a topic that become features of each of its values. */
+  private static final Map<EStructuralFeature, String> PORT =
+      Map.of(
+          Literals.DATA__TOPIC_NAME, "topic",
+          Literals.DATA__MESSAGE_TYPE, "message_type",
+          Literals.DATA__QOS, "qos_profile");
+
+  private static final Map<EStructuralFeature, String> VALUE =
+      Map.of(
+          Literals.DATA__NAME, "name",
+          Literals.DATA__FIELD_NAME, "field",
+          Literals.DATA__TYPE, "type",
+          Literals.DATA__UNIT, "unit");
+
+  private static final Map<EStructuralFeature, String> COMPONENT =
+      Map.of(
+          Literals.SOFTWARE_NODE__NAME, "name",
+          Literals.SOFTWARE_NODE__FREQUENCY, "frequency",
+          Literals.SOFTWARE_NODE__INPUT, "input",
+          Literals.SOFTWARE_NODE__OUTPUT, "output");
 
   private final Document text;
   private final Origins origins = new Origins();
@@ -131,6 +159,7 @@ public final class EventChainReader {
     SoftwareNode node = FACTORY.createSoftwareNode();
     chain.getSoftware().add(node);
     origins.put(node, json.location());
+    origins.putFeatures(node, feature -> Optional.ofNullable(COMPONENT.get(feature)).map(json::at));
     node.setName(name(json, "component"));
     json.text("description").ifPresent(node::setDescription);
     OptionalDouble frequency = json.number("frequency", NumberRange.above(0));
@@ -144,13 +173,14 @@ public final class EventChainReader {
     json.number("memory", NOT_NEGATIVE).ifPresent(node::setMemory);
     json.value("implementation");
     json.value("file");
-    readRequirements(json, node);
-    readPorts(json, "input", node.getInput());
-    readPorts(json, "output", node.getOutput());
+    node.getSatisfies().addAll(readRequirements(json));
+    readPorts(json, "input", node.getInput(), port -> value -> {});
+    readPorts(json, "output", node.getOutput(), this::readConsumer);
     json.refuseOthers();
   }
 
-  private void readRequirements(ObjectReader json, SoftwareNode node) {
+  private List<Requirement> readRequirements(ObjectReader json) {
+    List<Requirement> found = new ArrayList<>();
     List<String> ids = json.texts("requirements");
     for (int i = 0; i < ids.size(); i++) {
       Requirement requirement = requirements.get(ids.get(i));
@@ -162,25 +192,56 @@ public final class EventChainReader {
                     text.at(Document.below(json.pointerTo("requirements"), i)))
                 .withHint(NearestName.hint(ids.get(i), requirements.keySet())));
       } else if (requirement != null) {
-        node.getSatisfies().add(requirement);
+        found.add(requirement);
       }
     }
+    return found;
   }
 
-  private void readPorts(ObjectReader json, String side, List<Data> data) {
+  private void readPorts(
+      ObjectReader json,
+      String side,
+      List<Data> data,
+      Function<ObjectReader, Consumer<Data>> more) {
     Set<String> names = new HashSet<>();
-    json.objects(side).forEach(port -> readPort(port, names, data));
+    json.objects(side).forEach(port -> readPort(port, names, data, more));
   }
 
-  private void readPort(ObjectReader port, Set<String> names, List<Data> data) {
+  /** Whether an output leaves the chain, and which requirements ask for that. */
+  private Consumer<Data> readConsumer(ObjectReader port) {
+    Optional<String> consumer = port.text("consumer");
+    if (consumer.isPresent() && !consumer.get().equals(EXTERNAL)) {
+      port.find(
+          Diagnostic.error(
+                  "modeler.consumer.unknown",
+                  "'" + Names.printable(consumer.get()) + "' is no consumer.",
+                  port.at("consumer"))
+              .withHint(
+                  "Write \"external\" for an output that leaves the chain; leave it out otherwise."));
+    }
+    List<Requirement> asking = readRequirements(port);
+    return value -> {
+      value.setExternal(consumer.isPresent());
+      value.getSatisfies().addAll(asking);
+    };
+  }
+
+  private void readPort(
+      ObjectReader port,
+      Set<String> names,
+      List<Data> data,
+      Function<ObjectReader, Consumer<Data>> more) {
     String topic = checked(port, "topic", RosNames::isTopic, "modeler.topic.illegal");
     String type = checked(port, "message_type", RosNames::isMessageType, "modeler.type.illegal");
     Optional<QosProfile> qos = QosReader.read(port);
     if (port.value("values").map(JsonNode::isEmpty).orElse(true)) {
       find("modeler.feature.missing", "The topic '" + topic + "' has no values.", port.location());
     }
+    Consumer<Data> completion = more.apply(port);
     for (ObjectReader json : port.objects("values")) {
       Data value = readValue(json, names);
+      origins.putFeatures(value, feature -> placeOf(feature, port, json));
+      completion.accept(value);
       value.setTopicName(topic);
       value.setMessageType(type);
       qos.map(EcoreUtil::copy).ifPresent(value::setQos);
@@ -188,6 +249,13 @@ public final class EventChainReader {
       data.add(value);
     }
     port.refuseOthers();
+  }
+
+  private static Optional<SourceLocation> placeOf(
+      EStructuralFeature feature, ObjectReader port, ObjectReader value) {
+    boolean ofPort = PORT.containsKey(feature);
+    return Optional.ofNullable(ofPort ? PORT.get(feature) : VALUE.get(feature))
+        .map(ofPort ? port::at : value::at);
   }
 
   private Data readValue(ObjectReader json, Set<String> names) {

@@ -63,6 +63,7 @@ public final class EventChainWriter {
         text(port, "topic", data.getTopicName());
         text(port, "message_type", data.getMessageType());
         Optional.ofNullable(data.getQos()).ifPresent(qos -> port.set("qos_profile", qos(qos)));
+        consumer(port, data);
         values = port.putArray("values");
       }
       values.add(value(data));
@@ -71,9 +72,21 @@ public final class EventChainWriter {
     return ports;
   }
 
+  private static void consumer(ObjectNode port, Data data) {
+    if (data.isExternal()) {
+      port.put("consumer", "external");
+    }
+    if (!data.getSatisfies().isEmpty()) {
+      ArrayNode requirements = port.putArray("requirements");
+      data.getSatisfies().stream().map(Requirement::getId).forEach(requirements::add);
+    }
+  }
+
   private static boolean samePort(Data one, Data other) {
     return Objects.equals(one.getTopicName(), other.getTopicName())
         && Objects.equals(one.getMessageType(), other.getMessageType())
+        && one.isExternal() == other.isExternal()
+        && one.getSatisfies().equals(other.getSatisfies())
         && EcoreUtil.equals(one.getQos(), other.getQos());
   }
 

@@ -6,26 +6,34 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.RosNames;
 import dev.eventchain.metamodel.TopicIndex;
 import dev.eventchain.metamodel.eventchain.Data;
+import dev.eventchain.metamodel.eventchain.EventchainPackage.Literals;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
-import java.util.function.Function;
+import java.util.function.BiFunction;
 import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EStructuralFeature;
 
 /** Whether a chain uses one existing component as it is: its code is there and will not change. */
 final class ReuseCheck {
 
+  private static final Map<EStructuralFeature, String> WORDS =
+      Map.of(
+          Literals.DATA__TOPIC_NAME, "topic",
+          Literals.DATA__FIELD_NAME, "field",
+          Literals.DATA__MESSAGE_TYPE, "message type");
+
   private final SoftwareNode existing;
   private final SoftwareNode used;
-  private final Function<EObject, SourceLocation> locator;
+  private final BiFunction<EObject, EStructuralFeature, SourceLocation> locator;
   private final List<Diagnostic> found;
 
   ReuseCheck(
       SoftwareNode existing,
       SoftwareNode used,
-      Function<EObject, SourceLocation> locator,
+      BiFunction<EObject, EStructuralFeature, SourceLocation> locator,
       List<Diagnostic> found) {
     this.existing = existing;
     this.used = used;
@@ -49,7 +57,7 @@ final class ReuseCheck {
                 "value.unknown",
                 "The existing component '%s' has no %s '%s'."
                     .formatted(existing.getName(), side, name),
-                data,
+                locator.apply(data, Literals.DATA__NAME),
                 NearestName.hint(name, there.keySet()));
           } else {
             compareValue(side, there.get(name), data);
@@ -64,12 +72,13 @@ final class ReuseCheck {
   }
 
   private void compareValue(String side, Data there, Data here) {
-    compareProperty(side, here, "topic", topic(there), topic(here));
-    compareProperty(side, here, "field", there.getFieldName(), here.getFieldName());
+    compareProperty(side, here, Literals.DATA__TOPIC_NAME, topic(there), topic(here));
+    compareProperty(
+        side, here, Literals.DATA__FIELD_NAME, there.getFieldName(), here.getFieldName());
     compareProperty(
         side,
         here,
-        "message type",
+        Literals.DATA__MESSAGE_TYPE,
         qualified(there.getMessageType()),
         qualified(here.getMessageType()));
   }
@@ -80,18 +89,20 @@ final class ReuseCheck {
           "value.changed",
           "The existing component '%s' executes with %s Hz, not %s Hz."
               .formatted(existing.getName(), wanted, given),
-          used,
+          locator.apply(used, Literals.SOFTWARE_NODE__FREQUENCY),
           "Describe an existing component as it is, or give the new one another name.");
     }
   }
 
-  private void compareProperty(String side, Data here, String what, String wanted, String given) {
+  private void compareProperty(
+      String side, Data here, EStructuralFeature feature, String wanted, String given) {
     if (!Objects.equals(wanted, given)) {
       report(
           "value.changed",
           "The %s of the %s '%s' of the existing component '%s' is '%s', not '%s'."
-              .formatted(what, side, here.getName(), existing.getName(), wanted, given),
-          here,
+              .formatted(
+                  WORDS.get(feature), side, here.getName(), existing.getName(), wanted, given),
+          locator.apply(here, feature),
           "Describe an existing component as it is, or give the new one another name.");
     }
   }
@@ -101,17 +112,20 @@ final class ReuseCheck {
         "The existing component '%s' has the %s '%s', which the chain leaves out."
             .formatted(existing.getName(), side, name);
     if (side.equals("input")) {
-      report("value.missing", message, used, "Its code cannot be called without it.");
+      report("value.missing", message, at(side), "Its code cannot be called without it.");
     } else {
-      found.add(
-          Diagnostic.warning("modeler.component.output.unused", message, locator.apply(used)));
+      found.add(Diagnostic.warning("modeler.component.output.unused", message, at(side)));
     }
   }
 
-  private void report(String kind, String message, EObject place, String hint) {
-    found.add(
-        Diagnostic.error("modeler.component." + kind, message, locator.apply(place))
-            .withHint(hint));
+  private SourceLocation at(String side) {
+    return locator.apply(
+        used,
+        side.equals("input") ? Literals.SOFTWARE_NODE__INPUT : Literals.SOFTWARE_NODE__OUTPUT);
+  }
+
+  private void report(String kind, String message, SourceLocation place, String hint) {
+    found.add(Diagnostic.error("modeler.component." + kind, message, place).withHint(hint));
   }
 
   private String topic(Data data) {

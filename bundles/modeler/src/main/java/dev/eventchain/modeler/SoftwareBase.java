@@ -20,8 +20,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Function;
+import java.util.function.BiFunction;
 import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EStructuralFeature;
 
 /**
  * What a project has already: the components of {@code components.json} with their files, and the
@@ -160,9 +161,10 @@ public final class SoftwareBase {
    * the same topics, with the same frequency. An output that the chain leaves out is a warning, all
    * else an error.
    *
-   * @param locator the places of the chain's elements
+   * @param locator the places of the features of the chain's elements
    */
-  public List<Diagnostic> check(EventChain chain, Function<EObject, SourceLocation> locator) {
+  public List<Diagnostic> check(
+      EventChain chain, BiFunction<EObject, EStructuralFeature, SourceLocation> locator) {
     List<Diagnostic> found = new ArrayList<>();
     for (SoftwareNode node : chain.getSoftware()) {
       described.getSoftware().stream()

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.metamodel.XmiStore;
+import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -39,10 +40,30 @@ class EventChainWriterTest {
     assertEquals(xmi(chain), xmi(read(SourceText.of("b.json", written))));
   }
 
+  @Test
+  void whatLeavesTheChainIsSaid() {
+    String json =
+        """
+        [{"name": "A", "requirements": ["R-1"], "input": [], "output": [
+          {"topic": "/a", "message_type": "std_msgs/msg/Bool", "consumer": "external",
+           "requirements": ["R-1"], "values": [{"name": "a", "field": "data"}]},
+          {"topic": "/b", "message_type": "std_msgs/msg/Bool",
+           "values": [{"name": "b", "field": "data"}]}]}]
+        """;
+    EventChain chain = read(SourceText.of("a.json", json));
+    assertEquals(List.of(true, false), chain.getData().stream().map(Data::isExternal).toList());
+    assertEquals(chain.getRequirements(), chain.getData().get(0).getSatisfies());
+    String written = EventChainWriter.write(chain);
+    assertEquals(xmi(chain), xmi(read(SourceText.of("b.json", written))));
+  }
+
   private static EventChain read(SourceText text) {
     Modeled<EventChain> modeled =
         EventChainReader.read(
-            text, "aeb", new Requirements(List.of(), List.of()), OptionalDouble.empty());
+            text,
+            "aeb",
+            Requirements.read(SourceText.of("requirements.md", "- R-1: The system shall signal.")),
+            OptionalDouble.empty());
     assertEquals(List.of(), modeled.diagnostics());
     return modeled.root();
   }

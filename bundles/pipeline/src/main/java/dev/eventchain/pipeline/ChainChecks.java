@@ -5,7 +5,6 @@ import dev.eventchain.analysis.ChainAnalysis;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.metamodel.EcoreChecks;
 import dev.eventchain.metamodel.eventchain.EventChain;
@@ -14,8 +13,6 @@ import dev.eventchain.ocl.OclResult;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Function;
-import org.eclipse.emf.ecore.EObject;
 
 /**
  * What has to hold for the event chain of a project: its metamodel, its constraints, its contracts
@@ -129,15 +126,15 @@ final class ChainChecks {
   /**
    * Checks a chain.
    *
-   * @param locator tells where its elements stand
+   * @param origins tells where its elements stand
    */
-  Outcome check(RunContext.LoadedChain model, Function<EObject, SourceLocation> locator) {
+  Outcome check(RunContext.LoadedChain model, ChainOrigins origins) {
     EventChain chain = model.chain();
     return new Outcome(
         model.ecore(),
-        constraints.check(chain, locator),
-        analysis.check(chain, locator),
-        base.check(chain, locator),
+        constraints.check(chain, origins::locate),
+        analysis.check(chain, origins::locate),
+        base.check(chain, origins::locate),
         uncovered);
   }
 }

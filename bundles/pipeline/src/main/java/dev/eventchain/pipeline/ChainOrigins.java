@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.metamodel.Origins;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import dev.eventchain.modeler.EventChainReader;
@@ -18,6 +19,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalDouble;
 import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
 /**
@@ -27,43 +29,59 @@ import org.eclipse.emf.ecore.util.EcoreUtil;
 final class ChainOrigins {
 
   private final RunContext.LoadedChain model;
-  private final Map<String, SourceLocation> descriptions;
 
-  private ChainOrigins(RunContext.LoadedChain model, Map<String, SourceLocation> descriptions) {
+  /** The elements that the description gives, by their paths in the model. */
+  private final Map<String, EObject> described;
+
+  private final Origins descriptions;
+
+  private ChainOrigins(
+      RunContext.LoadedChain model, Map<String, EObject> described, Origins descriptions) {
     this.model = model;
+    this.described = described;
     this.descriptions = descriptions;
+  }
+
+  /** Those of a model that people edit. */
+  static ChainOrigins edited(RunContext.LoadedChain model) {
+    return new ChainOrigins(model, Map.of(), new Origins());
   }
 
   static ChainOrigins of(RunContext run, RunContext.LoadedChain model) {
     Path description = run.file(DesignStage.FILE);
     boolean derived = run.project().editedModel().isEmpty() && Files.isRegularFile(description);
-    return new ChainOrigins(model, derived ? descriptions(run, model, description) : Map.of());
+    return derived ? described(run, model, description) : edited(model);
   }
 
   SourceLocation locate(EObject element) {
-    SourceLocation description = descriptions.get(path(element));
-    return description == null ? model.origins().locate(element) : description;
+    EObject origin = described.get(path(element));
+    return origin == null ? model.origins().locate(element) : descriptions.locate(origin);
   }
 
-  /** Nothing unless the description gives this very model. */
-  private static Map<String, SourceLocation> descriptions(
+  /** Where a feature of an element is stated. */
+  SourceLocation locate(EObject element, EStructuralFeature feature) {
+    EObject origin = described.get(path(element));
+    return origin == null
+        ? model.origins().locate(element, feature)
+        : descriptions.locate(origin, feature);
+  }
+
+  /** The model itself unless the description gives this very model. */
+  private static ChainOrigins described(
       RunContext run, RunContext.LoadedChain model, Path description) {
     try {
       Modeled<EventChain> direct = direct(run, description);
       if (Diagnostic.anyError(direct.diagnostics())
           || !ModelComparison.compare(direct.root(), model.chain(), e -> SourceLocation.NONE)
               .isEmpty()) {
-        return Map.of();
+        return edited(model);
       }
-      Map<String, SourceLocation> places = new HashMap<>();
-      places.put(path(direct.root()), direct.origins().locate(direct.root()));
-      direct
-          .root()
-          .eAllContents()
-          .forEachRemaining(e -> places.put(path(e), direct.origins().locate(e)));
-      return places;
+      Map<String, EObject> described = new HashMap<>();
+      described.put(path(direct.root()), direct.root());
+      direct.root().eAllContents().forEachRemaining(e -> described.put(path(e), e));
+      return new ChainOrigins(model, described, direct.origins());
     } catch (DiagnosticException e) {
-      return Map.of();
+      return edited(model);
     }
   }
 

@@ -44,6 +44,6 @@ final class ChainSnapshot {
   ChainChecks.Outcome checks() {
     List<Path> all = new ArrayList<>(files);
     all.addAll(ChainChecks.files(run));
-    return run.snapshots().of("checks", all, () -> ChainChecks.of(run).check(model, this::locate));
+    return run.snapshots().of("checks", all, () -> ChainChecks.of(run).check(model, origins));
   }
 }

@@ -29,7 +29,7 @@ final class DesignStage implements StageWork {
     if (run.project().editedModel().isPresent()) {
       RunContext.LoadedChain model = run.loadChain(run.project().editedModel().get());
       ChainChecks.Outcome checked =
-          ChainChecks.withoutGenerated(run).check(model, model.origins()::locate);
+          ChainChecks.withoutGenerated(run).check(model, ChainOrigins.edited(model));
       checked.refuseErrors(run);
       run.write(FILE, EventChainWriter.write(model.chain()));
       return StageResult.of(
