@@ -38,7 +38,10 @@ public final class ConstrainAgent {
       Requirements rules,
       List<? extends EObject> model) {
     Map<String, String> values =
-        Map.of("metamodel", metamodel, "design rules", RuleText.items(rules.items()));
+        Map.of(
+            "metamodel", metamodel,
+            "event chain", ModelNames.of(model),
+            "design rules", RuleText.items(rules.items()));
     List<String> ids = rules.items().stream().map(Requirements.Item::id).toList();
     ConstraintCheck check = new ConstraintCheck(ids, packages, List.copyOf(model));
     return new RepairLoop(context, "constrain", AnswerKind.OCL)

@@ -38,6 +38,7 @@ public final class DesignAgent {
    * @param system what the system is called: "Autonomous Emergency Braking"
    * @param frequency Hz, for new components unless the requirements ask for another one
    * @param requirements the functional requirements; every one is taken on by a component
+   * @param designRules what is asked of the chain as a whole; empty where nothing is
    * @param base the existing components and signals
    * @param messages the message types that there are
    * @return the event-chain description {@code chain.json}
@@ -48,15 +49,21 @@ public final class DesignAgent {
       String system,
       double frequency,
       Requirements requirements,
+      Optional<Requirements> designRules,
       SoftwareBase base,
       MessageCatalog messages) {
+    MessageText types = MessageText.of(messages, base);
+    SourceText components = SourceText.of("components", base.componentsText());
     Map<String, String> values =
         Map.of(
             "system", system,
             "frequency", RuleText.number(frequency),
             "requirements", RuleText.items(requirements.items()),
-            "software component description in json format", base.componentsText(),
-            "signals", base.signalsText());
+            "design rules", designRules.map(rules -> RuleText.items(rules.items())).orElse("None."),
+            "software component description in json format", Budgets.without(components),
+            "signals", base.signalsText(),
+            "message types", types.definitions(),
+            "message packages", types.packages());
     return new RepairLoop(context, "design", AnswerKind.JSON)
         .run(
             FILE,

@@ -3,12 +3,18 @@ package dev.eventchain.agents;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.util.List;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
 /** Findings as a language model is told them: numbered, with place, source line and hint. */
 final class FindingsText {
   // Enough to work on; the rest usually has the same causes, and comes back in the next round if
   // not.
   private static final int MOST = 25;
+
+  private static final Pattern CLAUSE_END = Pattern.compile("(?<=[.;?]) ");
+  private static final Pattern ABOUT_FILES =
+      Pattern.compile("(^| )--[a-z]|PACKAGE/msg/NAME|Looked for among");
 
   private FindingsText() {}
 
@@ -40,8 +46,21 @@ final class FindingsText {
     if (!place.excerpt().isBlank()) {
       out.append("   > ").append(place.excerpt().strip()).append('\n');
     }
-    if (!finding.hint().isEmpty()) {
-      out.append("   ").append(finding.hint()).append('\n');
+    String hint = aboutTheAnswer(finding.hint());
+    if (!hint.isEmpty()) {
+      out.append("   ").append(hint).append('\n');
     }
+  }
+
+  /**
+   * A hint without what speaks of files and options: who answers sees and changes the answer only.
+   */
+  private static String aboutTheAnswer(String hint) {
+    String kept =
+        CLAUSE_END
+            .splitAsStream(hint)
+            .filter(clause -> !ABOUT_FILES.matcher(clause).find())
+            .collect(Collectors.joining(" "));
+    return kept.endsWith(";") ? kept.substring(0, kept.length() - 1) + "." : kept;
   }
 }

@@ -1,7 +1,6 @@
 package dev.eventchain.agents;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.JsonLayout;
 import dev.eventchain.modeler.JsonDocument;
@@ -10,16 +9,12 @@ import dev.eventchain.python.ComponentProbe;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 
 /**
  * Implements one component of an event chain as a Python class (the paper's Section IV-C and
  * Appendix B).
  */
 public final class ImplementAgent {
-  private static final Set<String> BUDGETS =
-      Set.of("best_case_execution_time", "worst_case_execution_time", "memory");
-
   private static final PromptTemplate PROMPT = PromptTemplate.load("implement/v1");
 
   private final AgentContext context;
@@ -58,17 +53,10 @@ public final class ImplementAgent {
         Map.of(
             "requirements", RuleText.items(ownRequirements(described.json(), requirements)),
             "Description of target software extracted from the event chain description.",
-                JsonLayout.of(withoutBudgets(described.json())));
+                JsonLayout.of(Budgets.without(described.json())));
     ImplementationCheck check = new ImplementationCheck(probe, described);
     return new RepairLoop(context, "implement", AnswerKind.PYTHON)
         .run("components/" + component + ".py", PROMPT, values, Optional.empty(), check::check);
-  }
-
-  /**
-   * What a component may cost says nothing of what it does, so that a new budget asks for no code.
-   */
-  private static JsonNode withoutBudgets(JsonNode component) {
-    return ((ObjectNode) component).deepCopy().remove(BUDGETS);
   }
 
   private static List<Requirements.Item> ownRequirements(

@@ -38,7 +38,7 @@ public final class ModelAgent {
   }
 
   /**
-   * Models a chain.
+   * Models a chain, without its budgets: see {@link EventChainReader#addBudgets}.
    *
    * @param metamodel the text of the metamodel of event chains, an Ecore file
    * @param chain the event-chain description
@@ -55,8 +55,9 @@ public final class ModelAgent {
       String name,
       Requirements requirements,
       SoftwareBase base) {
+    SourceText description = SourceText.of(chain.name(), Budgets.without(chain));
     EventChain direct =
-        EventChainReader.read(chain, name, requirements, OptionalDouble.empty()).root();
+        EventChainReader.read(description, name, requirements, OptionalDouble.empty()).root();
     EventChainReader.markExisting(direct, base);
     Map<String, String> values =
         Map.ofEntries(
@@ -69,7 +70,7 @@ public final class ModelAgent {
             Map.entry("chain name", name),
             Map.entry("requirements", RuleText.items(requirements.items())),
             Map.entry("existing components", existing(base)),
-            Map.entry("event chain", chain.text()));
+            Map.entry("event chain", description.text()));
     return new RepairLoop(context, "model", AnswerKind.JSON)
         .run(FILE, PROMPT, values, Optional.empty(), text -> check(text, direct));
   }

@@ -16,6 +16,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.OptionalDouble;
 
 /** The tasks of the AEB example with the inputs that the example's project gives them. */
@@ -40,7 +41,8 @@ final class AebWorkflow {
     Map<String, AgentResult> results = new LinkedHashMap<>();
 
     AgentResult design =
-        new DesignAgent(context).design(TITLE, FREQUENCY, requirements, base, messages);
+        new DesignAgent(context)
+            .design(TITLE, FREQUENCY, requirements, Optional.of(rules), base, messages);
     results.put("chain.json", design);
     SourceText description = SourceText.of("chain.json", design.text());
     EventChain chain =

@@ -11,6 +11,7 @@ import dev.eventchain.modeler.SoftwareBase;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -52,7 +53,7 @@ class DesignCheckTest {
     ScriptedModel model = new ScriptedModel().answer(wrong).answer("```json\n" + right + "```");
     AgentResult result =
         new DesignAgent(AgentContext.of(model))
-            .design("Test", 20.0, REQUIREMENTS, SOFTWARE, MESSAGES);
+            .design("Test", 20.0, REQUIREMENTS, Optional.empty(), SOFTWARE, MESSAGES);
     assertEquals("design/v1", result.prompt());
     assertEquals(2, result.attempts().size());
     String prompt = model.requests.get(0).messages().get(0).content();

@@ -15,6 +15,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Prompts as files with places to fill. */
 class PromptTemplateTest {
+  private static final String PAPER = "%% paper: ";
   private static final PromptTemplate TEMPLATE =
       PromptTemplate.of("test/v1", "%% a remark\nUse {{a}} and {{b c}}.\n");
 
@@ -55,7 +56,9 @@ class PromptTemplateTest {
     StringBuilder base = new StringBuilder();
     boolean added = false;
     for (String line : PromptTemplate.resource(prompt + ".md").lines().toList()) {
-      if (line.startsWith("%%")) {
+      if (line.startsWith(PAPER)) {
+        base.append(line.substring(PAPER.length())).append('\n');
+      } else if (line.startsWith("%%")) {
         added = line.strip().equals("%% added") || (added && !line.strip().equals("%% end"));
       } else if (!added) {
         base.append(line).append('\n');

@@ -11,6 +11,7 @@ import dev.eventchain.modeler.SoftwareBase;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -59,6 +60,7 @@ class RealAnswersTest {
             "Autonomous Emergency Braking",
             20.0,
             Requirements.read(SourceText.read(project.resolve("requirements.md"))),
+            Optional.of(Requirements.read(SourceText.read(project.resolve("design-rules.md")))),
             SoftwareBase.read(project.resolve("software-base")),
             MessageCatalog.of(List.of(project.resolve("software-base/msg"))));
   }

@@ -12,6 +12,7 @@ import dev.eventchain.modeler.SoftwareBase;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -39,6 +40,12 @@ class RecordedRepairTest {
   private static AgentResult design(ChatModel model) {
     Requirements requirements = Requirements.read(SourceText.read(BASE.resolve("requirements.md")));
     return new DesignAgent(AgentContext.of(model))
-        .design("Test", 20.0, requirements, SoftwareBase.read(BASE), MessageCatalog.of(List.of()));
+        .design(
+            "Test",
+            20.0,
+            requirements,
+            Optional.empty(),
+            SoftwareBase.read(BASE),
+            MessageCatalog.of(List.of()));
   }
 }

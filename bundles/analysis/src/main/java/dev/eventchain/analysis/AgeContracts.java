@@ -2,6 +2,7 @@ package dev.eventchain.analysis;
 
 import dev.eventchain.messages.FieldType;
 import dev.eventchain.metamodel.eventchain.Data;
+import dev.eventchain.metamodel.eventchain.EventchainPackage.Literals;
 import java.math.BigInteger;
 import java.nio.charset.StandardCharsets;
 import java.util.regex.Pattern;
@@ -39,7 +40,7 @@ final class AgeContracts {
     if (!(data.getMaximumAge() > 0) || Double.isInfinite(data.getMaximumAge())) {
       findings.error(
           Rule.AGE,
-          findings.at(data),
+          findings.at(data, Literals.DATA__MAXIMUM_AGE),
           "The input '%s' may be %s ms old, which is no age."
               .formatted(data.getName(), data.getMaximumAge()),
           "Give a number of ms above zero, or none: then five periods of the component that writes"
@@ -56,7 +57,7 @@ final class AgeContracts {
               if (!fits(data.getSafeValue(), type)) {
                 findings.error(
                     Rule.SAFE_VALUE,
-                    findings.at(data),
+                    findings.at(data, Literals.DATA__SAFE_VALUE),
                     "The safe value of '%s' is '%s', which a field of the type %s cannot hold."
                         .formatted(data.getName(), data.getSafeValue(), type),
                     "Write %s, or leave it out: then nothing is published."

@@ -10,8 +10,8 @@ final class LlmOptions {
       paramLabel = "PROVIDER",
       description = {
         "Where answers come from: 'replay' takes the project's recordings; 'handoff:FOLDER'",
-        "writes each prompt to a file, ends with exit code 4, and goes on when called again with",
-        "the answer's file there. Default: as eventchain.yaml says."
+        "writes each prompt that no recording answers to a file, ends with exit code 4, and goes",
+        "on when called again with the answer's file there. Default: as eventchain.yaml says."
       })
   String llm;
 

@@ -20,7 +20,7 @@ public final class ChatModels {
    * run opens a model once, or once for each task, and a new run opens it anew. Safe for threads.
    *
    * @param specification how answers are got: {@code replay} takes them from the recordings, {@code
-   *     handoff:FOLDER} asks a person through files in that folder
+   *     handoff:FOLDER} asks a person through files in that folder for what is not recorded
    * @param model which model is asked, as {@code PROVIDER/NAME}; a name alone stands for a model
    *     that a person asks. It is part of what identifies a recording
    * @param recordings the folder of the recordings, {@code TASK/NAME-KEY.json} in the format {@code
@@ -36,7 +36,8 @@ public final class ChatModels {
       return new ReplayModel(name, folder);
     }
     if (specification.startsWith(HANDOFF) && specification.length() > HANDOFF.length()) {
-      ChatModel person = new HandoffModel(name, folder(specification.substring(HANDOFF.length())));
+      ChatModel person =
+          new HandoffModel(name, folder(specification.substring(HANDOFF.length())), folder);
       return record ? new RecordingModel(person, name, folder, Clock.systemUTC()) : person;
     }
     throw input(

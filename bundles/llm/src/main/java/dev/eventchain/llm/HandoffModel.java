@@ -12,25 +12,45 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Asks a person: writes each prompt to {@code TASK-NN.prompt.md} and goes on once {@code
- * TASK-NN.answer.md} is there. A prompt is known by its key, so an answer is only ever taken for
- * the prompt that it was given to, in whatever order prompts come; a changed prompt gets a new
- * number, and nothing that lies in the folder is overwritten.
+ * Asks a person for what is not recorded: writes each prompt to {@code TASK-NN.prompt.md} and goes
+ * on once {@code TASK-NN.answer.md} is there. A prompt is known by its key, so an answer is only
+ * ever taken for the prompt that it was given to, in whatever order prompts come; a changed prompt
+ * gets a new number, and nothing that lies in the folder is overwritten.
  */
 final class HandoffModel implements ChatModel {
   private final ModelName model;
   private final Path folder;
+  private final RecordingFolder recordings;
   private final CallCounter calls = new CallCounter();
 
-  HandoffModel(ModelName model, Path folder) {
+  /**
+   * A model that a person answers for.
+   *
+   * @param folder where prompts and answers are exchanged
+   * @param recordings answers that there are already
+   */
+  HandoffModel(ModelName model, Path folder, RecordingFolder recordings) {
     this.model = model;
     this.folder = folder;
+    this.recordings = recordings;
   }
 
   @Override
   public synchronized ChatResponse chat(ChatRequest request) {
     RequestKey key = RequestKey.of(RequestJson.of(model, request));
     int earlier = calls.next(request.task() + " " + key.value());
+    Optional<ChatResponse> recorded = recorded(request, key, earlier);
+    return recorded.isPresent() ? recorded.get() : ask(request, key, earlier);
+  }
+
+  private Optional<ChatResponse> recorded(ChatRequest request, RequestKey key, int earlier) {
+    return recordings
+        .find(request.task(), model, key)
+        .filter(recording -> earlier < recording.samples().size())
+        .map(recording -> recording.samples().get(earlier).response());
+  }
+
+  private ChatResponse ask(ChatRequest request, RequestKey key, int earlier) {
     String name = name(request.task(), key, earlier);
     Path prompt = promptFile(name);
     Path answer = answerFile(name);

@@ -1,6 +1,7 @@
 package dev.eventchain.llm;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -150,6 +151,21 @@ class HandoffTest {
         assertThrows(DiagnosticException.class, () -> replay.chat(request("same")));
     assertEquals("llm.recording.exhausted", exhausted.diagnostics().get(0).id());
     assertEquals("one", replay().chat(request("same")).text());
+  }
+
+  @Test
+  void whatIsRecordedIsNotAskedForAgain() throws IOException {
+    assertWaiting(run(true), "first");
+    answer("design-01", "one");
+    run(true).chat(request("first"));
+    Files.delete(handoff.resolve("design-01.answer.md"));
+    Files.delete(handoff.resolve("design-01.prompt.md"));
+    ChatModel again = run(false);
+    assertEquals("one", again.chat(request("first")).text());
+    assertFalse(Files.exists(handoff.resolve("design-01.prompt.md")));
+    assertWaiting(again, "first");
+    assertTrue(Files.exists(handoff.resolve("design-01.prompt.md")));
+    assertWaiting(again, "second");
   }
 
   @Test

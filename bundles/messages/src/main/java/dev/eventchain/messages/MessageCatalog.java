@@ -104,6 +104,11 @@ public final class MessageCatalog {
     return names;
   }
 
+  /** The full names of the types in the user's folders. */
+  public SortedSet<String> ownNames() {
+    return new TreeSet<>(files.keySet());
+  }
+
   /**
    * Everything that is wrong with the definitions in the user's folders; definitions that nobody
    * can use because of their place or name ({@code message.place}) are warned of.

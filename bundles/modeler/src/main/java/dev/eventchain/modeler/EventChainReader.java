@@ -28,6 +28,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.Set;
@@ -35,6 +36,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
+import org.eclipse.emf.ecore.EAttribute;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
@@ -55,6 +57,12 @@ public final class EventChainReader {
 
   private static final NumberRange NOT_NEGATIVE = NumberRange.atLeast(0);
 
+  private static final List<EAttribute> BUDGETS =
+      List.of(
+          Literals.SOFTWARE_NODE__BEST_CASE_EXECUTION_TIME,
+          Literals.SOFTWARE_NODE__WORST_CASE_EXECUTION_TIME,
+          Literals.SOFTWARE_NODE__MEMORY);
+
   private static final String EXTERNAL = "external";
 
   /** The properties of a topic that become features of each of its values. */
@@ -69,7 +77,9 @@ public final class EventChainReader {
           Literals.DATA__NAME, "name",
           Literals.DATA__FIELD_NAME, "field",
           Literals.DATA__TYPE, "type",
-          Literals.DATA__UNIT, "unit");
+          Literals.DATA__UNIT, "unit",
+          Literals.DATA__MAXIMUM_AGE, "maximum_age",
+          Literals.DATA__SAFE_VALUE, "safe_value");
 
   private static final Map<EStructuralFeature, String> COMPONENT =
       Map.of(
@@ -117,6 +127,30 @@ public final class EventChainReader {
       Optional<SoftwareBase.Component> existing = base.find(node.getName());
       node.setOrigin(existing.isPresent() ? ComponentOrigin.EXISTING : ComponentOrigin.GENERATED);
       existing.ifPresent(component -> node.setImplementation(component.implementation()));
+    }
+  }
+
+  /**
+   * Adds what components may cost, which language models are not asked for: as a description of the
+   * chain states it, else as the software base does.
+   *
+   * @param described the chain as its description gives it directly
+   */
+  public static void addBudgets(EventChain chain, EventChain described, SoftwareBase base) {
+    for (SoftwareNode node : chain.getSoftware()) {
+      described.getSoftware().stream()
+          .filter(other -> Objects.equals(other.getName(), node.getName()))
+          .findFirst()
+          .ifPresent(other -> addBudgets(node, other));
+      base.described(String.valueOf(node.getName())).ifPresent(other -> addBudgets(node, other));
+    }
+  }
+
+  private static void addBudgets(SoftwareNode node, SoftwareNode from) {
+    for (EAttribute budget : BUDGETS) {
+      if (!node.eIsSet(budget) && from.eIsSet(budget)) {
+        node.eSet(budget, from.eGet(budget));
+      }
     }
   }
 

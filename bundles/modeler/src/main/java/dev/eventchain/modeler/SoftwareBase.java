@@ -9,6 +9,7 @@ import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.metamodel.PythonNames;
 import dev.eventchain.metamodel.Signal;
 import dev.eventchain.metamodel.eventchain.ComponentImplementation;
+import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainFactory;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
@@ -19,8 +20,12 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
+import java.util.SortedSet;
+import java.util.TreeSet;
 import java.util.function.BiFunction;
+import java.util.stream.Collectors;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
@@ -144,6 +149,19 @@ public final class SoftwareBase {
     return signals;
   }
 
+  /** The message types that the components read and write, as they are written there. */
+  public SortedSet<String> messageTypes() {
+    return described.getData().stream()
+        .map(Data::getMessageType)
+        .filter(Objects::nonNull)
+        .collect(Collectors.toCollection(TreeSet::new));
+  }
+
+  /** The description of a component, of which a chain states what it uses. */
+  Optional<SoftwareNode> described(String name) {
+    return described.getSoftware().stream().filter(node -> node.getName().equals(name)).findFirst();
+  }
+
   /** What is wrong with the files. */
   public List<Diagnostic> diagnostics() {
     return diagnostics;
@@ -167,9 +185,7 @@ public final class SoftwareBase {
       EventChain chain, BiFunction<EObject, EStructuralFeature, SourceLocation> locator) {
     List<Diagnostic> found = new ArrayList<>();
     for (SoftwareNode node : chain.getSoftware()) {
-      described.getSoftware().stream()
-          .filter(existing -> existing.getName().equals(node.getName()))
-          .findFirst()
+      described(String.valueOf(node.getName()))
           .ifPresent(existing -> new ReuseCheck(existing, node, locator, found).check());
     }
     return found;

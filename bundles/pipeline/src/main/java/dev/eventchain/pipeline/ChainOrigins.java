@@ -108,6 +108,7 @@ final class ChainOrigins {
             configuration.name(),
             requirements,
             OptionalDouble.empty());
+    EventChainReader.addBudgets(direct.root(), direct.root(), run.softwareBase());
     complete(run, direct.root());
     return direct;
   }

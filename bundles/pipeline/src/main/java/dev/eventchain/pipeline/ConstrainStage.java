@@ -2,19 +2,33 @@ package dev.eventchain.pipeline;
 
 import dev.eventchain.agents.AgentResult;
 import dev.eventchain.agents.ConstrainAgent;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.metamodel.XmiStore;
+import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
+import dev.eventchain.modeler.Modeled;
 import dev.eventchain.modeler.Requirements;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 
-/** Design rules to {@code generated.ocl}. A project without design rules has none. */
+/**
+ * Design rules to {@code generated.ocl}. A project without design rules has none. The chain that
+ * they are about is that of its description, which needs no language model, or the one that people
+ * edit.
+ */
 final class ConstrainStage implements StageWork {
 
   @Override
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
     AgentReport.fingerprint(run, Stage.CONSTRAIN, fingerprint);
-    fingerprint.addFile(run.project().designRulesFile()).addFile(run.model());
+    fingerprint.addFile(run.project().designRulesFile());
+    Optional<Path> edited = run.project().editedModel();
+    edited.ifPresent(fingerprint::addFile);
+    if (edited.isEmpty()) {
+      fingerprint.addFile(run.file(DesignStage.FILE)).addFile(run.project().requirements());
+    }
   }
 
   @Override
@@ -31,7 +45,7 @@ final class ConstrainStage implements StageWork {
                 XmiStore.eventchainEcore(),
                 List.of(EventchainPackage.eINSTANCE),
                 rules.get(),
-                List.of(run.chain().chain()));
+                List.of(chain(run)));
     run.write(Constraints.GENERATED, constrained.text());
     return new StageResult(
         "OCL from "
@@ -41,5 +55,18 @@ final class ConstrainStage implements StageWork {
         List.of(Constraints.GENERATED),
         constrained.diagnostics(),
         AgentReport.of(run, Stage.CONSTRAIN, List.of(constrained)));
+  }
+
+  private static EventChain chain(RunContext run) {
+    Optional<Path> edited = run.project().editedModel();
+    if (edited.isPresent()) {
+      return run.loadChain(edited.get()).chain();
+    }
+    Modeled<EventChain> direct =
+        ChainOrigins.direct(run, run.required(DesignStage.FILE, Stage.DESIGN));
+    if (Diagnostic.anyError(direct.diagnostics())) {
+      throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, direct.diagnostics());
+    }
+    return direct.root();
   }
 }

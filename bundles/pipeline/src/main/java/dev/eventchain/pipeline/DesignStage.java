@@ -18,7 +18,8 @@ final class DesignStage implements StageWork {
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
     Project project = run.project();
     AgentReport.fingerprint(run, Stage.DESIGN, fingerprint);
-    fingerprint.addFile(project.requirements()).addFiles(project.softwareBaseFiles());
+    fingerprint.addFile(project.requirements()).addFile(project.designRulesFile());
+    fingerprint.addFiles(project.softwareBaseFiles());
     fingerprint.addFiles(project.messageFiles());
     project.editedModel().ifPresent(fingerprint::addFile);
     fingerprint.addFiles(project.ownConstraints());
@@ -42,15 +43,14 @@ final class DesignStage implements StageWork {
                 configuration.title(),
                 configuration.frequency(),
                 run.requirements(),
+                run.designRules(),
                 run.softwareBase(),
                 run.messages());
     run.write(FILE, designed.text());
     ObjectNode report = AgentReport.of(run, Stage.DESIGN, List.of(designed));
+    int count = run.requirements().items().size();
     return new StageResult(
-        "event chain from "
-            + run.requirements().items().size()
-            + " requirements"
-            + AgentReport.repairs(List.of(designed)),
+        "event chain from " + count + " requirements" + AgentReport.repairs(List.of(designed)),
         List.of(FILE),
         designed.diagnostics(),
         report);

@@ -8,6 +8,7 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
+import dev.eventchain.modeler.EventChainReader;
 import dev.eventchain.modeler.InstanceModeler;
 import dev.eventchain.modeler.Modeled;
 import java.nio.file.Path;
@@ -47,10 +48,11 @@ final class ModelStage implements StageWork {
       return StageResult.of(
           words(direct.root()) + ", directly", List.of(FILE), direct.diagnostics());
     }
-    return modelByAgent(run, SourceText.read(description));
+    return modelByAgent(run, SourceText.read(description), direct.root());
   }
 
-  private static StageResult modelByAgent(RunContext run, SourceText description) {
+  private static StageResult modelByAgent(
+      RunContext run, SourceText description, EventChain direct) {
     AgentResult answered =
         new ModelAgent(run.agent(Stage.MODEL))
             .model(
@@ -60,6 +62,7 @@ final class ModelStage implements StageWork {
                 run.requirements(),
                 run.softwareBase());
     EventChain chain = instance(answered.text());
+    EventChainReader.addBudgets(chain, direct, run.softwareBase());
     ChainOrigins.complete(run, chain);
     run.write(FILE, XmiStore.toBytes(chain));
     return new StageResult(

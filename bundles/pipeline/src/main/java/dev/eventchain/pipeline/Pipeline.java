@@ -93,7 +93,7 @@ public final class Pipeline {
       if (stage == Stage.REPORT) {
         break;
       }
-      boolean wanted = run.options().runs(stage) && failure.isEmpty();
+      boolean wanted = run.options().runs(stage) && (failure.isEmpty() || asksMeanwhile(stage));
       StageOutcome outcome = wanted ? runGuarded(stage) : notRun(stage);
       outcomes.put(stage, outcome);
       progress.ended(stage, outcome.status(), outcome.duration(), outcome.details());
@@ -110,6 +110,16 @@ public final class Pipeline {
       standing.putReportBack();
     }
     return result;
+  }
+
+  /**
+   * Whether a stage asks for something that does not depend on the answer that another one waits
+   * for: a person who is asked for components may as well be asked for the rest.
+   */
+  private boolean asksMeanwhile(Stage stage) {
+    return failure.equals(Optional.of(DiagnosticException.Reason.WAITING))
+        && (stage == Stage.MODEL || stage == Stage.CONSTRAIN)
+        && outcomes.get(Stage.DESIGN).status() != Status.FAILED;
   }
 
   /** The verdict of before stands again if a simulation now would have nothing to do. */

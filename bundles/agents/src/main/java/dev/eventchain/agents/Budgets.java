@@ -1,0 +1,39 @@
+package dev.eventchain.agents;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.JsonLayout;
+import dev.eventchain.modeler.JsonDocument;
+import java.util.Set;
+
+/**
+ * What components may cost, in descriptions of components. It says nothing of what they do, so
+ * prompts leave it out: a new budget asks nobody for a new answer.
+ */
+final class Budgets {
+  private static final Set<String> KEYS =
+      Set.of("best_case_execution_time", "worst_case_execution_time", "memory");
+
+  private Budgets() {}
+
+  /** The same components without budgets. */
+  static String without(SourceText components) {
+    JsonNode json = JsonDocument.parse(components).root().deepCopy();
+    json.forEach(Budgets::remove);
+    return JsonLayout.of(json) + "\n";
+  }
+
+  /** The same component without budgets. */
+  static JsonNode without(JsonNode component) {
+    JsonNode copy = component.deepCopy();
+    remove(copy);
+    return copy;
+  }
+
+  private static void remove(JsonNode component) {
+    if (component instanceof ObjectNode object) {
+      object.remove(KEYS);
+    }
+  }
+}

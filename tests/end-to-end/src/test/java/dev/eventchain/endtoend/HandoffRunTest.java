@@ -1,0 +1,84 @@
+package dev.eventchain.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What a run asks a person, and what it need not ask. */
+class HandoffRunTest {
+
+  @TempDir Path folder;
+  private Path project;
+
+  @BeforeEach
+  void copyExample() throws IOException {
+    project = Program.exampleIn(folder);
+  }
+
+  @Test
+  void promptsThatDoNotWaitForEachOtherAreWrittenAtOnce() throws IOException {
+    forget("implement", "model", "constrain");
+    run().expect(4).says("llm.handoff.waiting");
+    assertEquals(
+        List.of(
+            "constrain-01.prompt.md",
+            "implement-01.prompt.md",
+            "implement-02.prompt.md",
+            "model-01.prompt.md"),
+        prompts());
+  }
+
+  @Test
+  void whatIsRecordedIsNotAskedFor() throws IOException {
+    forget("model");
+    run().expect(4);
+    assertEquals(List.of("model-01.prompt.md"), prompts());
+    assertTrue(Files.exists(project.resolve("out/generated.ocl")));
+  }
+
+  @Test
+  void nothingIsAskedBeforeTheDesignIsThere() throws IOException {
+    forget("design", "implement", "model", "constrain");
+    run().expect(4);
+    assertEquals(List.of("design-01.prompt.md"), prompts());
+  }
+
+  @Test
+  void aModelThatIsMadeDirectlyHasNoPrompt() throws IOException {
+    forget("model");
+    Path configuration = project.resolve("eventchain.yaml");
+    String text = Files.readString(configuration);
+    Files.writeString(configuration, text.replace("model: authored", "model: direct"));
+    new Program().run("run", project, "--to", "model").expect(0).says(", directly");
+    assertTrue(Files.exists(project.resolve("out/chain.xmi")));
+  }
+
+  private Program.Ended run() {
+    return new Program().run("run", project, "--llm", "handoff:" + folder.resolve("handoff"));
+  }
+
+  private List<String> prompts() throws IOException {
+    try (Stream<Path> files = Files.list(folder.resolve("handoff"))) {
+      return files.map(file -> file.getFileName().toString()).sorted().toList();
+    }
+  }
+
+  private void forget(String... tasks) throws IOException {
+    for (String task : tasks) {
+      try (Stream<Path> files = Files.walk(project.resolve("recordings").resolve(task))) {
+        for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+          Files.delete(file);
+        }
+      }
+    }
+  }
+}
