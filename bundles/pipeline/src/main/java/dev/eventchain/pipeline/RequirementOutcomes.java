@@ -8,6 +8,7 @@ import dev.eventchain.simulation.ScenarioVerdict;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 
 /** What the scenarios say of the requirements that they name. */
 final class RequirementOutcomes {
@@ -27,23 +28,31 @@ final class RequirementOutcomes {
 
   private RequirementOutcomes() {}
 
-  /** The id and the outcome of each requirement, in their order. */
-  static ArrayNode of(List<Requirements.Item> requirements, List<ScenarioVerdict> verdicts) {
+  /**
+   * The id and the outcome of each requirement, in their order.
+   *
+   * @param unread ids of those that no criterion can prove, see {@link ProjectScenarios#unread}
+   */
+  static ArrayNode of(
+      List<Requirements.Item> requirements, List<ScenarioVerdict> verdicts, Set<String> unread) {
     ArrayNode outcomes = JsonNodeFactory.instance.arrayNode();
     for (Requirements.Item item : requirements) {
       List<ScenarioVerdict> about =
           verdicts.stream().filter(each -> each.requirements().contains(item.id())).toList();
-      outcomes.addObject().put("id", item.id()).put("outcome", outcome(about).words());
+      outcomes
+          .addObject()
+          .put("id", item.id())
+          .put("outcome", outcome(about, unread.contains(item.id())).words());
     }
     return outcomes;
   }
 
-  private static Outcome outcome(List<ScenarioVerdict> verdicts) {
+  private static Outcome outcome(List<ScenarioVerdict> verdicts, boolean unread) {
     if (verdicts.stream().anyMatch(each -> each.tested() && !each.passed())) {
       return Outcome.VIOLATED;
     }
     boolean proved = !verdicts.isEmpty() && verdicts.stream().allMatch(ScenarioVerdict::passed);
-    return proved ? Outcome.PROVED : Outcome.NOT_TESTED;
+    return proved && !unread ? Outcome.PROVED : Outcome.NOT_TESTED;
   }
 
   /**

@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline;
 
+import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -57,9 +58,8 @@ final class SimulateStage implements StageWork {
     EventChain chain = run.chain().chain();
     List<Scenario> scenarios = ProjectScenarios.selected(run);
     List<Diagnostic> found = connections(run, chain);
-    SimulationResult result = simulate(run, chain, scenarios);
+    SimulationResult result = simulate(run, chain, scenarios, found);
     EventChain measured = result.measuredModel(chain);
-    addFindings(result, found);
     Function<EObject, SourceLocation> locator = new Origins()::locate;
     Coverage ecore = Coverage.NONE;
     if (!run.options().isPartial()) {
@@ -71,16 +71,17 @@ final class SimulateStage implements StageWork {
       found.addAll(reread.ecore().diagnostics());
       ecore = reread.ecore().coverage();
     }
+    ArrayNode outcomes = outcomes(run, chain, scenarios, result);
     OclResult validation = Constraints.of(run).check(measured, locator);
     found.addAll(validation.diagnostics());
     if (!run.options().isPartial()) {
-      found.addAll(ProjectScenarios.untested(run, scenarios));
+      found.addAll(ProjectScenarios.untested(run, chain, scenarios));
       found.addAll(unmeasured(chain, result, run.chain()::locate));
       // Last, so that it is never there without what it is about.
-      run.writeResult(VERDICT, verdict(run, chain, result, found));
+      run.writeResult(VERDICT, verdict(run, chain, result, found, outcomes));
     }
     Coverage coverage = Constraints.coverage(List.of(measuredFile(run)), validation).and(ecore);
-    ObjectNode report = report(run, result, validation);
+    ObjectNode report = report(run, result, validation, outcomes);
     return new StageResult(details(result), results(run), found, report, coverage);
   }
 
@@ -104,20 +105,22 @@ final class SimulateStage implements StageWork {
     return SourceLocation.of(run.file(MEASURED_MODEL)).file();
   }
 
-  private static ObjectNode report(RunContext run, SimulationResult result, OclResult validation) {
+  private static ObjectNode report(
+      RunContext run, SimulationResult result, OclResult validation, ArrayNode outcomes) {
     ObjectNode report = SimulationReport.of(result);
     if (!run.options().isPartial()) {
-      report.set(
-          "requirements",
-          RequirementOutcomes.of(ProjectScenarios.requirements(run), result.verdicts()));
+      report.set("requirements", outcomes);
     }
     report.set("validation", Constraints.report(measuredFile(run), validation));
     return report;
   }
 
-  private static void addFindings(SimulationResult result, List<Diagnostic> found) {
-    found.addAll(result.diagnostics());
-    result.verdicts().forEach(verdict -> found.addAll(verdict.diagnostics()));
+  private static ArrayNode outcomes(
+      RunContext run, EventChain chain, List<Scenario> scenarios, SimulationResult result) {
+    return RequirementOutcomes.of(
+        ProjectScenarios.requirements(run),
+        result.verdicts(),
+        ProjectScenarios.unread(chain, scenarios).keySet());
   }
 
   /** A bound on a time that was never measured is not kept, but not tested. */
@@ -150,12 +153,13 @@ final class SimulateStage implements StageWork {
 
   /** A verdict must not be better than the run that reached it. */
   private static byte[] verdict(
-      RunContext run, EventChain chain, SimulationResult result, List<Diagnostic> found) {
+      RunContext run,
+      EventChain chain,
+      SimulationResult result,
+      List<Diagnostic> found,
+      ArrayNode outcomes) {
     return SimulationReport.verdict(
-        chain,
-        result,
-        ProjectScenarios.requirements(run),
-        run.options().suppressions().part(found));
+        chain, result, outcomes, run.options().suppressions().part(found));
   }
 
   private static String details(SimulationResult result) {
@@ -167,6 +171,15 @@ final class SimulateStage implements StageWork {
         result.verdicts().size(),
         result.host().realTimeFactor(),
         result.host().confinement());
+  }
+
+  /** Simulates, and adds what was found. */
+  private static SimulationResult simulate(
+      RunContext run, EventChain chain, List<Scenario> scenarios, List<Diagnostic> found) {
+    SimulationResult result = simulate(run, chain, scenarios);
+    found.addAll(result.diagnostics());
+    result.verdicts().forEach(verdict -> found.addAll(verdict.diagnostics()));
+    return result;
   }
 
   private static SimulationResult simulate(

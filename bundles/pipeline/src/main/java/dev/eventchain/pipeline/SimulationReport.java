@@ -11,7 +11,6 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.metamodel.eventchain.EventChain;
-import dev.eventchain.modeler.Requirements;
 import dev.eventchain.simulation.Measurements;
 import dev.eventchain.simulation.ScenarioVerdict;
 import dev.eventchain.simulation.SimulationResult;
@@ -53,15 +52,12 @@ final class SimulationReport {
   /**
    * The content of {@code verdict.json}: the same bytes for the same nodes and scenarios.
    *
-   * @param requirements the project's
+   * @param outcomes what the scenarios say of each requirement
    * @param found all findings, of the scenarios and of what was measured, parted by what people
    *     have decided to live with: a scenario that did not pass has one
    */
   static byte[] verdict(
-      EventChain chain,
-      SimulationResult result,
-      List<Requirements.Item> requirements,
-      Suppressions.Parted found) {
+      EventChain chain, SimulationResult result, ArrayNode outcomes, Suppressions.Parted found) {
     List<Diagnostic> errors =
         found.remaining().stream().filter(each -> each.severity() == Severity.ERROR).toList();
     boolean accepted = result.passed() || !found.suppressed().isEmpty();
@@ -79,7 +75,7 @@ final class SimulationReport {
     if (!violated.isEmpty()) {
       json.set("violated", violated);
     }
-    json.set("requirements", RequirementOutcomes.of(requirements, result.verdicts()));
+    json.set("requirements", outcomes);
     ArrayNode scenarios = json.putArray("scenarios");
     result.verdicts().forEach(verdict -> outcome(scenarios.addObject(), verdict));
     return pretty(json);

@@ -148,7 +148,7 @@ final class BenchReader {
     String wanted = direction == Direction.PROVIDED ? "provided" : "consumed";
     boolean isDeclared =
         declared.find(topic).filter(signal -> signal.direction() == direction).isPresent();
-    if (declared.isEmpty() || isDeclared) {
+    if (declared.isEmpty() || isDeclared || isOfItsOwn(topic, direction)) {
       return;
     }
     problems.add(
@@ -157,6 +157,13 @@ final class BenchReader {
                 "signals.json has no " + wanted + " signal " + topic + ".",
                 place)
             .withHint(NearestName.hint(topic, declared.names(direction))));
+  }
+
+  /** A signal that leaves the chain may be observed, unless it is another one by a wrong name. */
+  private boolean isOfItsOwn(String topic, Direction direction) {
+    return direction == Direction.CONSUMED
+        && declared.find(topic).isEmpty()
+        && NearestName.of(topic, declared.names()).isEmpty();
   }
 
   /** The full name of a topic as it is written. */

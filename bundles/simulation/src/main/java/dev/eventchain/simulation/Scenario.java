@@ -9,6 +9,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
 
@@ -150,6 +151,11 @@ public final class Scenario {
   /** What people do with the inputs of the bench, by their names. */
   Map<String, Script> inputs() {
     return inputs;
+  }
+
+  /** The names of the signals that its criteria read, {@code /topic.field} for those of topics. */
+  public Set<String> reads() {
+    return signals().stream().map(Signal::name).collect(Collectors.toCollection(TreeSet::new));
   }
 
   /** The signals that its formulas read. */

@@ -142,6 +142,24 @@ class OwnFunctionTest {
   }
 
   @Test
+  void signalThatLeavesTheChainIsProvedByACriterionOnItsValueOnly() throws IOException {
+    replace(
+        CHAIN,
+        "topicName=\"/cluster/collision_warning\"",
+        "topicName=\"/cluster/collision_warning\" external=\"true\" satisfies=\"//@requirements.1\"");
+    run().expect(0).says("PASSED: 2 of 2 scenarios passed, 4 requirements proved");
+    replace(SCENARIO, "/cluster/collision_warning.data", "gap < 80 m");
+    run()
+        .expect(1)
+        .says("requirements.md:3:")
+        .says("No criterion reads /cluster/collision_warning.data, which leaves the chain")
+        .says("[project.requirement.untested RAD-2]")
+        .says("INCOMPLETE: 2 of 2 scenarios passed, but not all was tested")
+        .says("3 requirements proved, 1 not tested, 1 error");
+    notPassed();
+  }
+
+  @Test
   void whatPeopleDecidedToLiveWithIsAcceptedByConsoleAndFileAlike() throws IOException {
     replace(SCENARIO, "ttc < 2.5 s implies", "ttc < 2.5 s and ego.speed > 60 km/h implies");
     Files.writeString(

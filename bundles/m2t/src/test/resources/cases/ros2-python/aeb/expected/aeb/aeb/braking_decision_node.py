@@ -84,7 +84,7 @@ class Braking_Decision_node(rclpy.node.Node):
         """The inputs that came too long ago."""
         now = self.get_clock().now().nanoseconds
         ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
-        return [name for name, age in ages.items() if not 0.0 <= age <= MAXIMUM_AGE[name]]
+        return [key for key, age in ages.items() if not 0 <= age <= MAXIMUM_AGE[key]]
 
     def execute(self):
         """Execute the component as soon as every input has arrived, and publish what it returns."""
