@@ -148,6 +148,14 @@ public final class ProjectStart {
 
   private void write(String name, String text) {
     Path file = folder.resolve(name);
+    for (Path parent = file.getParent(); !parent.equals(folder); parent = parent.getParent()) {
+      if (Files.isSymbolicLink(parent)) {
+        throw refused(
+            "project.foreign",
+            folder.relativize(parent) + " is a link that leads elsewhere.",
+            "Replace it by a folder: nothing is written outside of the project.");
+      }
+    }
     try {
       Files.createDirectories(file.getParent());
       Files.writeString(file, text, StandardOpenOption.CREATE_NEW);

@@ -3,10 +3,12 @@ package dev.eventchain.simulation;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.RosNames;
+import dev.eventchain.messages.Unit;
 import dev.eventchain.metamodel.Signal.Direction;
 import dev.eventchain.metamodel.TopicIndex;
 import dev.eventchain.metamodel.TopicIndex.Endpoint;
 import dev.eventchain.metamodel.TopicIndex.Topic;
+import dev.eventchain.metamodel.eventchain.ComponentImplementation;
 import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.simulation.Bench.Consumed;
@@ -14,8 +16,12 @@ import dev.eventchain.simulation.Bench.Effect;
 import dev.eventchain.simulation.Bench.Field;
 import dev.eventchain.simulation.Bench.Provided;
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import org.eclipse.emf.ecore.EObject;
@@ -48,7 +54,9 @@ final class BenchCheck {
       }
     }
     bench.consumed().values().forEach(this::checkRequired);
+    bench.consumed().values().forEach(this::checkWritten);
     checkAnythingTaken();
+    checkConflicts();
     return List.copyOf(found);
   }
 
@@ -82,9 +90,15 @@ final class BenchCheck {
 
   private void checkField(Provided provided, Data data) {
     String path = data.getFieldName();
+    checkType(data, provided.topic(), provided.type());
     if (path == null || provided.lidar() || isStamp(path)) {
       return;
     }
+    provided.fields().stream()
+        .filter(field -> field.path().equals(path))
+        .map(Field::source)
+        .filter(Bench.Quantity.class::isInstance)
+        .forEach(source -> checkUnit(data, provided.topic(), ((Bench.Quantity) source).unit()));
     boolean set =
         provided.fields().stream().map(Field::path).anyMatch(it -> RosNames.overlap(it, path));
     if (!set) {
@@ -94,6 +108,46 @@ final class BenchCheck {
               .formatted(path, provided.topic()),
           data,
           "Give it a source in bench.yaml, or a constant if it is always the same.");
+    }
+  }
+
+  /** Both ends must mean the same number; signals.json, which else tells them, may say nothing. */
+  private void checkUnit(Data data, String topic, Unit unit) {
+    Optional<Unit> other = Optional.ofNullable(data.getUnit()).flatMap(Unit::parse);
+    if (other.isPresent() && other.get().relationTo(unit) != Unit.Relation.SAME) {
+      find(
+          "bench.unit",
+          "'%s' of %s is in %s here, but in another unit in the bench."
+              .formatted(data.getFieldName(), topic, data.getUnit()),
+          data,
+          "Write the same unit in signals.json, the bench and the component.");
+    }
+  }
+
+  private void checkType(Data data, String topic, String type) {
+    String other = data.getMessageType();
+    if (other != null && !RosNames.fullMessageType(other).equals(type)) {
+      find(
+          "bench.type",
+          "The messages of %s are %s here, but %s in the bench.".formatted(topic, other, type),
+          data,
+          "Write the same type in both.");
+    }
+  }
+
+  private void checkWritten(Consumed consumed) {
+    for (Topic topic : topics.find(consumed.topic()).stream().toList()) {
+      for (Endpoint writer : topic.publishers()) {
+        for (Data data : writer.data()) {
+          checkType(data, consumed.topic(), consumed.type());
+          consumed.fields().stream()
+              .filter(effect -> effect.actuator().isPresent())
+              .filter(effect -> effect.path().equals(data.getFieldName()))
+              .forEach(
+                  effect ->
+                      checkUnit(data, consumed.topic(), Unit.parse(effect.unit()).orElseThrow()));
+        }
+      }
     }
   }
 
@@ -120,17 +174,20 @@ final class BenchCheck {
     }
   }
 
+  /** The paths of a topic's fields that simulated components write. */
+  private List<String> written(Consumed consumed) {
+    return topics.find(consumed.topic()).stream()
+        .flatMap(topic -> topic.publishers().stream())
+        .filter(writer -> writer.node().getImplementation() == ComponentImplementation.COMPONENT)
+        .flatMap(endpoint -> endpoint.data().stream())
+        .map(Data::getFieldName)
+        .filter(path -> path != null)
+        .toList();
+  }
+
   private void checkRequired(Consumed consumed) {
-    List<String> written =
-        topics.find(consumed.topic()).stream()
-            .flatMap(topic -> topic.publishers().stream())
-            .flatMap(endpoint -> endpoint.data().stream())
-            .map(Data::getFieldName)
-            .filter(path -> path != null)
-            .toList();
     for (Effect effect : consumed.fields()) {
-      if (effect.required()
-          && written.stream().noneMatch(it -> RosNames.overlap(it, effect.path()))) {
+      if (effect.required() && !isWritten(consumed, effect)) {
         found.add(
             Diagnostic.error(
                     "bench.field.unwritten",
@@ -156,6 +213,43 @@ final class BenchCheck {
                   bench.location())
               .withHint("Say under `consumes` of bench.yaml what the vehicle takes."));
     }
+  }
+
+  /** What one file lets drive the same thing is refused when it is read; here it is about two. */
+  private void checkConflicts() {
+    Map<Actuator, String> driven = new EnumMap<>(Actuator.class);
+    for (Consumed consumed : bench.consumed().values()) {
+      for (Effect effect : consumed.fields()) {
+        Set<String> others = new TreeSet<>();
+        if (effect.actuator().isPresent() && isWritten(consumed, effect)) {
+          Actuator actuator = effect.actuator().get();
+          driven.forEach(
+              (other, topic) -> {
+                if (other.excludes(actuator)) {
+                  others.add(topic);
+                }
+              });
+          driven.putIfAbsent(actuator, consumed.topic());
+        }
+        others.remove(consumed.topic());
+        others.forEach(other -> find(consumed, effect, other));
+      }
+    }
+  }
+
+  private boolean isWritten(Consumed consumed, Effect effect) {
+    return written(consumed).stream().anyMatch(it -> RosNames.overlap(it, effect.path()));
+  }
+
+  private void find(Consumed consumed, Effect effect, String other) {
+    found.add(
+        Diagnostic.error(
+                "bench.actuator.conflict",
+                "'%s' of %s drives %s, and so does %s: the vehicle can follow one of them only."
+                    .formatted(
+                        effect.path(), consumed.topic(), effect.actuator().get().id(), other),
+                effect.location())
+            .withHint("Let one of them be `observed`."));
   }
 
   private void find(String id, String message, Data place, String hint) {

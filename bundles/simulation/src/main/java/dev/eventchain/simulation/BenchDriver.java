@@ -77,9 +77,10 @@ final class BenchDriver {
 
   /** A topic that is received. */
   private record Receiver(
-      Topic topic, MessageType type, Optional<Consumed> consumed, List<Signal> recorded) {}
+      Topic topic, MessageType type, List<Effect> effects, List<Signal> recorded) {}
 
   private final MessageCatalog catalog;
+  private final NodeSetup setup;
   private final Bench bench;
   private final Scenario scenario;
   private final ChainSignals chain;
@@ -96,6 +97,7 @@ final class BenchDriver {
    *     message type is not defined, or is not as the bench needs it
    */
   BenchDriver(NodeSetup setup, Scenario scenario) {
+    this.setup = setup;
     this.catalog = setup.catalog();
     this.bench = setup.bench();
     this.scenario = scenario;
@@ -125,7 +127,13 @@ final class BenchDriver {
     Topic topic = new Topic(consumed.topic(), consumed.type());
     MessageType type = type(topic);
     checked(topic, () -> consumed.fields().forEach(it -> it.check(MessageValue.of(type))));
-    receivers.add(new Receiver(topic, type, Optional.of(consumed), recorded(consumed.topic())));
+    // What no component writes has the default of its type, which nobody asked for.
+    List<Effect> effects =
+        consumed.fields().stream()
+            .filter(it -> it.actuator().isPresent())
+            .filter(it -> setup.isWritten(consumed.topic(), it.path()))
+            .toList();
+    receivers.add(new Receiver(topic, type, effects, recorded(consumed.topic())));
   }
 
   /** Listens to the topics between components that formulas ask for, or that reports show. */
@@ -141,7 +149,7 @@ final class BenchDriver {
 
   private void observe(Topic topic) {
     if (receivers.stream().noneMatch(it -> it.topic().name().equals(topic.name()))) {
-      receivers.add(new Receiver(topic, type(topic), Optional.empty(), recorded(topic.name())));
+      receivers.add(new Receiver(topic, type(topic), List.of(), recorded(topic.name())));
     }
   }
 
@@ -257,14 +265,10 @@ final class BenchDriver {
     outbound.message().duplicate().get(bytes);
     MessageValue message = CdrCodec.decode(receiver.type(), bytes);
     record(receiver.recorded(), message, outbound.time(), world);
-    boolean commands = false;
-    for (Effect effect : receiver.consumed().map(Consumed::fields).orElse(List.of())) {
-      if (effect.actuator().isPresent()) {
-        commands = true;
-        demands.put(effect.actuator().get(), effect.demand(number(message, effect.path())));
-      }
+    for (Effect effect : receiver.effects()) {
+      demands.put(effect.actuator().get(), effect.demand(number(message, effect.path())));
     }
-    if (commands) {
+    if (!receiver.effects().isEmpty()) {
       world.command(outbound.time(), VehicleCommand.of(demands, scenario.ego()));
     }
   }

@@ -135,6 +135,16 @@ final class BenchFields {
     return new Bench.Constant(plain(value));
   }
 
+  /** Whether it is a text, a truth value, a finite number, or a list of these. */
+  private static boolean isPlain(Object value) {
+    if (value instanceof List<?> list) {
+      return list.stream().allMatch(BenchFields::isPlain);
+    }
+    return value instanceof String
+        || value instanceof Boolean
+        || (value instanceof Number number && Double.isFinite(number.doubleValue()));
+  }
+
   private static Object plain(JsonNode value) {
     if (value.isArray()) {
       List<Object> values = new ArrayList<>();
@@ -143,15 +153,24 @@ final class BenchFields {
     }
     return value.isNumber()
         ? value.numberValue()
-        : value.isBoolean() ? (Object) value.booleanValue() : value.asText();
+        : value.isBoolean()
+            ? (Object) value.booleanValue()
+            : value.isTextual() ? value.textValue() : value;
   }
 
   /** Whether a constant can be the field's value. */
   private static boolean fits(
       ObjectReader part, String path, Source source, Optional<MessageType> message) {
+    if (source instanceof Bench.Constant constant && !isPlain(constant.value())) {
+      part.find("bench.value.range", "This is no value that a field can have.", part.at(path));
+      return false;
+    }
     if (message.isPresent() && source instanceof Bench.Constant constant) {
       try {
-        MessageValue.of(message.get()).set(path, constant.value());
+        Object set = MessageValue.of(message.get()).set(path, constant.value()).get(path);
+        if (set instanceof Float number && number.isInfinite()) {
+          throw new IllegalArgumentException(constant.value() + " is out of the range of float32.");
+        }
       } catch (IllegalArgumentException e) {
         part.find("bench.value.type", e.getMessage(), part.at(path));
         return false;

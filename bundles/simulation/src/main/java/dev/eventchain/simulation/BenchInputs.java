@@ -28,6 +28,7 @@ final class BenchInputs implements Signal.Source {
   private static final String FORMULA = "formula";
   private static final String VALUE = "value";
   private static final String UNIT = "unit";
+  private static final int DEEPEST = 50;
   private static final NumberRange ANY = NumberRange.of(-1e12, 1e12);
 
   private final ObjectReader section;
@@ -80,6 +81,14 @@ final class BenchInputs implements Signal.Source {
     }
     if (reading.contains(name)) {
       throw cycle(name);
+    }
+    if (reading.size() > DEEPEST) {
+      throw new DiagnosticException(
+          DiagnosticException.Reason.INPUT,
+          Diagnostic.error(
+              "bench.value.range",
+              "More than " + DEEPEST + " inputs are computed one from the other.",
+              section.atKey(name)));
     }
     reading.addLast(name);
     Optional<Signal> signal = section.object(name).flatMap(input -> input(name, input));

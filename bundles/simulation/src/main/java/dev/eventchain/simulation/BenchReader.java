@@ -86,7 +86,12 @@ final class BenchReader {
         (name, topic) -> {
           Map<String, String> units = new LinkedHashMap<>();
           topic.fields().forEach(field -> units.put(field.path(), field.unit()));
-          topics.putIfAbsent(name, new BenchSignals.Topic(name, topic.type(), units));
+          if (topics.containsKey(name)) {
+            Map<String, String> said = topics.get(name).units();
+            units.forEach((path, unit) -> said.merge(path, unit, (a, b) -> a.isEmpty() ? b : a));
+          } else {
+            topics.put(name, new BenchSignals.Topic(name, topic.type(), units));
+          }
         });
     return topics;
   }

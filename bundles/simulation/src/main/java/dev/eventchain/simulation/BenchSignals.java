@@ -24,6 +24,9 @@ final class BenchSignals implements Signal.Source {
   /** The meaning of inputs that are not computed. */
   static final String SCRIPTED = "set by scenarios";
 
+  /** Another form of the heading, for messages only. */
+  private static final String QUATERNION = "ego.orientation.";
+
   private static final WorldSignals WORLD = new WorldSignals();
 
   private final Map<String, Signal> inputs;
@@ -69,7 +72,9 @@ final class BenchSignals implements Signal.Source {
   /** What a report tells of a scenario, by name: the world, the inputs, and what formulas read. */
   List<Signal> reported(Scenario scenario) {
     Map<String, Signal> reported = new TreeMap<>();
-    WorldSignals.all().forEach(signal -> reported.put(signal.name(), signal));
+    WorldSignals.all().stream()
+        .filter(signal -> !signal.name().startsWith(QUATERNION))
+        .forEach(signal -> reported.put(signal.name(), signal));
     reported.putAll(inputs);
     scenario.signals().forEach(signal -> reported.put(signal.name(), signal));
     return List.copyOf(reported.values());

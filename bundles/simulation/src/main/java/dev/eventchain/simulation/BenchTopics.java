@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.messages.MessageCatalog;
@@ -15,9 +16,12 @@ import dev.eventchain.simulation.Bench.Provided;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.EnumMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.function.BiConsumer;
 
 /** Reads the sections {@code provides} and {@code consumes} of a bench. */
 final class BenchTopics {
@@ -30,6 +34,10 @@ final class BenchTopics {
   private final DeclaredSignals declared;
   private final Optional<MessageCatalog> catalog;
   private final BenchFields fields;
+
+  /** Where the name of the topic stands that is read. */
+  private SourceLocation place = SourceLocation.NONE;
+
   private final Map<Actuator, Effect> driven = new EnumMap<>(Actuator.class);
 
   /**
@@ -53,39 +61,34 @@ final class BenchTopics {
     section
         .object("provides")
         .ifPresent(
-            part ->
-                part.names()
-                    .forEach(
-                        name -> {
-                          topic(part, name)
-                              .flatMap(topic -> provided(topic, name))
-                              .ifPresent(it -> provided.put(it.topic(), it));
-                        }));
+            part -> topics(part, (name, topic) -> provided.put(name, provided(topic, name))));
     section
         .object("consumes")
         .ifPresent(
-            part ->
-                part.names()
-                    .forEach(
-                        name -> {
-                          topic(part, name)
-                              .flatMap(topic -> consumed(topic, name))
-                              .ifPresent(it -> consumed.put(it.topic(), it));
-                        }));
+            part -> topics(part, (name, topic) -> consumed.put(name, consumed(topic, name))));
     section.refuseOthers();
   }
 
-  private static Optional<ObjectReader> topic(ObjectReader part, String name) {
-    if (!RosNames.isTopic(name) || RosNames.isPrivate(name)) {
-      part.find("bench.value.range", "'" + name + "' is no name of a topic.", part.atKey(name));
-      part.object(name);
-      return Optional.empty();
+  /** Each topic of a section once, by its full name. */
+  private void topics(ObjectReader part, BiConsumer<String, ObjectReader> reader) {
+    Set<String> read = new HashSet<>();
+    for (String written : part.names()) {
+      Optional<ObjectReader> topic = part.object(written);
+      String name = BenchReader.fullName(written);
+      if (!RosNames.isTopic(written) || RosNames.isPrivate(written)) {
+        String message = "'" + written + "' is no name of a topic.";
+        part.find("bench.value.range", message, part.atKey(written));
+      } else if (!read.add(name)) {
+        String message = "The topic " + name + " stands here a second time.";
+        part.find("bench.key.duplicate", message, part.atKey(written));
+      } else {
+        place = part.atKey(written);
+        topic.ifPresent(section -> reader.accept(name, section));
+      }
     }
-    return part.object(name);
   }
 
-  private Optional<Provided> provided(ObjectReader section, String name) {
-    String topic = BenchReader.fullName(name);
+  private Provided provided(ObjectReader section, String topic) {
     double rate = section.requiredNumber("rate_hz", RATE);
     boolean lidar = isLidar(section);
     String type = type(section, topic, lidar ? POINT_CLOUD : "");
@@ -102,7 +105,7 @@ final class BenchTopics {
           "bench.key.missing", "No field of " + topic + " has a source.", section.location());
     }
     section.refuseOthers();
-    return Optional.of(new Provided(topic, type, rate, lidar, read, section.location()));
+    return new Provided(topic, type, rate, lidar, read, place);
   }
 
   private static boolean isEmpty(ObjectReader section) {
@@ -175,8 +178,7 @@ final class BenchTopics {
     }
   }
 
-  private Optional<Consumed> consumed(ObjectReader section, String name) {
-    String topic = BenchReader.fullName(name);
+  private Consumed consumed(ObjectReader section, String topic) {
     String type = type(section, topic, "");
     Optional<MessageType> message = message(section, type);
     List<Effect> effects = new ArrayList<>();
@@ -201,7 +203,7 @@ final class BenchTopics {
               .withHint("Write `observed: true` if the vehicle only receives it."));
     }
     section.refuseOthers();
-    return Optional.of(new Consumed(topic, type, effects, section.location()));
+    return new Consumed(topic, type, effects, place);
   }
 
   private void add(ObjectReader part, Effect effect, List<Effect> effects) {

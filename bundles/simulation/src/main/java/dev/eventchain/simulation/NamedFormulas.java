@@ -43,7 +43,7 @@ final class NamedFormulas {
   private void limit(String key, NumberRange range, String pattern) {
     OptionalDouble limit = section.number(key, range);
     if (limit.isPresent()) {
-      String text = pattern.formatted(plain(limit.getAsDouble()));
+      String text = pattern.formatted(BigDecimal.valueOf(limit.getAsDouble()).toPlainString());
       formulas.parse(section, key, key, text).ifPresent(criteria::add);
     }
   }
@@ -62,7 +62,7 @@ final class NamedFormulas {
             .formatted(plain(from), plain(formulas.duration()), signal, target, band));
   }
 
-  /** A signal that rises to its target goes beyond it by little only. */
+  /** A signal that rises gets to its target, and goes beyond it by little only. */
   private void overshoots(ObjectReader part) {
     String signal = part.requiredText("signal");
     String target = part.requiredText("at");
@@ -71,16 +71,17 @@ final class NamedFormulas {
     add(
         part,
         "%s overshoots %s by %s at most".formatted(signal, target, most),
-        "always (%s) - (%s) <= %s".formatted(signal, target, most));
+        "(eventually abs((%1$s) - (%2$s)) <= %3$s) and (always (%1$s) - (%2$s) <= %3$s)"
+            .formatted(signal, target, most));
   }
 
   private void add(ObjectReader part, String name, String text) {
-    if (!text.contains("()") && !text.endsWith("<= ")) {
+    if (!text.contains("()") && !text.endsWith("<= ") && !text.contains("<= )")) {
       formulas.parse(part, "signal", name, text).ifPresent(criteria::add);
     }
   }
 
-  /** A multiple of 10 ms or cm, without an exponent. */
+  /** A multiple of 10 ms, without an exponent. */
   private static String plain(double number) {
     return BigDecimal.valueOf(number)
         .setScale(2, RoundingMode.DOWN)

@@ -134,9 +134,17 @@ final class NodeSetup {
     Set<String> written = topicsWritten();
     return bench().consumed().values().stream()
         .filter(Bench.Consumed::commands)
+        .filter(topic -> !written.contains(topic.topic()) || isDriven(topic))
         .map(Bench.Consumed::topic)
         .filter(topic -> written.contains(topic) || bench().isOwn(topic))
         .toList();
+  }
+
+  /** Whether a node writes a field of the topic that drives something. */
+  private boolean isDriven(Bench.Consumed topic) {
+    return topic.fields().stream()
+        .filter(field -> field.actuator().isPresent())
+        .anyMatch(field -> isWritten(topic.topic(), field.path()));
   }
 
   /** Whether a node writes a field that drives one of the actuators. */
@@ -150,7 +158,8 @@ final class NodeSetup {
                     .anyMatch(field -> isWritten(topic.topic(), field.path())));
   }
 
-  private boolean isWritten(String topic, String path) {
+  /** Whether a node writes a field. */
+  boolean isWritten(String topic, String path) {
     return endpoints(topic, TopicIndex.Topic::publishers)
         .flatMap(endpoint -> endpoint.data().stream())
         .map(Data::getFieldName)

@@ -65,6 +65,8 @@ final class ScenarioJudge {
       outcome = Criterion.Outcome.untested("not all components worked");
     } else if (needsBrake(criterion)) {
       outcome = Criterion.Outcome.untested("no component's output drives the brake");
+    } else if (criterion instanceof FormulaCriterion formula && !dependsOnSoftware(formula)) {
+      outcome = Criterion.Outcome.untested("no component's output changes what it reads");
     } else {
       outcome = criterion.judge(trace);
     }
@@ -76,6 +78,25 @@ final class ScenarioJudge {
         outcome.margin(),
         criterion.limits(),
         criterion.location());
+  }
+
+  /** Whether the chain can make a difference to something that a formula reads. */
+  private boolean dependsOnSoftware(FormulaCriterion criterion) {
+    return criterion.signals().stream().anyMatch(this::dependsOnSoftware);
+  }
+
+  private boolean dependsOnSoftware(Signal signal) {
+    Optional<BenchSignals.Topic> topic = setup.bench().signals().topicOf(signal);
+    if (topic.isPresent()) {
+      return setup.isWritten(topic.get().name(), BenchSignals.fieldOf(signal));
+    }
+    return switch (signal.name()) {
+      case "brake" -> setup.drives(Actuator.BRAKE, Actuator.ACCELERATION);
+      case "throttle" -> setup.drives(Actuator.THROTTLE, Actuator.ACCELERATION);
+      case "steering", "ego.offset", "ego.heading", "ego.yaw_rate" ->
+          setup.drives(Actuator.STEERING, Actuator.STEERING_ANGLE);
+      default -> WorldSignals.isKnown(signal.name()) && setup.drives(Actuator.values());
+    };
   }
 
   /** A named criterion is about software that can brake; what cannot has not kept to it. */

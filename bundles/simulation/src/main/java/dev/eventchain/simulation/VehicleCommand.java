@@ -17,6 +17,9 @@ import java.util.Map;
 record VehicleCommand(
     double throttle, double brake, double steering, boolean handBrake, int gear, String ignored) {
 
+  /** What a float32 may add to an acceleration, in m/s2. */
+  private static final double ROUNDING = 1e-3;
+
   /** A command to brake only. */
   static VehicleCommand brake(double pedal) {
     return pedals(0.0, pedal);
@@ -60,7 +63,7 @@ record VehicleCommand(
         steering,
         of(demands, Actuator.HAND_BRAKE) != 0.0,
         gear,
-        ignored(demands, throttle, steering));
+        ignored(demands, vehicle, throttle, steering));
   }
 
   private static double of(Map<Actuator, Double> demands, Actuator actuator) {
@@ -68,9 +71,11 @@ record VehicleCommand(
   }
 
   /** What the vehicle cannot do, such as to drive with a throttle of 2. */
-  private static String ignored(Map<Actuator, Double> demands, double throttle, double steering) {
+  private static String ignored(
+      Map<Actuator, Double> demands, EgoVehicle vehicle, double throttle, double steering) {
     double acceleration = of(demands, Actuator.ACCELERATION);
-    if (!Double.isFinite(acceleration)) {
+    if (!(acceleration >= -vehicle.maximalDeceleration() - ROUNDING
+        && acceleration <= vehicle.maximalAcceleration() + ROUNDING)) {
       return "acceleration " + acceleration;
     }
     if (!(throttle >= 0.0 && throttle <= 1.0)) {

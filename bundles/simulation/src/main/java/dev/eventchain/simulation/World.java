@@ -106,10 +106,11 @@ final class World {
   private void advancePiece(long until) {
     EgoMotion before = ego.copy();
     ego.advance(seconds(until - now));
-    Optional<TargetVehicle> hit = touched(until, ego);
+    Optional<TargetVehicle> hit = touched(until, before, ego);
     if (hit.isPresent()) {
       TargetVehicle target = hit.get();
-      impact(before, until, (time, tried) -> touches(target, time, tried), target::speed);
+      boolean aside = !target.inPath(before.offset());
+      impact(before, until, (time, tried) -> touches(target, time, tried, aside), target::speed);
     } else if (leavesTheRoad(ego)) {
       impact(before, until, (time, tried) -> leavesTheRoad(tried), time -> 0.0);
     } else {
@@ -178,8 +179,10 @@ final class World {
   }
 
   /** A vehicle that the ego has driven into, forwards, backwards or aside. */
-  private Optional<TargetVehicle> touched(long time, EgoMotion motion) {
-    return targets.stream().filter(target -> touches(target, time, motion)).findFirst();
+  private Optional<TargetVehicle> touched(long time, EgoMotion before, EgoMotion motion) {
+    return targets.stream()
+        .filter(target -> touches(target, time, motion, !target.inPath(before.offset())))
+        .findFirst();
   }
 
   /** Whether the front touches a wall beside the road. */
@@ -187,12 +190,17 @@ final class World {
     return Math.abs(motion.offset()) + EgoVehicle.WIDTH / 2 >= RoadScene.WALL_DISTANCE;
   }
 
-  /** Whether bodies overlap; who is hit from behind has not driven into anybody. */
-  private static boolean touches(TargetVehicle target, long time, EgoMotion motion) {
+  /**
+   * Whether bodies overlap; who is hit from behind has not driven into anybody.
+   *
+   * @param aside whether the other one was beside the ego a moment ago
+   */
+  private static boolean touches(TargetVehicle target, long time, EgoMotion motion, boolean aside) {
     double gap = gap(target, time, motion);
     boolean ahead = gap <= 0.0 && gap > -target.length();
-    boolean behind = gap <= -target.length() && gap >= -target.length() - EgoVehicle.LENGTH;
-    return target.inPath(motion.offset()) && (ahead || (behind && motion.velocity() < 0.0));
+    boolean beside = gap <= -target.length() && gap >= -target.length() - EgoVehicle.LENGTH;
+    return target.inPath(motion.offset())
+        && (ahead || (beside && (motion.velocity() < 0.0 || aside)));
   }
 
   /** The nearest vehicle that is in the ego's path and not behind it. */

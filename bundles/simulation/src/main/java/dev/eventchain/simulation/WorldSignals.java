@@ -103,6 +103,11 @@ final class WorldSignals implements Signal.Source {
     return SIGNALS.keySet();
   }
 
+  /** Whether a signal is one of the world, and no input. */
+  static boolean isKnown(String name) {
+    return SIGNALS.containsKey(name);
+  }
+
   /** All of them, in the order in which people read of them. */
   static List<Signal> all() {
     return List.copyOf(SIGNALS.values());

@@ -151,7 +151,8 @@ class FormulaTest {
             "ego.speed settles at 80 km/h"
                 + " (always[12, 20] abs((ego.speed) - (80 km/h)) <= 2 km/h)",
             "ego.speed overshoots 80 km/h by 3 km/h at most"
-                + " (always (ego.speed) - (80 km/h) <= 3 km/h)"),
+                + " ((eventually abs((ego.speed) - (80 km/h)) <= 3 km/h)"
+                + " and (always (ego.speed) - (80 km/h) <= 3 km/h))"),
         scenario.criteria().stream()
             .filter(FormulaCriterion.class::isInstance)
             .map(Expectation::text)

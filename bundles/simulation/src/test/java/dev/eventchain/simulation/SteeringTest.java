@@ -82,6 +82,13 @@ class SteeringTest {
     beside.command(0, steer(-0.1));
     beside.advanceTo(6 * SECOND);
     assertTrue(beside.impacted());
+
+    // Its front is behind the ego's, but the bodies are side by side.
+    World behind =
+        new World(with(10, Chassis.USUAL), List.of(TargetVehicle.passengerCar(-5.5, 10, 3)));
+    behind.command(0, steer(-0.1));
+    behind.advanceTo(2 * SECOND);
+    assertTrue(behind.impacted());
   }
 
   @Test
@@ -154,7 +161,10 @@ class SteeringTest {
     "STEERING,NaN,steering NaN",
     "STEERING_ANGLE,-0.7,steering 1.1459155902616465",
     "MANUAL_GEAR_SHIFT,1,manual_gear_shift",
-    "ACCELERATION,NaN,acceleration NaN"
+    "ACCELERATION,NaN,acceleration NaN",
+    "ACCELERATION,-900,acceleration -900.0",
+    "ACCELERATION,-9,''",
+    "ACCELERATION,3.1,acceleration 3.1"
   })
   void whatTheVehicleCannotDoIsSaid(Actuator actuator, double value, String ignored) {
     assertEquals(ignored, VehicleCommand.of(Map.of(actuator, value), USUAL).ignored());

@@ -109,6 +109,45 @@ class OwnFunctionTest {
   }
 
   @Test
+  void fieldThatDrivesButThatNoComponentWrites() throws IOException {
+    replace(
+        "bench.yaml",
+        "acceleration: {drives: acceleration, required: true}",
+        "hold: {drives: acceleration, unit: m/s2}");
+    run().expect(1).says("was not tested: no component's output drives the brake.");
+    notPassed();
+  }
+
+  @Test
+  void criterionThatNoComponentCanInfluence() throws IOException {
+    replace(SCENARIO, "  no_impact: true\n", "  no_impact: true\n  maximal_lane_offset_m: 0.5\n");
+    run()
+        .expect(1)
+        .says("maximal_lane_offset_m")
+        .says("was not tested: no component's output changes what it reads.");
+    notPassed();
+  }
+
+  @Test
+  void unitOfTheComponentIsComparedWithThatOfTheBench() throws IOException {
+    replace("software-base/signals.json", ", \"Unit\": \"km/h\"", "");
+    replace("bench.yaml", "lead.speed - ego.speed", "{value: lead.speed - ego.speed, unit: m/s}");
+    run()
+        .expect(1)
+        .says("'range_rate' of /radar/target is in km/h here, but in another unit in the bench.")
+        .says("[bench.unit]");
+    notPassed();
+  }
+
+  @Test
+  void accelerationThatNoVehicleHas() throws IOException {
+    replace(
+        "software-base/components/Brake_Request.py", "FULL_BRAKE = -9.0", "FULL_BRAKE = -900.0");
+    run().expect(1).says("commanded acceleration -900.0").says("[simulation.command.ignored]");
+    notPassed();
+  }
+
+  @Test
   void latencyBoundOfAMillisecond() throws IOException {
     replace(CHAIN, "maximum=\"100.0\"", "maximum=\"1.0\"");
     run().expect(1).says("FAILED").says("radar_to_brake");

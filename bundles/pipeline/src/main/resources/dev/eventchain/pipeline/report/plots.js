@@ -24,7 +24,15 @@ function samplesOf(scenario) {
     const values = kept.map((index) => panel.values[index] ?? null);
     return { ...panel, values, ceiling: ceilingOf(values, panel.limits), digits: digitsOf(values) };
   });
-  return { time: kept.map((index) => times[index]), panels };
+  // What never changes has no plot; it comes last, so that the plots stand together.
+  const steady = panels.filter((panel) => isSteady(panel.values));
+  return { time: kept.map((index) => times[index]), panels: [...panels.filter((panel) => !isSteady(panel.values)), ...steady] };
+}
+
+/** Whether a series has one value only, or none. */
+function isSteady(values) {
+  const range = extent(values);
+  return range === null || range.low === range.high;
 }
 
 /** Where a panel is cut off; null if all values have room. */
@@ -155,7 +163,7 @@ function drawPanel(panel, samples, top, frame) {
   const value = svg("text", { class: "value", x: frame.right, y: top + 13 });
   const group = svg("g", { role: "img", "aria-label": spokenSeries(panel, values, range) },
     svg("text", { class: "title", x: frame.left, y: top + 13 }, panel.name + (panel.unit ? `, ${panel.unit}` : "")), value);
-  if (!range || range.low === range.high) {
+  if (isSteady(values)) {
     value.setAttribute("class", "absent");
     value.append(range ? `always ${reading(panel, range.low)}` : panel.absent || "no values");
     return { group, height: PLOT.title, update() {} };

@@ -89,7 +89,7 @@ function keyFigures() {
   const violations = most(validation.map((one) => one.violations), (...all) => all.reduce((sum, one) => sum + one, 0));
   return figures("figures", [
     ["Scenarios passed", scenarios.length ? `${scenarios.length - failedScenarios.length} of ${scenarios.length}` : null],
-    ["Requirements proved", requirements.length ? `${requirements.length - unproved.length} of ${requirements.length}` : null],
+    ["Requirements and rules proved", requirements.length ? `${requirements.length - unproved.length} of ${requirements.length}` : null],
     ["Criteria met", criteria.length ? `${criteria.filter((criterion) => criterion.passed === true).length} of ${criteria.length}` : null],
     ["Longest latency of the chain", slowest === null ? null : latency(slowest), limit === null ? "" : `limit ${latency(limit)}`],
     ["Constraint evaluations", evaluations === null ? null : whole(evaluations), `${whole(violations ?? 0)} violated`],
