@@ -30,6 +30,11 @@ public final class Bench {
 
     /** A value of the kind that is published. */
     Object example();
+
+    /** What the value depends on. */
+    default Set<Signal> signals() {
+      return Set.of();
+    }
   }
 
   /** Always the same, as {@link dev.eventchain.messages.MessageValue} takes it. */
@@ -60,6 +65,11 @@ public final class Bench {
     public Object example() {
       return 0;
     }
+
+    @Override
+    public Set<Signal> signals() {
+      return term.signals();
+    }
   }
 
   /** True or false. */
@@ -68,6 +78,11 @@ public final class Bench {
     @Override
     public Object example() {
       return false;
+    }
+
+    @Override
+    public Set<Signal> signals() {
+      return formula.signals();
     }
   }
 
@@ -228,6 +243,17 @@ public final class Bench {
   /** The topics that the vehicle consumes, by their full names. */
   Map<String, Consumed> consumed() {
     return consumed;
+  }
+
+  /** Whether what is sent may depend on an input; what inputs are computed from is not followed. */
+  boolean mayNeed(String input) {
+    boolean computes =
+        signals.inputs().keySet().stream().anyMatch(name -> !signals.isScripted(name));
+    return computes
+        || provided.values().stream()
+            .flatMap(topic -> topic.fields().stream())
+            .flatMap(field -> field.source().signals().stream())
+            .anyMatch(signal -> signal.name().equals(input));
   }
 
   /** What formulas may read. */

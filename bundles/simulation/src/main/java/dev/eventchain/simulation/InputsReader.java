@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 /** Reads the section {@code inputs} of a scenario: what people do with the inputs of the bench. */
 final class InputsReader {
@@ -34,6 +35,26 @@ final class InputsReader {
       }
     }
     return scripts;
+  }
+
+  /** Refuses inputs that change nothing: the scenario would not be the one that people mean. */
+  static void requireUse(
+      ObjectReader scenario, Set<String> names, List<Expectation> criteria, Bench bench) {
+    for (String name : names) {
+      boolean judged =
+          criteria.stream()
+              .flatMap(each -> each.signals().stream())
+              .anyMatch(signal -> signal.name().equals(name));
+      if (!judged && !bench.mayNeed(name)) {
+        ObjectReader section = scenario.object("inputs").orElseThrow();
+        section.find(
+            Diagnostic.error(
+                    "scenario.input.unknown",
+                    "Nothing that is sent or judged depends on the input '" + name + "'.",
+                    section.atKey(name))
+                .withHint("Let a field of bench.yaml depend on it, or leave it out."));
+      }
+    }
   }
 
   private static void unknown(ObjectReader section, String name, Bench bench) {

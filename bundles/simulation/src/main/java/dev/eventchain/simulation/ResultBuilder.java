@@ -94,10 +94,15 @@ final class ResultBuilder {
                         "simulation.command.ignored",
                         "Scenario %s: the software commanded %s, which the simulated vehicle does not do."
                             .formatted(run.scenario().name(), run.trace().ignored()),
-                        SourceLocation.NONE.withElement(setup.writer(setup.exit())))
+                        SourceLocation.NONE.withElement(onlyCommander()))
                     .withHint(
                         "Test what needs it where the vehicle does it, or do not command it."))
         .toList();
+  }
+
+  /** Who commands the vehicle, if it is by one topic only. */
+  private String onlyCommander() {
+    return setup.commands().size() == 1 ? setup.writer(setup.exit()) : "";
   }
 
   private List<Diagnostic> tooOld() {

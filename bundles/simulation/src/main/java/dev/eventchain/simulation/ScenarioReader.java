@@ -69,6 +69,7 @@ final class ScenarioReader {
     FormulasReader formulas = new FormulasReader(text, bench.signals(), longest(section));
     List<Expectation> criteria =
         accept.map(part -> CriteriaReader.read(part, formulas)).orElse(List.of());
+    InputsReader.requireUse(section, inputs.keySet(), criteria, bench);
     section.refuseOthers();
     EgoVehicle vehicle = ego.orElse(EgoVehicle.withSpeed(0));
     return new Scenario(heading, seed, duration, vehicle, targets, inputs, criteria);

@@ -85,6 +85,7 @@ class OwnFunctionTest {
 
   @Test
   void providedTopicWithoutSource() throws IOException {
+    Files.delete(project.resolve("scenarios/short-sight.yaml"));
     String bench = Files.readString(project.resolve("bench.yaml"));
     Files.writeString(
         project.resolve("bench.yaml"), bench.replaceAll("(?s)provides:.*consumes", "consumes"));
@@ -225,6 +226,17 @@ class OwnFunctionTest {
         .says("The bench has no input 'radar.reech'.")
         .says("Did you mean `radar.reach`?")
         .says("[scenario.input.unknown]");
+    notPassed();
+  }
+
+  @Test
+  void inputOnWhichNothingDepends() throws IOException {
+    replace("bench.yaml", "gap < radar.reach", "gap < 150 m");
+    replace("bench.yaml", "min(gap, radar.reach)", "min(gap, 150 m)");
+    run()
+        .expect(2)
+        .says("Nothing that is sent or judged depends on the input 'radar.reach'.")
+        .says("short-sight.yaml:12:3");
     notPassed();
   }
 
