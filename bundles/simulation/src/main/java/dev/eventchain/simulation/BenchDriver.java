@@ -33,8 +33,8 @@ final class BenchDriver {
 
   private static final Topic CLOCK = new Topic("/clock", "rosgraph_msgs/msg/Clock");
   private static final String HEADER = "std_msgs/msg/Header";
-  private static final double CLOCK_RATE = 20;
   private static final long SECOND = 1_000_000_000L;
+  private static final long CLOCK_PERIOD = SECOND / 20;
 
   /** A topic that is published, the message that is filled again and again, and when it is due. */
   private static final class Publisher {
@@ -52,7 +52,7 @@ final class BenchDriver {
       this.provided = provided;
       this.message = message;
       this.recorded = recorded;
-      this.period = Math.round(SECOND / provided.map(Provided::rate).orElse(CLOCK_RATE));
+      this.period = provided.map(Provided::period).orElse(CLOCK_PERIOD);
       stamps(message.type(), "");
     }
 

@@ -190,6 +190,10 @@ final class BenchFields {
     if (written.isPresent() && BenchInputs.unit(section, written.get()).isEmpty()) {
       return Optional.empty();
     }
+    if (written.isEmpty() && known.isPresent() && known.flatMap(Unit::parse).isEmpty()) {
+      section.find(notUnderstood(section.at(path), topic, path, known.get()));
+      return Optional.empty();
+    }
     boolean differs =
         written.isPresent()
             && known.flatMap(Unit::parse).isPresent()
@@ -205,6 +209,17 @@ final class BenchFields {
               .withHint("Leave one of them out, or write the same unit."));
     }
     return written.or(() -> known).filter(text -> Unit.parse(text).isPresent());
+  }
+
+  /** Taken for a plain number, a field would be off by whatever its unit means. */
+  private static Diagnostic notUnderstood(
+      SourceLocation place, String topic, String path, String unit) {
+    return Diagnostic.error(
+            "bench.unit",
+            "signals.json gives '%s' of %s the unit '%s', which is not understood."
+                .formatted(path, topic, unit),
+            place)
+        .withHint("Write a unit such as m/s, km/h, % or 1 into signals.json.");
   }
 
   /** A quantity or a condition for a field. */
@@ -282,7 +297,7 @@ final class BenchFields {
       return Optional.empty();
     }
     if (!value.get().isObject()) {
-      Optional<String> unit = unit(part, Optional.empty(), topic, path);
+      Optional<String> unit = unit(part, value.get(), topic, path);
       return part.text(path)
           .flatMap(name -> effect(part, path, name, unit, type))
           .map(it -> new Effect(path, it.actuator(), it.unit(), false, part.atKey(path)));
@@ -301,6 +316,13 @@ final class BenchFields {
                       new Effect(
                           path, effect.actuator(), effect.unit(), required, part.atKey(path)));
         });
+  }
+
+  /** The unit of a field; one that nobody understands may be observed, but drives nothing. */
+  private Optional<String> unit(ObjectReader part, JsonNode does, String topic, String path) {
+    return does.asText().equals(OBSERVED)
+        ? declared.unit(topic, path).filter(text -> Unit.parse(text).isPresent())
+        : unit(part, Optional.empty(), topic, path);
   }
 
   /** What a field drives, and in which unit. */

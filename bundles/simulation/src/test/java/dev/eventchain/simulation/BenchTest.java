@@ -52,7 +52,8 @@ class BenchTest {
               "demo_msgs/msg/BrakeRequest",
               Direction.CONSUMED,
               field("deceleration", "m/s2"),
-              field("pedal", "%")));
+              field("pedal", "%"),
+              field("force", "furlongs")));
 
   private static dev.eventchain.metamodel.Signal signal(
       String topic, String type, Direction direction, Field... fields) {
