@@ -6,6 +6,7 @@ import dev.eventchain.metamodel.eventchain.EventchainPackage.Literals;
 import java.math.BigInteger;
 import java.nio.charset.StandardCharsets;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 
 /** Whether ages are ages, and a field can hold what is to be published while inputs are too old. */
 final class AgeContracts {
@@ -26,9 +27,10 @@ final class AgeContracts {
   }
 
   void check(Topic topic) {
-    for (Endpoint subscriber : topic.subscribers()) {
-      subscriber.data().stream().filter(Data::isSetMaximumAge).forEach(this::checkAge);
-    }
+    Stream.concat(topic.subscribers().stream(), topic.publishers().stream())
+        .flatMap(end -> end.data().stream())
+        .filter(Data::isSetMaximumAge)
+        .forEach(this::checkAge);
     for (Endpoint publisher : topic.publishers()) {
       publisher.data().stream().filter(data -> data.getSafeValue() != null).forEach(this::check);
     }
@@ -41,8 +43,7 @@ final class AgeContracts {
       findings.error(
           Rule.AGE,
           findings.at(data, Literals.DATA__MAXIMUM_AGE),
-          "The input '%s' may be %s ms old, which is no age."
-              .formatted(data.getName(), data.getMaximumAge()),
+          "'%s' may be %s ms old, which is no age.".formatted(data.getName(), data.getMaximumAge()),
           "Give a number of ms above zero, or none: then five periods of the component that writes"
               + " it are the limit.");
     }

@@ -4,19 +4,11 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.metamodel.TopicIndex;
-import dev.eventchain.metamodel.eventchain.Data;
-import dev.eventchain.metamodel.eventchain.EventChain;
-import dev.eventchain.metamodel.eventchain.Requirement;
-import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import dev.eventchain.modeler.Requirements;
 import dev.eventchain.simulation.Scenario;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
-import java.util.Optional;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 
@@ -72,70 +64,6 @@ final class ProjectScenarios {
   /** The requirements, where the project has written any. */
   static List<Requirements.Item> requirements(RunContext run) {
     return Project.isAbsent(run.project().requirements()) ? List.of() : run.requirements().items();
-  }
-
-  /**
-   * What no scenario tests is not proved by all scenarios passing, nor what asks for a signal that
-   * no criterion reads.
-   */
-  static List<Diagnostic> untested(RunContext run, EventChain chain, List<Scenario> scenarios) {
-    Set<String> tested =
-        scenarios.stream()
-            .flatMap(scenario -> scenario.requirements().stream())
-            .collect(Collectors.toSet());
-    Map<String, String> unread = unread(chain, scenarios);
-    List<Diagnostic> found = new ArrayList<>();
-    for (Requirements.Item item : requirements(run)) {
-      if (!tested.contains(item.id())) {
-        found.add(
-            untested(
-                item,
-                "No scenario tests the requirement " + item.id() + ".",
-                "Name it under 'requirements' of a scenario that does"));
-      } else if (unread.containsKey(item.id())) {
-        found.add(
-            untested(
-                item,
-                "No criterion reads %s, which leaves the chain because %s asks for it."
-                    .formatted(unread.get(item.id()), item.id()),
-                "Observe its topic in bench.yaml, and write a formula on it into a scenario that"
-                    + " names the requirement"));
-      }
-    }
-    return found;
-  }
-
-  private static Diagnostic untested(Requirements.Item item, String message, String hint) {
-    return Diagnostic.error("project.requirement.untested", message, item.location())
-        .withRule(item.id())
-        .withHint(hint + ", or suppress this finding with a reason and a last day.");
-  }
-
-  /**
-   * The requirements that ask for a signal that leaves the chain, and of which no scenario that
-   * names them has a criterion on its value: nothing on the road shows whether it is sent.
-   *
-   * @return the signals by the ids of the requirements, such as {@code /aeb/emergency.data}
-   */
-  static Map<String, String> unread(EventChain chain, List<Scenario> scenarios) {
-    Map<String, String> unread = new TreeMap<>();
-    for (SoftwareNode node : chain.getSoftware()) {
-      for (Data output : node.getOutput()) {
-        Optional<String> topic = TopicIndex.nameOf(output, node);
-        if (output.isExternal() && topic.isPresent()) {
-          String signal = topic.get() + "." + output.getFieldName();
-          output.getSatisfies().stream()
-              .map(Requirement::getId)
-              .filter(id -> scenarios.stream().noneMatch(it -> proves(it, id, signal)))
-              .forEach(id -> unread.put(id, signal));
-        }
-      }
-    }
-    return unread;
-  }
-
-  private static boolean proves(Scenario scenario, String requirement, String signal) {
-    return scenario.requirements().contains(requirement) && scenario.reads().contains(signal);
   }
 
   /** The scenarios that a run asks for, in the order of their files. */

@@ -31,10 +31,11 @@ final class RequirementOutcomes {
   /**
    * The id and the outcome of each requirement, in their order.
    *
-   * @param unread ids of those that no criterion can prove, see {@link ProjectScenarios#unread}
+   * @param unproven ids of those that no criterion can prove, see {@link
+   *     RequirementCoverage#unproven}
    */
   static ArrayNode of(
-      List<Requirements.Item> requirements, List<ScenarioVerdict> verdicts, Set<String> unread) {
+      List<Requirements.Item> requirements, List<ScenarioVerdict> verdicts, Set<String> unproven) {
     ArrayNode outcomes = JsonNodeFactory.instance.arrayNode();
     for (Requirements.Item item : requirements) {
       List<ScenarioVerdict> about =
@@ -42,17 +43,17 @@ final class RequirementOutcomes {
       outcomes
           .addObject()
           .put("id", item.id())
-          .put("outcome", outcome(about, unread.contains(item.id())).words());
+          .put("outcome", outcome(about, unproven.contains(item.id())).words());
     }
     return outcomes;
   }
 
-  private static Outcome outcome(List<ScenarioVerdict> verdicts, boolean unread) {
+  private static Outcome outcome(List<ScenarioVerdict> verdicts, boolean unproven) {
     if (verdicts.stream().anyMatch(each -> each.tested() && !each.passed())) {
       return Outcome.VIOLATED;
     }
     boolean proved = !verdicts.isEmpty() && verdicts.stream().allMatch(ScenarioVerdict::passed);
-    return proved && !unread ? Outcome.PROVED : Outcome.NOT_TESTED;
+    return proved && !unproven ? Outcome.PROVED : Outcome.NOT_TESTED;
   }
 
   /**

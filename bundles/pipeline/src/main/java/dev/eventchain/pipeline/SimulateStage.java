@@ -75,7 +75,7 @@ final class SimulateStage implements StageWork {
     OclResult validation = Constraints.of(run).check(measured, locator);
     found.addAll(validation.diagnostics());
     if (!run.options().isPartial()) {
-      found.addAll(ProjectScenarios.untested(run, chain, scenarios));
+      found.addAll(RequirementCoverage.untested(run, chain, scenarios));
       found.addAll(unmeasured(chain, result, run.chain()::locate));
       // Last, so that it is never there without what it is about.
       run.writeResult(VERDICT, verdict(run, chain, result, found, outcomes));
@@ -120,7 +120,7 @@ final class SimulateStage implements StageWork {
     return RequirementOutcomes.of(
         ProjectScenarios.requirements(run),
         result.verdicts(),
-        ProjectScenarios.unread(chain, scenarios).keySet());
+        RequirementCoverage.unproven(run, chain, scenarios).keySet());
   }
 
   /** A bound on a time that was never measured is not kept, but not tested. */

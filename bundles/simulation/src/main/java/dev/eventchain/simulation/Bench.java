@@ -245,15 +245,13 @@ public final class Bench {
     return consumed;
   }
 
-  /** Whether what is sent may depend on an input; what inputs are computed from is not followed. */
+  /** Whether what is sent depends on an input. */
   boolean mayNeed(String input) {
-    boolean computes =
-        signals.inputs().keySet().stream().anyMatch(name -> !signals.isScripted(name));
-    return computes
-        || provided.values().stream()
-            .flatMap(topic -> topic.fields().stream())
-            .flatMap(field -> field.source().signals().stream())
-            .anyMatch(signal -> signal.name().equals(input));
+    return provided.values().stream()
+        .flatMap(topic -> topic.fields().stream())
+        .flatMap(field -> field.source().signals().stream())
+        .flatMap(Signal::origins)
+        .anyMatch(signal -> signal.name().equals(input));
   }
 
   /** What formulas may read. */

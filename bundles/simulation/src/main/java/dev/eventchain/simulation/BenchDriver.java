@@ -77,7 +77,7 @@ final class BenchDriver {
 
   /** A topic that is received. */
   private record Receiver(
-      Topic topic, MessageType type, List<Effect> effects, List<Signal> recorded) {}
+      Topic topic, MessageType type, List<Effect> effects, List<Signal> recorded, long lifetime) {}
 
   private final MessageCatalog catalog;
   private final NodeSetup setup;
@@ -133,7 +133,7 @@ final class BenchDriver {
             .filter(it -> it.actuator().isPresent())
             .filter(it -> setup.isWritten(consumed.topic(), it.path()))
             .toList();
-    receivers.add(new Receiver(topic, type, effects, recorded(consumed.topic())));
+    add(topic, type, effects);
   }
 
   /** Listens to the topics between components that formulas ask for, or that reports show. */
@@ -149,8 +149,14 @@ final class BenchDriver {
 
   private void observe(Topic topic) {
     if (receivers.stream().noneMatch(it -> it.topic().name().equals(topic.name()))) {
-      receivers.add(new Receiver(topic, type(topic), List.of(), recorded(topic.name())));
+      add(topic, type(topic), List.of());
     }
+  }
+
+  private void add(Topic topic, MessageType type, List<Effect> effects) {
+    List<Signal> recorded = recorded(topic.name());
+    long lifetime = setup.lifetime(topic.name());
+    receivers.add(new Receiver(topic, type, effects, recorded, lifetime));
   }
 
   /** The fields of a topic that formulas of the scenario read or that reports show. */
@@ -264,6 +270,7 @@ final class BenchDriver {
     byte[] bytes = new byte[outbound.message().remaining()];
     outbound.message().duplicate().get(bytes);
     MessageValue message = CdrCodec.decode(receiver.type(), bytes);
+    expire(receiver, outbound.time(), world);
     record(receiver.recorded(), message, outbound.time(), world);
     for (Effect effect : receiver.effects()) {
       demands.put(effect.actuator().get(), effect.demand(number(message, effect.path())));
@@ -271,6 +278,17 @@ final class BenchDriver {
     if (!receiver.effects().isEmpty()) {
       world.command(outbound.time(), VehicleCommand.of(demands, scenario.ego()));
     }
+  }
+
+  /** No message comes any more: what is too old now says nothing. */
+  void finish(World world) {
+    receivers.forEach(receiver -> expire(receiver, world.trace().end().time(), world));
+  }
+
+  private static void expire(Receiver receiver, long now, World world) {
+    receiver
+        .recorded()
+        .forEach(signal -> world.trace().expire(signal.name(), now, receiver.lifetime()));
   }
 
   private static void record(List<Signal> signals, MessageValue message, long time, World world) {

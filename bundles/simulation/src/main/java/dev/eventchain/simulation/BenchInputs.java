@@ -191,6 +191,7 @@ final class BenchInputs implements Signal.Source {
           Arrays.setAll(samples, values);
           return samples;
         },
-        term::absence);
+        term::absence,
+        term.signals());
   }
 }

@@ -82,9 +82,12 @@ final class BenchSignals implements Signal.Source {
 
   /** The topic that a signal is a field of; empty if it is of none. */
   Optional<Topic> topicOf(Signal signal) {
-    return signal.name().startsWith("/")
-        ? Optional.ofNullable(topics.get(topicName(signal.name())))
-        : Optional.empty();
+    return topicName(signal).map(topics::get);
+  }
+
+  /** The name of the topic that a signal is a field of; empty if it is of none. */
+  static Optional<String> topicName(Signal signal) {
+    return signal.name().startsWith("/") ? Optional.of(topicName(signal.name())) : Optional.empty();
   }
 
   /** The path of the field that a topic's signal is. */

@@ -87,6 +87,11 @@ interface Condition extends FormulaParser.Part {
       return new Comparison(Term.number(0.5, term.dimension(), "1"), term, true, text);
     }
 
+    /** All that it reads. */
+    Stream<Signal> signals() {
+      return Stream.concat(left.signals().stream(), right.signals().stream());
+    }
+
     /** Whether it is about what is true or false, so that its margin means nothing. */
     boolean ofTruth() {
       return left.truth() || right.truth();

@@ -6,6 +6,7 @@ import dev.eventchain.simulation.ScenarioVerdict.Margin;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.Set;
 
 /**
  * One thing that must hold in a scenario.
@@ -52,6 +53,12 @@ record Criterion(CriterionKind kind, double limit, Tolerances tolerances, Source
     static Outcome untested(String why) {
       return new Outcome(false, false, why, Optional.empty());
     }
+  }
+
+  /** What holds for every scenario says nothing of a requirement. */
+  @Override
+  public boolean dependsOn(Set<String> topics, boolean commanding) {
+    return commanding && !kind.always();
   }
 
   @Override

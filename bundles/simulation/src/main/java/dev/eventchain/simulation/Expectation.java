@@ -22,6 +22,13 @@ interface Expectation {
   }
 
   /**
+   * Whether it depends on what is written on some topics.
+   *
+   * @param commanding whether one of them commands the vehicle
+   */
+  boolean dependsOn(Set<String> topics, boolean commanding);
+
+  /**
    * Until when a run is needed to judge it, in ns; 0 if what happens until standstill is enough.
    */
   default long horizon() {

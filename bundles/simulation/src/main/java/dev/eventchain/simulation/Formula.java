@@ -13,7 +13,6 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
-import java.util.stream.Stream;
 
 /**
  * A formula of Signal Temporal Logic over what happens in a scenario. A run is a sequence of
@@ -76,7 +75,7 @@ final class Formula {
   Set<Signal> signals() {
     return condition
         .comparisons()
-        .flatMap(it -> Stream.concat(it.left().signals().stream(), it.right().signals().stream()))
+        .flatMap(Condition.Comparison::signals)
         .collect(Collectors.toCollection(LinkedHashSet::new));
   }
 
@@ -118,8 +117,20 @@ final class Formula {
     }
     return decision
         .comparison()
-        .map(it -> format("'%s' has no value %s", it.text(), after(run, decision.sample())))
+        .map(it -> valueless(it, run, decision.sample()))
         .orElse(format("the run ended %s, before it was decided", after(run, run.size() - 1)));
+  }
+
+  private static String valueless(Condition.Comparison comparison, SampledRun run, int sample) {
+    String text = format("'%s' has no value %s", comparison.text(), after(run, sample));
+    return comparison
+        .signals()
+        .flatMap(Signal::origins)
+        .filter(signal -> Double.isNaN(run.of(signal)[sample]))
+        .flatMap(signal -> BenchSignals.topicName(signal).stream())
+        .findFirst()
+        .map(topic -> text + ", since no current message was there on " + topic)
+        .orElse(text);
   }
 
   private static Outcome outcome(boolean passed, Evaluation evaluation, SampledRun run) {

@@ -29,6 +29,17 @@ record FormulaCriterion(String name, Formula formula, SourceLocation location)
   }
 
   @Override
+  public boolean dependsOn(Set<String> topics, boolean commanding) {
+    return formula.signals().stream()
+        .flatMap(Signal::origins)
+        .anyMatch(
+            signal ->
+                BenchSignals.topicName(signal)
+                    .map(topics::contains)
+                    .orElse(commanding && WorldSignals.isKnown(signal.name())));
+  }
+
+  @Override
   public long horizon() {
     return formula.horizon();
   }

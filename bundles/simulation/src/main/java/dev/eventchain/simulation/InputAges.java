@@ -4,7 +4,6 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.metamodel.TopicIndex;
 import dev.eventchain.metamodel.eventchain.Data;
-import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import dev.eventchain.simulation.RunLog.Activation;
 import dev.eventchain.simulation.RunLog.SampleId;
@@ -23,9 +22,6 @@ final class InputAges {
 
   private static final double MILLISECOND = 1e6;
 
-  /** Periods of what writes an input after which it is too old, where the model states no age. */
-  private static final double USUAL_PERIODS = 5;
-
   /** The oldest sample that a component was due with, of all scenarios. */
   private record Worst(String scenario, long time, double age, long times) {
 
@@ -35,19 +31,20 @@ final class InputAges {
     }
   }
 
-  private final TopicIndex topics;
+  private final NodeSetup setup;
   private final List<Run> runs;
 
-  private InputAges(TopicIndex topics, List<Run> runs) {
-    this.topics = topics;
+  private InputAges(NodeSetup setup, List<Run> runs) {
+    this.setup = setup;
     this.runs = runs;
   }
 
   /** A warning for each component and topic whose sample was too old, with the oldest one. */
-  static List<Diagnostic> in(List<Run> runs, EventChain chain, List<SoftwareNode> nodes) {
-    InputAges ages = new InputAges(TopicIndex.of(chain), runs);
+  static List<Diagnostic> in(List<Run> runs, NodeSetup setup) {
+    InputAges ages = new InputAges(setup, runs);
     List<Diagnostic> found = new ArrayList<>();
-    nodes.forEach(node -> ages.check(node, found));
+    setup.nodes().forEach(node -> ages.check(node, found));
+    setup.commands().forEach(topic -> ages.checkCommands(topic, found));
     return found;
   }
 
@@ -72,19 +69,51 @@ final class InputAges {
         });
   }
 
-  /** In ms; 0 for none: what the model states, else five periods of the slowest writer. */
+  /** In ms; 0 for none. */
   private double limit(Data input, String topic) {
-    if (input.isSetMaximumAge()) {
-      return input.getMaximumAge();
+    return input.isSetMaximumAge() ? input.getMaximumAge() : setup.usualAge(topic);
+  }
+
+  /** The vehicle keeps to the last command that it was given, however old. */
+  private void checkCommands(String topic, List<Diagnostic> found) {
+    double limit = setup.lifetime(topic) / MILLISECOND;
+    if (limit > 0) {
+      runs.stream()
+          .flatMap(run -> silences(run, topic, limit).stream())
+          .reduce(Worst::with)
+          .ifPresent(worst -> found.add(finding(setup.writer(topic), topic, limit, worst)));
     }
-    List<Double> periods =
-        topics.find(topic).stream()
-            .flatMap(found -> found.publishers().stream())
-            .map(end -> NodeSetup.period(end.node()))
-            .toList();
-    return periods.isEmpty() || periods.contains(0.0)
-        ? 0
-        : USUAL_PERIODS * periods.stream().mapToDouble(Double::doubleValue).max().orElseThrow();
+  }
+
+  private static List<Worst> silences(Run run, String topic, double limit) {
+    List<Long> times = new ArrayList<>(run.log().publicationsOf(topic).values());
+    List<Worst> found = new ArrayList<>();
+    for (int i = 0; i < times.size(); i++) {
+      long until = i + 1 < times.size() ? times.get(i + 1) : run.trace().end().time();
+      double age = (until - times.get(i)) / MILLISECOND;
+      if (age > limit) {
+        found.add(new Worst(run.scenario().name(), until, age, 1));
+      }
+    }
+    return found;
+  }
+
+  private static Diagnostic finding(String writer, String topic, double limit, Worst worst) {
+    return Diagnostic.warning(
+            "simulation.input.too-old",
+            String.format(
+                Locale.ROOT,
+                "Scenario %s: the last command on %s was %.0f ms old after %.2f s, and the vehicle"
+                    + " still followed it; %.0f ms are usual. In all scenarios, that was so %d times.",
+                worst.scenario(),
+                topic,
+                worst.age(),
+                World.seconds(worst.time()),
+                limit,
+                worst.times()),
+            SourceLocation.NONE.withElement(writer))
+        .withHint(
+            "Find out why the component fell silent; another vehicle may let go of the brake.");
   }
 
   private static List<Worst> tooOld(Run run, SoftwareNode node, String topic, double limit) {

@@ -44,6 +44,7 @@ final class InputsReader {
       boolean judged =
           criteria.stream()
               .flatMap(each -> each.signals().stream())
+              .flatMap(Signal::origins)
               .anyMatch(signal -> signal.name().equals(name));
       if (!judged && !bench.mayNeed(name)) {
         ObjectReader section = scenario.object("inputs").orElseThrow();

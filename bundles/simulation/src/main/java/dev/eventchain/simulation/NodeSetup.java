@@ -28,6 +28,10 @@ import java.util.zip.CRC32;
 final class NodeSetup {
 
   private static final double MILLISECONDS = 1e3;
+  private static final double NANOSECONDS = 1e6;
+
+  /** Periods of what writes a topic after which a sample is too old, where nothing else is said. */
+  private static final double USUAL_PERIODS = 5;
 
   private final SimulationRequest request;
   private final List<SoftwareNode> nodes;
@@ -223,6 +227,38 @@ final class NodeSetup {
 
   private boolean isSimulated(TopicIndex.Endpoint endpoint) {
     return nodes.contains(endpoint.node());
+  }
+
+  /**
+   * How old a sample of a topic may be where the model does not say it, in ms: five periods of the
+   * slowest of its writers; 0, which is no limit, if they are not known.
+   */
+  double usualAge(String topic) {
+    List<Double> periods =
+        topics.find(topic).stream()
+            .flatMap(found -> found.publishers().stream())
+            .map(end -> period(end.node()))
+            .toList();
+    return periods.isEmpty() || periods.contains(0.0)
+        ? 0
+        : USUAL_PERIODS * periods.stream().mapToDouble(Double::doubleValue).max().orElseThrow();
+  }
+
+  /**
+   * For how long a sample of a topic says something, in ns: as long as the most patient of its ends
+   * takes it, see {@link #usualAge}; 0 is for ever.
+   */
+  long lifetime(String topic) {
+    double stated =
+        topics.find(topic).stream()
+            .flatMap(
+                found -> Stream.concat(found.publishers().stream(), found.subscribers().stream()))
+            .flatMap(end -> end.data().stream())
+            .filter(Data::isSetMaximumAge)
+            .mapToDouble(Data::getMaximumAge)
+            .max()
+            .orElse(0);
+    return Math.round(Math.max(stated, usualAge(topic)) * NANOSECONDS);
   }
 
   /** The configuration of the process that runs the nodes. */

@@ -4,7 +4,6 @@ import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Printable;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import dev.eventchain.simulation.RunLog.Activation;
 import dev.eventchain.simulation.ScenarioRunner.Run;
@@ -106,8 +105,7 @@ final class ResultBuilder {
   }
 
   private List<Diagnostic> tooOld() {
-    EventChain chain = (EventChain) setup.nodes().get(0).eContainer();
-    return InputAges.in(runs, chain, setup.nodes());
+    return InputAges.in(runs, setup);
   }
 
   /** Connections that the nodes wanted but that were not made: the same in every scenario. */

@@ -158,6 +158,20 @@ public final class Scenario {
     return signals().stream().map(Signal::name).collect(Collectors.toCollection(TreeSet::new));
   }
 
+  /**
+   * Whether one of its criteria depends on what is written on some topics: it reads a field of one,
+   * or, where one of them commands the vehicle, what the vehicle does.
+   *
+   * @param topics full names
+   */
+  public boolean dependsOn(Set<String> topics, Bench bench) {
+    boolean commanding =
+        bench.consumed().values().stream()
+            .filter(Bench.Consumed::commands)
+            .anyMatch(topic -> topics.contains(topic.topic()));
+    return criteria.stream().anyMatch(each -> each.dependsOn(topics, commanding));
+  }
+
   /** The signals that its formulas read. */
   Set<Signal> signals() {
     return criteria.stream()

@@ -82,7 +82,7 @@ final class ScenarioJudge {
 
   /** Whether the chain can make a difference to something that a formula reads. */
   private boolean dependsOnSoftware(FormulaCriterion criterion) {
-    return criterion.signals().stream().anyMatch(this::dependsOnSoftware);
+    return criterion.signals().stream().flatMap(Signal::origins).anyMatch(this::dependsOnSoftware);
   }
 
   private boolean dependsOnSoftware(Signal signal) {

@@ -50,6 +50,7 @@ final class ScenarioRunner {
         stoppedAt = world.now();
       }
     }
+    driver.finish(world);
     long hostNanos = System.nanoTime() - started;
     return new Run(scenario, world.trace(), session.finish(), ready, hostNanos);
   }

@@ -4,7 +4,9 @@ import dev.eventchain.messages.Unit;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
+import java.util.stream.Stream;
 
 /**
  * A quantity that formulas may read.
@@ -16,6 +18,7 @@ import java.util.function.Function;
  * @param samples its values in coherent units, one for each state of the trace; NaN where it has
  *     none
  * @param absence why it says nothing in a trace, "nothing ahead"; empty if it says something
+ * @param basis the signals that it is computed from; empty if it is computed from none
  */
 record Signal(
     String name,
@@ -23,7 +26,8 @@ record Signal(
     boolean truth,
     String meaning,
     Function<Trace, double[]> samples,
-    Function<Trace, Optional<String>> absence) {
+    Function<Trace, Optional<String>> absence,
+    Set<Signal> basis) {
 
   /** Where formulas look names up. */
   interface Source {
@@ -33,6 +37,22 @@ record Signal(
 
     /** Names for hints. */
     Collection<String> names();
+  }
+
+  /** A signal that is computed from no other. */
+  Signal(
+      String name,
+      String unit,
+      boolean truth,
+      String meaning,
+      Function<Trace, double[]> samples,
+      Function<Trace, Optional<String>> absence) {
+    this(name, unit, truth, meaning, samples, absence, Set.of());
+  }
+
+  /** This one, and all that it is computed from. */
+  Stream<Signal> origins() {
+    return Stream.concat(Stream.of(this), basis.stream().flatMap(Signal::origins));
   }
 
   /** A value of it in its own unit. */

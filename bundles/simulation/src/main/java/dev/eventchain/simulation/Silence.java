@@ -31,7 +31,7 @@ final class Silence {
   /** The topics that each silent component waited for in vain. */
   private final Map<String, Set<String>> waiting = new LinkedHashMap<>();
 
-  /** The topics of components that waited for nothing and wrote nothing. */
+  /** The topics that components which waited for nothing did not write. */
   private final Map<String, Set<String>> mute = new LinkedHashMap<>();
 
   private Silence(NodeSetup setup, List<RunLog> logs) {
@@ -50,26 +50,26 @@ final class Silence {
   /** It must be told something by one of the topics that command it, if there are any. */
   private void listenAtTheVehicle() {
     List<String> commands = setup.commands();
-    boolean commanded =
-        commands.stream()
-            .anyMatch(topic -> logs.stream().anyMatch(log -> !log.publicationsOf(topic).isEmpty()));
-    if (!commanded && !commands.isEmpty()) {
+    if (!commands.isEmpty() && commands.stream().noneMatch(this::isPublished)) {
       waiting.put(VEHICLE, new TreeSet<>(commands));
     }
+  }
+
+  private boolean isPublished(String topic) {
+    return logs.stream().anyMatch(log -> !log.publicationsOf(topic).isEmpty());
   }
 
   private void listen(SoftwareNode node) {
     Set<String> missing = setup.topicsReadBy(node);
     Set<String> unwritten = setup.topicsWrittenBy(node);
-    boolean writes = false;
     for (RunLog log : logs) {
       List<Activation> activations = log.nodes().getOrDefault(node.getName(), List.of());
       missing.removeAll(topics(activations, Activation::reads));
-      writes |= !topics(activations, Activation::writes).isEmpty();
+      unwritten.removeAll(topics(activations, Activation::writes));
     }
     if (!missing.isEmpty()) {
       waiting.put(node.getName(), missing);
-    } else if (!writes && !unwritten.isEmpty()) {
+    } else if (!unwritten.isEmpty()) {
       mute.put(node.getName(), unwritten);
     }
   }
@@ -103,11 +103,10 @@ final class Silence {
 
   private Diagnostic waits(String name, String topic) {
     List<String> writers = setup.writers(topic);
-    boolean published = logs.stream().anyMatch(log -> !log.publicationsOf(topic).isEmpty());
     boolean vehicle = name.equals(VEHICLE);
     String why;
     String hint;
-    if (published) {
+    if (isPublished(topic)) {
       why = "is sent, but never reached it.";
       hint = "Compare type and quality of service of both ends.";
     } else if (!writers.isEmpty()) {
@@ -127,9 +126,8 @@ final class Silence {
   private Diagnostic writesNothing(String name, Set<String> unwritten) {
     return finding(
         name,
-        "%s wrote nothing: %s never got a value."
-            .formatted(quoted(name), String.join(", ", unwritten)),
-        "Let execute() return its outputs in at least one scenario.");
+        "%s executed, but never wrote %s.".formatted(quoted(name), String.join(", ", unwritten)),
+        "Let execute() return each output in at least one scenario.");
   }
 
   private Diagnostic waitForEachOther() {

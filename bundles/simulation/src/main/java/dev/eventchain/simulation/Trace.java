@@ -107,7 +107,26 @@ final class Trace {
     samples.computeIfAbsent(signal, name -> new ArrayList<>()).add(new Sample(time, value));
   }
 
-  /** The values of a signal in the order of time; empty if no message came. */
+  /**
+   * Ends the last value of a signal, if it is older than it may be: it has none from then on.
+   *
+   * @param lifetime how long a value is good, in ns; 0 for ever
+   */
+  void expire(String signal, long now, long lifetime) {
+    List<Sample> known = samples(signal);
+    if (lifetime == 0 || known.isEmpty()) {
+      return;
+    }
+    Sample last = known.get(known.size() - 1);
+    if (now - last.time() > lifetime && !Double.isNaN(last.value())) {
+      known.add(new Sample(last.time() + lifetime, Double.NaN));
+    }
+  }
+
+  /**
+   * The values of a signal in the order of time; NaN where it fell silent; empty if no message
+   * came.
+   */
   List<Sample> samples(String signal) {
     return samples.getOrDefault(signal, List.of());
   }

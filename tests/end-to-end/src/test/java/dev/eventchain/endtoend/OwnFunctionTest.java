@@ -200,6 +200,60 @@ class OwnFunctionTest {
   }
 
   @Test
+  void requirementThatNoCriterionCanShowToBeMet() throws IOException {
+    replace(SCENARIO, "/cluster/collision_warning.data", "gap < 80 m");
+    run()
+        .expect(1)
+        .says("requirements.md:3:")
+        .says(
+            "No criterion of the scenarios that name RAD-2 depends on what 'Collision_Warning' writes")
+        .says("[project.requirement.untested RAD-2]")
+        .says("3 requirements proved, 1 not tested, 1 error");
+    notPassed();
+  }
+
+  @Test
+  void topicsThatFellSilentSayNothingAndTheVehicleKeepsToTheLastCommand() throws IOException {
+    replace(CHAIN, "fieldName=\"range\"", "fieldName=\"range\" maximumAge=\"100.0\"");
+    replace("bench.yaml", "rate_hz: 50", "rate_hz: 1.2");
+    Files.delete(project.resolve("scenarios/short-sight.yaml"));
+    Files.writeString(
+        project.resolve(SCENARIO),
+        """
+        name: far-away
+        title: Nothing near
+        requirements: [RAD-1, RAD-2, RAD-3, RAD-4]
+        duration_s: 4
+        ego: {speed_kmh: 20}
+        targets:
+          - {gap_m: 100, speed_kmh: 20}
+        accept:
+          formulas:
+            - formula: always[0.2, 4] not /cluster/collision_warning.data
+            - formula: always[0.2, 4] /brake/request.acceleration > -1 m/s2
+        """);
+    run()
+        .expect(1)
+        .says("INCOMPLETE")
+        .says("since no current message was there on /cluster/collision_warning")
+        .says("[simulation.criterion.untested]")
+        .says("warning: Scenario far-away: the last command on /brake/request was ")
+        .says("and the vehicle still followed it; 100 ms are usual.")
+        .says("[simulation.input.too-old]");
+    notPassed();
+  }
+
+  @Test
+  void inputThatIsComputedFromTheWorldCanBeJudged() throws IOException {
+    replace("bench.yaml", "inputs:", "inputs:\n  reserve: {unit: m, formula: gap - 1 m}");
+    replace(
+        "scenarios/short-sight.yaml",
+        "  formulas:",
+        "  formulas:\n    - formula: always reserve > 0 m");
+    run().expect(0).says("PASSED: 2 of 2 scenarios passed, 4 requirements proved");
+  }
+
+  @Test
   void whatPeopleDecidedToLiveWithIsAcceptedByConsoleAndFileAlike() throws IOException {
     replace(SCENARIO, "ttc < 2.5 s implies", "ttc < 2.5 s and ego.speed > 60 km/h implies");
     Files.writeString(

@@ -1,0 +1,155 @@
+package dev.eventchain.pipeline;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.metamodel.TopicIndex;
+import dev.eventchain.metamodel.eventchain.ComponentImplementation;
+import dev.eventchain.metamodel.eventchain.Data;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.Requirement;
+import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import dev.eventchain.modeler.Requirements;
+import dev.eventchain.simulation.Bench;
+import dev.eventchain.simulation.Scenario;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+
+/** Which requirements the scenarios can say something about, whatever happens in them. */
+final class RequirementCoverage {
+
+  private final EventChain chain;
+  private final TopicIndex topics;
+  private final Bench bench;
+  private final List<Scenario> scenarios;
+
+  private RequirementCoverage(EventChain chain, Bench bench, List<Scenario> scenarios) {
+    this.chain = chain;
+    this.topics = TopicIndex.of(chain);
+    this.bench = bench;
+    this.scenarios = scenarios;
+  }
+
+  /** What no scenario tests is not proved by all scenarios passing: an error for each. */
+  static List<Diagnostic> untested(RunContext run, EventChain chain, List<Scenario> scenarios) {
+    Map<String, String> unproven = unproven(run, chain, scenarios);
+    Set<String> named =
+        scenarios.stream()
+            .flatMap(scenario -> scenario.requirements().stream())
+            .collect(Collectors.toSet());
+    List<Diagnostic> found = new ArrayList<>();
+    for (Requirements.Item item : ProjectScenarios.requirements(run)) {
+      if (!named.contains(item.id())) {
+        found.add(
+            untested(
+                item,
+                "No scenario tests the requirement " + item.id() + ".",
+                "Name it under 'requirements' of a scenario that does"));
+      } else if (unproven.containsKey(item.id())) {
+        found.add(
+            untested(
+                item,
+                unproven.get(item.id()),
+                "Write a criterion on it into a scenario that names the requirement"));
+      }
+    }
+    return found;
+  }
+
+  private static Diagnostic untested(Requirements.Item item, String message, String hint) {
+    return Diagnostic.error("project.requirement.untested", message, item.location())
+        .withRule(item.id())
+        .withHint(hint + ", or suppress this finding with a reason and a last day.");
+  }
+
+  /**
+   * The requirements that scenarios name but that none of their criteria can prove, with the reason
+   * by the id: one that asks for a signal that leaves the chain needs a criterion on its value, and
+   * any other one a criterion that depends on what the components write that are to satisfy it.
+   */
+  static Map<String, String> unproven(RunContext run, EventChain chain, List<Scenario> scenarios) {
+    RequirementCoverage coverage = new RequirementCoverage(chain, run.bench(), scenarios);
+    Map<String, String> unproven = new TreeMap<>();
+    coverage.findIndependent(unproven);
+    coverage.findUnread(unproven);
+    return unproven;
+  }
+
+  /** Nothing on the road shows whether a signal that leaves the chain is sent. */
+  private void findUnread(Map<String, String> unproven) {
+    for (SoftwareNode node : chain.getSoftware()) {
+      for (Data output : node.getOutput()) {
+        Optional<String> topic = TopicIndex.nameOf(output, node);
+        if (output.isExternal() && topic.isPresent()) {
+          String signal = topic.get() + "." + output.getFieldName();
+          String message = "No criterion reads %s, which leaves the chain because %s asks for it.";
+          output.getSatisfies().stream()
+              .map(Requirement::getId)
+              .filter(id -> about(id).stream().noneMatch(it -> it.reads().contains(signal)))
+              .forEach(id -> unproven.put(id, message.formatted(signal, id)));
+        }
+      }
+    }
+  }
+
+  private void findIndependent(Map<String, String> unproven) {
+    for (Requirement requirement : chain.getRequirements()) {
+      String id = requirement.getId();
+      List<SoftwareNode> satisfying =
+          chain.getSoftware().stream()
+              .filter(node -> node.getSatisfies().contains(requirement))
+              .toList();
+      List<Scenario> about = about(id);
+      Set<String> influenced = influenced(satisfying);
+      if (!satisfying.isEmpty()
+          && !about.isEmpty()
+          && about.stream().noneMatch(it -> it.dependsOn(influenced, bench))) {
+        unproven.put(
+            id,
+            "No criterion of the scenarios that name %s depends on what %s writes to satisfy it."
+                .formatted(id, names(satisfying)));
+      }
+    }
+  }
+
+  private List<Scenario> about(String requirement) {
+    return scenarios.stream().filter(it -> it.requirements().contains(requirement)).toList();
+  }
+
+  /** The topics whose messages depend on simulated components: theirs, and what comes of them. */
+  private Set<String> influenced(List<SoftwareNode> components) {
+    Set<String> influenced = new HashSet<>();
+    Set<SoftwareNode> reached = new HashSet<>(components);
+    Deque<SoftwareNode> open = new ArrayDeque<>(components);
+    while (!open.isEmpty()) {
+      SoftwareNode node = open.remove();
+      if (node.getImplementation() == ComponentImplementation.COMPONENT) {
+        for (Data output : node.getOutput()) {
+          TopicIndex.nameOf(output, node)
+              .filter(influenced::add)
+              .flatMap(topics::find)
+              .ifPresent(
+                  topic ->
+                      topic.subscribers().stream()
+                          .map(TopicIndex.Endpoint::node)
+                          .filter(reached::add)
+                          .forEach(open::add));
+        }
+      }
+    }
+    return influenced;
+  }
+
+  private static String names(List<SoftwareNode> nodes) {
+    return nodes.stream()
+        .map(node -> "'" + node.getName() + "'")
+        .distinct()
+        .collect(Collectors.joining(" or "));
+  }
+}
