@@ -188,8 +188,9 @@ class Scenario:
     def _start_plain_node(self, node_class: Any, process: Process) -> Any:
         """Make a node that is a class around DDS readers and writers, and execute it with its period."""
         node = node_class(DomainParticipant())
-        if hasattr(node_class, "now"):  # the clock by which its inputs become too old
-            node.now = lambda: self.simulation.now
+        for clock in ("now", "wall_clock"):  # by which its inputs become too old, and its messages are stamped
+            if hasattr(node_class, clock):
+                setattr(node, clock, lambda: self.simulation.now)
         period = int(float(node.period) * NANOSECONDS_PER_SECOND)
         if period <= 0:
             raise ValueError(f"a node needs a period of at least a nanosecond, not {node.period} s")

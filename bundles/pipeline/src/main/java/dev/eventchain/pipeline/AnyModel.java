@@ -181,7 +181,8 @@ public final class AnyModel {
       Duration timeLimit) {
     AnyModel any = new AnyModel(metamodels, map, models, timeLimit);
     try (JavaServices classes = JavaServices.of(services)) {
-      TemplateModule module = TemplateModule.compile(template, any.packages, classes.loader());
+      TemplateModule module =
+          TemplateModule.compile(template, any.templatePackages(), classes.loader());
       WrittenFiles files = new WrittenFiles(folder);
       files.found(any.ecore.diagnostics());
       if (!Diagnostic.anyError(suppressions.part(files.diagnostics()).remaining())) {
@@ -189,6 +190,18 @@ public final class AnyModel {
       }
       return files;
     }
+  }
+
+  /**
+   * Templates may be written for definitions of messages, too: without a project there are none.
+   */
+  private List<EPackage> templatePackages() {
+    List<EPackage> all = new ArrayList<>(packages);
+    EPackage messages = MessageModel.metamodel();
+    if (packages.stream().noneMatch(given -> messages.getNsURI().equals(given.getNsURI()))) {
+      all.add(messages);
+    }
+    return all;
   }
 
   private void generate(

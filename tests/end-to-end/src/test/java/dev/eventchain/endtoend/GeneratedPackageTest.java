@@ -67,7 +67,7 @@ class GeneratedPackageTest {
     words.add("--messages=" + project.resolve("software-base/msg"));
     String output = python(words);
     assertTrue(output.contains("test_objectdetection_node.py"), output);
-    assertTrue(output.matches("(?s).*\\b50 passed.*"), output);
+    assertTrue(output.matches("(?s).*\\b51 passed.*"), output);
   }
 
   @Test

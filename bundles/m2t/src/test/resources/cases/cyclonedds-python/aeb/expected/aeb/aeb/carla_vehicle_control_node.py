@@ -24,6 +24,7 @@ class Carla_Vehicle_Control_node:
 
     period = 1.0 / 20.0  # s
     now = staticmethod(time.monotonic_ns)
+    wall_clock = staticmethod(time.time_ns)
 
     def __init__(self, participant):
         self.component = Component()
@@ -87,6 +88,7 @@ class Carla_Vehicle_Control_node:
             brake_force=self.received["brake_force"],
         )
         message = messages.carla_msgs__CarlaEgoVehicleControl()
+        runner.stamp(message.header, self.wall_clock())
         message.throttle = float(output["throttle"])
         message.brake = float(output["brake"])
         message.manual_gear_shift = output["manual_gear_shift"]

@@ -45,6 +45,7 @@ def test_a_message_of_each_topic_executes_the_component():
     message = messages.std_msgs__Float32()
     message.data = 1.5
     writer_for(node.reader_vehicle_brake_force).write(message)
+    node.wall_clock = lambda: 1_000_000_002
     reader_carla_ego_vehicle_vehicle_control_cmd = reader_for(node.writer_carla_ego_vehicle_vehicle_control_cmd)
     wait_until(lambda: node.execute() or component.given)
     wait_for_values(
@@ -53,11 +54,13 @@ def test_a_message_of_each_topic_executes_the_component():
             message.throttle,
             message.brake,
             message.manual_gear_shift,
+            (message.header.stamp.sec, message.header.stamp.nanosec),
         ],
         [
             2.5,
             3.5,
             True,
+            (1, 2),
         ],
     )
     given = component.given[0]

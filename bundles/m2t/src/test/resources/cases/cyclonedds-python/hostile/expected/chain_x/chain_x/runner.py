@@ -43,6 +43,11 @@ def newest(reader):
     return message
 
 
+def stamp(header, nanoseconds):
+    """Let a header (std_msgs/msg/Header) have a time, in ns since 1970."""
+    header.stamp.sec, header.stamp.nanosec = divmod(nanoseconds, 1_000_000_000)
+
+
 def _catch_signals():
     """Return a function that waits some seconds, and returns at once whether a signal has come."""
     reading, writing = os.pipe()

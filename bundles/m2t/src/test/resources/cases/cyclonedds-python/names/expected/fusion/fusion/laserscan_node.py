@@ -3,6 +3,7 @@
 
 import array
 import logging
+import time
 
 from cyclonedds.core import Policy, Qos
 from cyclonedds.pub import DataWriter
@@ -18,6 +19,7 @@ class LaserScan_node:
     """Runs the component."""
 
     period = 1.0 / 10.0  # s
+    wall_clock = staticmethod(time.time_ns)
 
     def __init__(self, participant):
         self.component = Component()
@@ -98,6 +100,7 @@ class LaserScan_node:
             yaw_rate=self.received["yaw_rate"],
         )
         message = messages.geometry_msgs__TwistStamped()
+        runner.stamp(message.header, self.wall_clock())
         message.twist.linear.x = float(output["forward"])  # m/s
         message.twist.angular.z = float(output["turn"])  # rad/s
         message.header.frame_id = output["frame"]

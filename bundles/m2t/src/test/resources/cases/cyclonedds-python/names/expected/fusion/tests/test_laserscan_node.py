@@ -51,6 +51,7 @@ def test_a_message_of_each_topic_executes_the_component():
     message.twist.twist.linear.x = 3.5
     message.twist.twist.angular.z = 4.5
     writer_for(node.reader_odometry).write(message)
+    node.wall_clock = lambda: 1_000_000_002
     reader_command = reader_for(node.writer_command)
     wait_until(lambda: node.execute() or component.given)
     wait_for_values(
@@ -59,11 +60,13 @@ def test_a_message_of_each_topic_executes_the_component():
             message.twist.linear.x,
             message.twist.angular.z,
             message.header.frame_id,
+            (message.header.stamp.sec, message.header.stamp.nanosec),
         ],
         [
             5.5,
             6.5,
             "g",
+            (1, 2),
         ],
     )
     given = component.given[0]

@@ -24,6 +24,7 @@ class options_node:
 
     period = 1.0 / 20.0  # s
     now = staticmethod(time.monotonic_ns)
+    wall_clock = staticmethod(time.time_ns)
 
     def __init__(self, participant):
         self.component = Component()
@@ -46,6 +47,26 @@ class options_node:
         self.writer_done = DataWriter(
             participant,
             Topic(participant, "rt/done", messages.std_msgs__Bool),
+            qos=Qos(
+                Policy.Reliability.Reliable(max_blocking_time=duration(infinite=True)),
+                Policy.Durability.Volatile,
+                Policy.History.KeepLast(10),
+                Policy.DataRepresentation(use_cdrv0_representation=True),
+            ),
+        )
+        self.writer_distance = DataWriter(
+            participant,
+            Topic(participant, "rt/distance", messages.sensor_msgs__Range),
+            qos=Qos(
+                Policy.Reliability.Reliable(max_blocking_time=duration(infinite=True)),
+                Policy.Durability.Volatile,
+                Policy.History.KeepLast(10),
+                Policy.DataRepresentation(use_cdrv0_representation=True),
+            ),
+        )
+        self.writer_heard = DataWriter(
+            participant,
+            Topic(participant, "rt/heard", messages.sensor_msgs__Temperature),
             qos=Qos(
                 Policy.Reliability.Reliable(max_blocking_time=duration(infinite=True)),
                 Policy.Durability.Volatile,
@@ -90,12 +111,23 @@ class options_node:
         message = messages.std_msgs__Bool()
         message.data = output["done"]
         self.writer_done.write(message)
+        message = messages.sensor_msgs__Range()
+        runner.stamp(message.header, self.wall_clock())
+        message.range_ = float(output["distance"])  # m
+        self.writer_distance.write(message)
+        message = messages.sensor_msgs__Temperature()
+        message.header.stamp.sec = output["heard"]  # s
+        self.writer_heard.write(message)
 
     def write_safe_values(self):
         """Write what the model states for inputs that are too old."""
         message = messages.std_msgs__Bool()
         message.data = True
         self.writer_done.write(message)
+        message = messages.sensor_msgs__Range()
+        runner.stamp(message.header, self.wall_clock())
+        message.range_ = 0.0  # m
+        self.writer_distance.write(message)
 
 
 def main():

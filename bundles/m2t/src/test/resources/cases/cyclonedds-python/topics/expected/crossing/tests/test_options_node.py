@@ -18,6 +18,8 @@ class StandIn:
         self.given.append(inputs)
         return {
             "done": True,
+            "distance": 3.5,
+            "heard": 4,
         }
 
 
@@ -43,7 +45,10 @@ def test_a_message_of_each_topic_executes_the_component():
     message = messages.std_msgs__Float32()
     message.data = 1.5
     writer_for(node.reader_best).write(message)
+    node.wall_clock = lambda: 1_000_000_002
     reader_done = reader_for(node.writer_done)
+    reader_distance = reader_for(node.writer_distance)
+    reader_heard = reader_for(node.writer_heard)
     wait_until(lambda: node.execute() or component.given)
     wait_for_values(
         reader_done,
@@ -52,6 +57,26 @@ def test_a_message_of_each_topic_executes_the_component():
         ],
         [
             True,
+        ],
+    )
+    wait_for_values(
+        reader_distance,
+        lambda message: [
+            message.range_,
+            (message.header.stamp.sec, message.header.stamp.nanosec),
+        ],
+        [
+            3.5,
+            (1, 2),
+        ],
+    )
+    wait_for_values(
+        reader_heard,
+        lambda message: [
+            message.header.stamp.sec,
+        ],
+        [
+            4,
         ],
     )
     given = component.given[0]

@@ -106,6 +106,7 @@ class Carla_Vehicle_Control_node(rclpy.node.Node):
             brake_force=self.received["brake_force"],
         )
         message = carla_msgs.msg.CarlaEgoVehicleControl()
+        message.header.stamp = self.get_clock().now().to_msg()
         message.throttle = float(output["throttle"])
         message.brake = float(output["brake"])
         message.manual_gear_shift = output["manual_gear_shift"]

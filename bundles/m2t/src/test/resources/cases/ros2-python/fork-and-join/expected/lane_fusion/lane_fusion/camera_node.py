@@ -104,6 +104,7 @@ class Camera_node(rclpy.node.Node):
         message.data = float(output["brightness"])
         self.publisher_camera_brightness.publish(message)
         message = sensor_msgs.msg.JointState()
+        message.header.stamp = self.get_clock().now().to_msg()
         message.position = output["exposures"]  # s
         self.publisher_camera_exposures.publish(message)
 

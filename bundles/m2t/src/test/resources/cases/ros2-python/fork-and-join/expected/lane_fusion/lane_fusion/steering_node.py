@@ -171,6 +171,7 @@ class Steering_node(rclpy.node.Node):
         message.data = float(output["angle"])  # rad
         self.publisher_steering_angle.publish(message)
         message = sensor_msgs.msg.Joy()
+        message.header.stamp = self.get_clock().now().to_msg()
         message.header.frame_id = output["frame"]
         self.publisher_steering_state.publish(message)
 

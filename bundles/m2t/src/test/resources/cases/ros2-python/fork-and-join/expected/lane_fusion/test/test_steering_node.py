@@ -7,6 +7,7 @@ import rclpy.duration
 import rclpy.exceptions
 import rclpy.parameter
 import rclpy.qos
+import rclpy.time
 import sensor_msgs.msg
 import std_msgs.msg
 
@@ -143,6 +144,11 @@ def frequency(value):
     return [rclpy.parameter.Parameter("frequency", value=value)]
 
 
+def stamp(message):
+    """The time in the header of a message."""
+    return rclpy.time.Time.from_msg(message.header.stamp)
+
+
 @pytest.fixture
 def tested(monkeypatch):
     """The class of the node, with the stand-in for its component."""
@@ -211,6 +217,23 @@ def test_the_outputs_are_published(world, tested):
             OUTPUTS["frame"],
         ],
     )
+
+
+@pytest.mark.parametrize(
+    "topic",
+    [
+        "/steering/state",
+    ],
+)
+def test_messages_are_stamped_when_they_are_published(world, tested, topic):
+    """By the clock of the node."""
+    node = world.add(tested(parameter_overrides=frequency(100.0)))
+    clock = node.get_clock()
+    start = clock.now()
+    received = world.listen(PUBLICATIONS, node)[topic]
+    publishers = world.offer(SUBSCRIPTIONS, node)
+    world.repeat(lambda: send_all(publishers))
+    world.spin_until(lambda: any(start < stamp(m) <= clock.now() for m in received))
 
 
 def test_the_frequency_is_a_parameter(world, tested):

@@ -6,6 +6,7 @@ import rclpy
 import rclpy.executors
 import rclpy.node
 import rclpy.qos
+import sensor_msgs.msg
 import std_msgs.msg
 
 from crossing.components.options import options as Component
@@ -70,6 +71,26 @@ class options_node(rclpy.node.Node):
                 depth=10,
             ),
         )
+        self.publisher_distance = self.create_publisher(
+            sensor_msgs.msg.Range,
+            "/distance",
+            rclpy.qos.QoSProfile(
+                reliability=rclpy.qos.ReliabilityPolicy.RELIABLE,
+                durability=rclpy.qos.DurabilityPolicy.VOLATILE,
+                history=rclpy.qos.HistoryPolicy.KEEP_LAST,
+                depth=10,
+            ),
+        )
+        self.publisher_heard = self.create_publisher(
+            sensor_msgs.msg.Temperature,
+            "/heard",
+            rclpy.qos.QoSProfile(
+                reliability=rclpy.qos.ReliabilityPolicy.RELIABLE,
+                durability=rclpy.qos.DurabilityPolicy.VOLATILE,
+                history=rclpy.qos.HistoryPolicy.KEEP_LAST,
+                depth=10,
+            ),
+        )
         frequency = self.get_parameter("frequency").value
         if not isinstance(frequency, int | float):
             raise TypeError(f"the frequency has to be a number (Hz), not {frequency!r}")
@@ -108,12 +129,23 @@ class options_node(rclpy.node.Node):
         message = std_msgs.msg.Bool()
         message.data = output["done"]
         self.publisher_done.publish(message)
+        message = sensor_msgs.msg.Range()
+        message.header.stamp = self.get_clock().now().to_msg()
+        message.range = float(output["distance"])  # m
+        self.publisher_distance.publish(message)
+        message = sensor_msgs.msg.Temperature()
+        message.header.stamp.sec = output["heard"]  # s
+        self.publisher_heard.publish(message)
 
     def publish_safe_values(self):
         """Publish what the model states for inputs that are too old."""
         message = std_msgs.msg.Bool()
         message.data = True
         self.publisher_done.publish(message)
+        message = sensor_msgs.msg.Range()
+        message.header.stamp = self.get_clock().now().to_msg()
+        message.range = 0.0  # m
+        self.publisher_distance.publish(message)
 
 
 def main(args=None):

@@ -5,6 +5,8 @@ import pytest
 import rclpy.exceptions
 import rclpy.parameter
 import rclpy.qos
+import rclpy.time
+import sensor_msgs.msg
 import std_msgs.msg
 
 from crossing import options_node
@@ -26,6 +28,20 @@ def values_on_done(message):
     """What a message carries that the node publishes."""
     return [
         plain(message.data),
+    ]
+
+
+def values_on_distance(message):
+    """What a message carries that the node publishes."""
+    return [
+        plain(message.range),
+    ]
+
+
+def values_on_heard(message):
+    """What a message carries that the node publishes."""
+    return [
+        plain(message.header.stamp.sec),
     ]
 
 
@@ -55,6 +71,24 @@ PUBLICATIONS = {
             depth=10,
         ),
     ),
+    "/distance": (
+        sensor_msgs.msg.Range,
+        rclpy.qos.QoSProfile(
+            reliability=rclpy.qos.ReliabilityPolicy.RELIABLE,
+            durability=rclpy.qos.DurabilityPolicy.VOLATILE,
+            history=rclpy.qos.HistoryPolicy.KEEP_LAST,
+            depth=10,
+        ),
+    ),
+    "/heard": (
+        sensor_msgs.msg.Temperature,
+        rclpy.qos.QoSProfile(
+            reliability=rclpy.qos.ReliabilityPolicy.RELIABLE,
+            durability=rclpy.qos.DurabilityPolicy.VOLATILE,
+            history=rclpy.qos.HistoryPolicy.KEEP_LAST,
+            depth=10,
+        ),
+    ),
 }
 
 INPUTS = {
@@ -63,6 +97,8 @@ INPUTS = {
 
 OUTPUTS = {
     "done": True,
+    "distance": 3.5,
+    "heard": 4,
 }
 
 
@@ -83,6 +119,11 @@ class StandIn:
 def frequency(value):
     """The argument that overrides the node's frequency."""
     return [rclpy.parameter.Parameter("frequency", value=value)]
+
+
+def stamp(message):
+    """The time in the header of a message."""
+    return rclpy.time.Time.from_msg(message.header.stamp)
 
 
 @pytest.fixture
@@ -146,6 +187,37 @@ def test_the_outputs_are_published(world, tested):
             OUTPUTS["done"],
         ],
     )
+    world.wait_for_values(
+        received["/distance"],
+        values_on_distance,
+        [
+            OUTPUTS["distance"],
+        ],
+    )
+    world.wait_for_values(
+        received["/heard"],
+        values_on_heard,
+        [
+            OUTPUTS["heard"],
+        ],
+    )
+
+
+@pytest.mark.parametrize(
+    "topic",
+    [
+        "/distance",
+    ],
+)
+def test_messages_are_stamped_when_they_are_published(world, tested, topic):
+    """By the clock of the node."""
+    node = world.add(tested(parameter_overrides=frequency(100.0)))
+    clock = node.get_clock()
+    start = clock.now()
+    received = world.listen(PUBLICATIONS, node)[topic]
+    publishers = world.offer(SUBSCRIPTIONS, node)
+    world.repeat(lambda: send_all(publishers))
+    world.spin_until(lambda: any(start < stamp(m) <= clock.now() for m in received))
 
 
 def test_the_frequency_is_a_parameter(world, tested):
