@@ -78,6 +78,7 @@ public final class DesignAgent {
     Modeled<EventChain> chain =
         EventChainReader.read(text, "chain", requirements, OptionalDouble.empty());
     List<Diagnostic> diagnostics = new ArrayList<>(chain.diagnostics());
+    EventChainReader.addBudgets(chain.root(), chain.root(), base);
     diagnostics.addAll(base.check(chain.root(), chain.origins()::locate));
     diagnostics.addAll(
         ChainAnalysis.of(messages, base.signals())

@@ -85,6 +85,9 @@ public final class EventChainReader {
       Map.of(
           Literals.SOFTWARE_NODE__NAME, "name",
           Literals.SOFTWARE_NODE__FREQUENCY, "frequency",
+          Literals.SOFTWARE_NODE__BEST_CASE_EXECUTION_TIME, "best_case_execution_time",
+          Literals.SOFTWARE_NODE__WORST_CASE_EXECUTION_TIME, "worst_case_execution_time",
+          Literals.SOFTWARE_NODE__MEMORY, "memory",
           Literals.SOFTWARE_NODE__INPUT, "input",
           Literals.SOFTWARE_NODE__OUTPUT, "output");
 

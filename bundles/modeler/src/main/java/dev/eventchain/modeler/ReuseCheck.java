@@ -4,26 +4,54 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.RosNames;
+import dev.eventchain.messages.Unit;
 import dev.eventchain.metamodel.TopicIndex;
 import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.EventchainPackage.Literals;
+import dev.eventchain.metamodel.eventchain.QosProfile;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import java.util.function.BiFunction;
+import java.util.function.Function;
+import org.eclipse.emf.ecore.EAttribute;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
 /** Whether a chain uses one existing component as it is: its code is there and will not change. */
 final class ReuseCheck {
 
-  private static final Map<EStructuralFeature, String> WORDS =
-      Map.of(
-          Literals.DATA__TOPIC_NAME, "topic",
-          Literals.DATA__FIELD_NAME, "field",
-          Literals.DATA__MESSAGE_TYPE, "message type");
+  private static final String NOT_STATED = "";
+
+  /**
+   * What data are compared by, and how its values are read; the type of a field is its message's.
+   */
+  private record Property(
+      EStructuralFeature feature, String words, boolean optional, Function<Data, String> value) {}
+
+  private static final List<Property> PROPERTIES =
+      List.of(
+          new Property(Literals.DATA__FIELD_NAME, "field", false, Data::getFieldName),
+          new Property(Literals.DATA__MESSAGE_TYPE, "message type", false, ReuseCheck::type),
+          new Property(Literals.DATA__UNIT, "unit", true, data -> stated(data.getUnit())),
+          new Property(Literals.DATA__QOS, "quality of service", true, ReuseCheck::quality),
+          new Property(Literals.DATA__MAXIMUM_AGE, "maximum age", true, ReuseCheck::age),
+          new Property(
+              Literals.DATA__SAFE_VALUE, "safe value", true, data -> stated(data.getSafeValue())));
+
+  private static final Map<EAttribute, String> NUMBERS = new LinkedHashMap<>();
+
+  static {
+    NUMBERS.put(Literals.SOFTWARE_NODE__FREQUENCY, "frequency (Hz)");
+    NUMBERS.put(Literals.SOFTWARE_NODE__BEST_CASE_EXECUTION_TIME, "best-case execution time (ms)");
+    NUMBERS.put(
+        Literals.SOFTWARE_NODE__WORST_CASE_EXECUTION_TIME, "worst-case execution time (ms)");
+    NUMBERS.put(Literals.SOFTWARE_NODE__MEMORY, "memory");
+  }
 
   private final SoftwareNode existing;
   private final SoftwareNode used;
@@ -44,9 +72,7 @@ final class ReuseCheck {
   void check() {
     compare("input", byName(existing.getInput()), byName(used.getInput()));
     compare("output", byName(existing.getOutput()), byName(used.getOutput()));
-    if (existing.isSetFrequency() && used.isSetFrequency()) {
-      compareFrequency(existing.getFrequency(), used.getFrequency());
-    }
+    NUMBERS.forEach(this::compareNumber);
   }
 
   private void compare(String side, Map<String, Data> there, Map<String, Data> here) {
@@ -72,36 +98,46 @@ final class ReuseCheck {
   }
 
   private void compareValue(String side, Data there, Data here) {
-    compareProperty(side, here, Literals.DATA__TOPIC_NAME, topic(there), topic(here));
-    compareProperty(
-        side, here, Literals.DATA__FIELD_NAME, there.getFieldName(), here.getFieldName());
-    compareProperty(
-        side,
-        here,
-        Literals.DATA__MESSAGE_TYPE,
-        qualified(there.getMessageType()),
-        qualified(here.getMessageType()));
-  }
-
-  private void compareFrequency(double wanted, double given) {
-    if (wanted != given) {
-      report(
-          "value.changed",
-          "The existing component '%s' executes with %s Hz, not %s Hz."
-              .formatted(existing.getName(), wanted, given),
-          locator.apply(used, Literals.SOFTWARE_NODE__FREQUENCY),
-          "Describe an existing component as it is, or give the new one another name.");
+    String owner = "the %s '%s' of ".formatted(side, here.getName());
+    compare("topic", owner, here, Literals.DATA__TOPIC_NAME, topic(there), topic(here));
+    for (Property property : PROPERTIES) {
+      String wanted = property.value().apply(there);
+      String given = property.value().apply(here);
+      boolean unknown = property.optional() && NOT_STATED.equals(wanted);
+      boolean same = property.feature() == Literals.DATA__UNIT && isSameUnit(wanted, given);
+      if (!unknown && !same) {
+        compare(property.words(), owner, here, property.feature(), wanted, given);
+      }
     }
   }
 
-  private void compareProperty(
-      String side, Data here, EStructuralFeature feature, String wanted, String given) {
+  /** A number that the existing component does not state may be added to it. */
+  private void compareNumber(EAttribute attribute, String words) {
+    if (existing.eIsSet(attribute)) {
+      String given = used.eIsSet(attribute) ? String.valueOf(used.eGet(attribute)) : NOT_STATED;
+      compare(words, "", used, attribute, String.valueOf(existing.eGet(attribute)), given);
+    }
+  }
+
+  private void compare(
+      String words,
+      String owner,
+      EObject here,
+      EStructuralFeature feature,
+      String wanted,
+      String given) {
     if (!Objects.equals(wanted, given)) {
       report(
           "value.changed",
-          "The %s of the %s '%s' of the existing component '%s' is '%s', not '%s'."
+          "The %s of %sthe existing component '%s' is '%s', %s."
               .formatted(
-                  WORDS.get(feature), side, here.getName(), existing.getName(), wanted, given),
+                  words,
+                  owner,
+                  existing.getName(),
+                  wanted,
+                  NOT_STATED.equals(given)
+                      ? "which the chain does not state"
+                      : "not '" + given + "'"),
           locator.apply(here, feature),
           "Describe an existing component as it is, or give the new one another name.");
     }
@@ -132,8 +168,40 @@ final class ReuseCheck {
     return TopicIndex.nameOf(data, existing).orElse("");
   }
 
-  private static String qualified(String type) {
-    return type == null ? "" : RosNames.fullMessageType(type);
+  private static String type(Data data) {
+    String type = data.getMessageType();
+    return type == null ? NOT_STATED : RosNames.fullMessageType(type);
+  }
+
+  private static String stated(String text) {
+    return text == null ? NOT_STATED : text;
+  }
+
+  private static String age(Data data) {
+    return data.isSetMaximumAge() ? data.getMaximumAge() + " ms" : NOT_STATED;
+  }
+
+  private static boolean isSameUnit(String one, String other) {
+    return Unit.parse(one)
+        .flatMap(unit -> Unit.parse(other).map(unit::relationTo))
+        .filter(relation -> relation == Unit.Relation.SAME)
+        .isPresent();
+  }
+
+  /** The profile and what is set beside it: "sensor_data, depth 5". */
+  private static String quality(Data data) {
+    QosProfile profile = data.getQos();
+    if (profile == null) {
+      return NOT_STATED;
+    }
+    List<String> parts = new ArrayList<>();
+    for (EAttribute policy : profile.eClass().getEAllAttributes()) {
+      if (profile.eIsSet(policy)) {
+        String value = String.valueOf(profile.eGet(policy)).toLowerCase(Locale.ROOT);
+        parts.add(policy.getName().equals("name") ? value : policy.getName() + " " + value);
+      }
+    }
+    return String.join(", ", parts);
   }
 
   private static Map<String, Data> byName(List<Data> data) {

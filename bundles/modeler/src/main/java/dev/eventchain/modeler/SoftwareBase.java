@@ -176,8 +176,9 @@ public final class SoftwareBase {
 
   /**
    * Whether a chain uses the existing components as they are: the same values of the same fields of
-   * the same topics, with the same frequency. An output that the chain leaves out is a warning, all
-   * else an error.
+   * the same topics, and whatever else is stated of them: units, quality of service, ages, safe
+   * values, frequency, execution times and memory. An output that the chain leaves out is a
+   * warning, all else an error.
    *
    * @param locator the places of the features of the chain's elements
    */

@@ -149,6 +149,17 @@ class OwnFunctionTest {
   }
 
   @Test
+  void existingComponentThatTheModelDescribesOtherwise() throws IOException {
+    replace(CHAIN, "satisfies=\"//@requirements.0\" worstCaseExecutionTime=\"2.0\"", "");
+    run()
+        .expect(1)
+        .says("model/chain.xmi:3:")
+        .says("component 'Radar_Tracking' is '2.0', which the chain does not state.")
+        .says("[modeler.component.value.changed]");
+    notPassed();
+  }
+
+  @Test
   void latencyBoundOfAMillisecond() throws IOException {
     replace(CHAIN, "maximum=\"100.0\"", "maximum=\"1.0\"");
     run().expect(1).says("FAILED").says("radar_to_brake");
