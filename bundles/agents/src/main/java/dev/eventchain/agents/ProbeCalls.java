@@ -9,13 +9,13 @@ import java.util.List;
 import java.util.Map;
 
 /**
- * Calls to try a component with: usual values twice, each input at its edges by itself, then two
- * inputs at a time, then all together, and usual values at last, which the state from before must
- * not spoil.
+ * Calls to try a component with: usual values twice, each input at its edges by itself, twice in a
+ * row for what remembers the value before, then two inputs at a time, then all together, and usual
+ * values at last, which the state from before must not spoil.
  */
 final class ProbeCalls {
-  /** Calls of pairs: enough for all edges of four numbers. */
-  private static final int MOST_PAIRS = 500;
+  /** Calls of pairs: enough for all edges of four numbers and more. */
+  private static final int MOST_PAIRS = 600;
 
   private final List<Value> inputs;
   private final List<List<ProbeValue>> values;
@@ -41,6 +41,7 @@ final class ProbeCalls {
     for (int i = 0; i < inputs.size(); i++) {
       for (int edge = 1; edge < values.get(i).size(); edge++) {
         add(name(i, edge), Map.of(i, edge));
+        add(name(i, edge) + " again", Map.of(i, edge));
       }
     }
   }

@@ -46,14 +46,31 @@ record ProbeValue(String name, Object value) {
       case "bool", "boolean" -> all(true, false);
       case "string", "wstring" -> all("x", "");
       case "uint8", "byte", "octet", "char" -> all(1, 0, 255);
-      case "int8" -> all(1, 0, -1, 127);
+      case "int8" -> all(1, 0, -1, 127, -128);
       case "uint16" -> all(1, 0, 65_535);
-      case "int16" -> all(1, 0, -1, 32_767);
+      case "int16" -> all(1, 0, -1, 32_767, -32_768);
       case "uint32" -> all(1, 0, 4_294_967_295L);
-      case "int32" -> all(1, 0, -1, Integer.MAX_VALUE);
-      case "uint64", "int64" -> all(1, 0, Long.MAX_VALUE);
-      default -> all(1.0, 0.0, -1.0, 1.0e-9, 1.0e6, 1.0e38, Double.NaN, Double.POSITIVE_INFINITY);
+      case "int32" -> all(1, 0, -1, Integer.MAX_VALUE, Integer.MIN_VALUE);
+      case "uint64" -> all(1, 0, Long.MAX_VALUE);
+      case "int64" -> all(1, 0, -1, Long.MAX_VALUE, Long.MIN_VALUE);
+      case "double", "float64" -> numbers(Double.MAX_VALUE);
+      default -> numbers(1.0e38);
     };
+  }
+
+  /** Twice the largest number is infinite, and infinity less infinity is none. */
+  private static List<ProbeValue> numbers(double largest) {
+    return all(
+        1.0,
+        0.0,
+        -1.0,
+        1.0e-9,
+        1.0e6,
+        largest,
+        -largest,
+        Double.NaN,
+        Double.POSITIVE_INFINITY,
+        Double.NEGATIVE_INFINITY);
   }
 
   private static List<ProbeValue> all(Object... values) {
