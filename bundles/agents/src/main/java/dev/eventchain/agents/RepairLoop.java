@@ -48,7 +48,7 @@ final class RepairLoop {
    * @param template the prompt
    * @param values what its places are filled with
    * @param schema the JSON Schema of the answer, if it has one
-   * @param check finds what is wrong with an artefact; errors send it back
+   * @param check finds what is wrong with an artefact; errors that nobody accepts send it back
    * @throws DiagnosticException FINDINGS with what was wrong with the last answer
    */
   AgentResult run(
@@ -69,7 +69,7 @@ final class RepairLoop {
           answer.artefact().map(check).orElse(List.of()).stream().sorted().toList();
       List<Diagnostic> all = answer.problems().isEmpty() ? findings : answer.problems();
       attempts.add(new Attempt(response, all));
-      if (!Diagnostic.anyError(all)) {
+      if (answer.problems().isEmpty() && findings.stream().noneMatch(this::isRefused)) {
         String text = answer.artefact().orElseThrow().text();
         return new AgentResult(text, template.name(), attempts, findings);
       }
@@ -81,12 +81,12 @@ final class RepairLoop {
     }
   }
 
-  private static String announcement(String file, List<Attempt> attempts) {
+  private String announcement(String file, List<Attempt> attempts) {
     if (attempts.isEmpty()) {
       return "asking for " + file;
     }
     List<Diagnostic> errors =
-        attempts.get(attempts.size() - 1).findings().stream().filter(RepairLoop::isError).toList();
+        attempts.get(attempts.size() - 1).findings().stream().filter(this::isRefused).toList();
     String first = errors.get(0).message().lines().findFirst().orElse("");
     String others = errors.size() == 1 ? "" : " (and %d more)".formatted(errors.size() - 1);
     return "asking again for %s: %s%s".formatted(file, first, others);
@@ -95,12 +95,12 @@ final class RepairLoop {
   private String repair(List<Diagnostic> findings) {
     return REPAIR.render(
         Map.of(
-            "findings", FindingsText.of(findings.stream().filter(RepairLoop::isError).toList()),
+            "findings", FindingsText.of(findings.stream().filter(this::isRefused).toList()),
             "kind of answer", kind.description()));
   }
 
-  private static boolean isError(Diagnostic diagnostic) {
-    return diagnostic.severity() == Severity.ERROR;
+  private boolean isRefused(Diagnostic diagnostic) {
+    return diagnostic.severity() == Severity.ERROR && !context.accepted().test(diagnostic);
   }
 
   private static DiagnosticException rejected(String file, List<Attempt> attempts) {

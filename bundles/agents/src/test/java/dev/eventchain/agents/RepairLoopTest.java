@@ -14,6 +14,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Predicate;
 import org.junit.jupiter.api.Test;
 
 /** Asking again with what was found. */
@@ -22,6 +23,8 @@ class RepairLoopTest {
 
   private final ScriptedModel model = new ScriptedModel();
   private final List<String> progress = new ArrayList<>();
+
+  private Predicate<Diagnostic> accepted = finding -> false;
 
   @Test
   void anAnswerThatPassesIsTakenAtOnceWithItsWarnings() {
@@ -101,12 +104,27 @@ class RepairLoopTest {
     assertTrue(message.contains("\nAnd 15 more.\n"), message);
   }
 
+  @Test
+  void whatPeopleAcceptSendsNoAnswerBack() {
+    accepted = finding -> finding.id().equals("test.wrong");
+    AgentResult result = run(model.answer("[\"wrong\"]"), 1);
+    assertTrue(result.text().contains("wrong"), result.text());
+    assertEquals(List.of("test.wrong"), ids(result.diagnostics()));
+  }
+
+  @Test
+  void whatIsNoAnswerIsNeverAccepted() {
+    accepted = finding -> true;
+    model.answer("nothing");
+    assertThrows(DiagnosticException.class, () -> run(0));
+  }
+
   private AgentResult run(int repairs) {
     return run(model, repairs);
   }
 
   private AgentResult run(ScriptedModel asked, int repairs) {
-    AgentContext context = new AgentContext(asked, repairs, progress::add);
+    AgentContext context = new AgentContext(asked, repairs, accepted, progress::add);
     return new RepairLoop(context, "design", AnswerKind.JSON)
         .run("a.json", PROMPT, Map.of("what", "JSON"), Optional.empty(), RepairLoopTest::check);
   }

@@ -4,6 +4,8 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.agents.AgentResult;
 import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -40,6 +42,22 @@ final class AgentReport {
         .forEach(attempt -> provenance.add(attempt.response().provenance()));
     report.put("provenance", String.join(", ", provenance));
     return report;
+  }
+
+  /** What was found in an answer, in the files that it becomes. */
+  static List<Diagnostic> placed(RunContext run, AgentResult result) {
+    return result.diagnostics().stream().map(finding -> placed(run, finding)).toList();
+  }
+
+  /** A finding in an answer where it is in the file that the answer becomes. */
+  static Diagnostic placed(RunContext run, Diagnostic finding) {
+    SourceLocation place = finding.location();
+    String file = SourceLocation.of(run.file(place.file())).file();
+    return place.file().isEmpty() || place.file().equals(file)
+        ? finding
+        : finding.withLocation(
+            new SourceLocation(
+                file, place.line(), place.column(), place.element(), place.excerpt()));
   }
 
   /** How many answers had to be corrected, in words; empty if none. */

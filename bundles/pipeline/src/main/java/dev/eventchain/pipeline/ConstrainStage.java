@@ -53,7 +53,7 @@ final class ConstrainStage implements StageWork {
             + " design rules"
             + AgentReport.repairs(List.of(constrained)),
         List.of(Constraints.GENERATED),
-        constrained.diagnostics(),
+        AgentReport.placed(run, constrained),
         AgentReport.of(run, Stage.CONSTRAIN, List.of(constrained)));
   }
 

@@ -52,7 +52,7 @@ final class DesignStage implements StageWork {
     return new StageResult(
         "event chain from " + count + " requirements" + AgentReport.repairs(List.of(designed)),
         List.of(FILE),
-        designed.diagnostics(),
+        AgentReport.placed(run, designed),
         report);
   }
 }

@@ -52,7 +52,7 @@ final class ImplementStage implements StageWork {
           String file = FOLDER + "/" + node.getName() + ".py";
           run.write(file, answered.get().text());
           files.add(file);
-          found.addAll(answered.get().diagnostics());
+          found.addAll(AgentReport.placed(run, answered.get()));
           results.add(answered.get());
         }
       }

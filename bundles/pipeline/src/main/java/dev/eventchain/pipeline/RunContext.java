@@ -236,7 +236,15 @@ final class RunContext {
             project.recordings(),
             options.record());
     return new AgentContext(
-        model, configuration.repairs(), message -> progress.step(stage, message));
+        model,
+        configuration.repairs(),
+        finding ->
+            options
+                .suppressions()
+                .part(List.of(AgentReport.placed(this, finding)))
+                .remaining()
+                .isEmpty(),
+        message -> progress.step(stage, message));
   }
 
   /** Writes a file; what comes of it is a finding of the stage that runs. */

@@ -62,6 +62,42 @@ class HandoffRunTest {
     assertTrue(Files.exists(project.resolve("out/chain.xmi")));
   }
 
+  @Test
+  void whatPeopleAcceptOfADesignSendsNoAnswerBack() throws IOException {
+    new Program().run("run", project, "--to", "design").expect(0);
+    String chain = Files.readString(project.resolve("out/chain.json"));
+    String other = chain.replaceFirst("\"frequency\" ?: 20(.0)?", "\"frequency\": 40.0");
+    assertTrue(!other.equals(chain));
+    forget("design");
+    design().expect(4).says("design-01");
+    Files.writeString(folder.resolve("handoff/design-01.answer.md"), "```json\n" + other + "```\n");
+    design().expect(4).says("llm.handoff.waiting").says("design-02");
+    Files.writeString(
+        project.resolve("eventchain-suppressions.yaml"),
+        """
+        - id: modeler.component.value.changed
+          element: "*/frequency"
+          file: out/chain.json
+          reason: The supplier has agreed.
+          expires: 2027-03-31
+        """);
+    design().expect(0).says("1 finding suppressed");
+    assertTrue(Files.readString(project.resolve("out/chain.json")).contains("40.0"));
+  }
+
+  private Program.Ended design() {
+    return new Program()
+        .run(
+            "run",
+            project,
+            "--to",
+            "design",
+            "--date",
+            "2026-11-30",
+            "--llm",
+            "handoff:" + folder.resolve("handoff"));
+  }
+
   private Program.Ended run() {
     return new Program().run("run", project, "--llm", "handoff:" + folder.resolve("handoff"));
   }
