@@ -59,6 +59,14 @@ class GeneratedPackageTest {
     }
   }
 
+  @ParameterizedTest
+  @ValueSource(strings = {"aeb", "fork-and-join", "names", "topics"})
+  void thePackageNamesWhatItImports(String name) throws Exception {
+    String script = RESOURCES.resolve("packages/dependencies.py").toString();
+    String missing = python(write(name), List.of(script, ".")).expect(0);
+    assertEquals("[]", missing.strip());
+  }
+
   private static List<String> ruff(String command, List<String> settings) {
     List<String> words = new ArrayList<>(List.of("-m", "ruff", command, "--no-cache"));
     words.addAll(settings);

@@ -7,7 +7,6 @@ import dev.eventchain.m2t.GenerationContext;
 import dev.eventchain.m2t.GenerationResult;
 import dev.eventchain.m2t.OutputFolder;
 import dev.eventchain.m2t.TemplateModule;
-import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.metamodel.eventchain.ComponentImplementation;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
@@ -61,15 +60,10 @@ final class GenerateStage implements StageWork {
     TemplateModule module =
         Templates.compile(
             run.project(), List.of(EventchainPackage.eINSTANCE, MessageModel.metamodel()));
-    MessageCatalog messages = run.messages();
-    GenerationResult generated =
-        module.generate(
-            List.of(model.chain(), MessageModel.of(model.chain(), messages)),
-            GenerationContext.of(model::locate)
-                .withEarlier(name -> run.output().read(folder + "/" + name))
-                .withProperties(properties(run))
-                .withTrace());
+    ComponentImports imports = imports(run, model.chain());
+    GenerationResult generated = generate(run, module, properties(run, imports));
     List<Diagnostic> found = new ArrayList<>(module.warnings());
+    found.addAll(imports.unknown());
     found.addAll(generated.diagnostics());
     if (Diagnostic.anyError(found)) {
       throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, found);
@@ -83,21 +77,45 @@ final class GenerateStage implements StageWork {
     run.writeResult(
         TraceFile.NAME, TraceFile.content(generated.trace(), folder + "/", run.baseFolders()));
     found.addAll(run.output().removeOthers(folder, files.keySet()));
-    String details = files.size() + " files in " + written;
     List<String> outputs = new ArrayList<>(files.keySet());
     outputs.add(TraceFile.NAME);
-    return StageResult.of(details, outputs, found);
+    return StageResult.of(files.size() + " files in " + written, outputs, found);
+  }
+
+  private static GenerationResult generate(
+      RunContext run, TemplateModule module, Map<String, String> properties) {
+    ChainSnapshot model = run.chain();
+    String folder = Templates.folder(run.project());
+    return module.generate(
+        List.of(model.chain(), MessageModel.of(model.chain(), run.messages())),
+        GenerationContext.of(model::locate)
+            .withEarlier(name -> run.output().read(folder + "/" + name))
+            .withProperties(properties)
+            .withTrace());
   }
 
   /** What the first lines of generated files say, and what the package says of itself. */
-  private static Map<String, String> properties(RunContext run) {
+  private static Map<String, String> properties(RunContext run, ComponentImports imports) {
     String version = GenerateStage.class.getPackage().getImplementationVersion();
     Map<String, String> properties = new TreeMap<>(run.project().configuration().packageFacts());
     properties.put("provenance.model", run.model().getFileName().toString());
+    properties.put("package.rosdep", String.join(" ", imports.rosdepKeys()));
+    properties.put("package.pip", String.join(" ", imports.pipNames()));
     if (version != null) {
       properties.put("provenance.version", version);
     }
     return properties;
+  }
+
+  private static ComponentImports imports(RunContext run, EventChain chain) {
+    ComponentImports imports =
+        new ComponentImports(run.messages(), Templates.installsWithPip(run.project()));
+    for (SoftwareNode node : chain.getSoftware()) {
+      if (node.getImplementation() == ComponentImplementation.COMPONENT) {
+        imports.add(node.getName(), SourceText.read(componentFile(run, node)));
+      }
+    }
+    return imports;
   }
 
   /**

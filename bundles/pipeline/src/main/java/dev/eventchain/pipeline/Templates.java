@@ -42,6 +42,11 @@ final class Templates {
     return FOLDERS.getOrDefault(project.configuration().template(), "ros2");
   }
 
+  /** Whether pip installs what is generated, else the tools of ROS 2. */
+  static boolean installsWithPip(Project project) {
+    return project.configuration().template().equals("cyclonedds-python");
+  }
+
   /**
    * Compiles the project's templates.
    *

@@ -101,6 +101,12 @@ class CycloneDdsTest {
   }
 
   @Test
+  void thePackageNeedsWhatItsComponentsImport() throws IOException {
+    String project = Files.readString(generated.resolve("pyproject.toml"));
+    assertTrue(project.contains("\", \"numpy\"]"), project);
+  }
+
+  @Test
   void thePackagePassesItsOwnTests() throws IOException {
     python(generated, "-m", "pytest", "-q", "-p", "no:cacheprovider").expect(0).says("10 passed");
   }

@@ -91,6 +91,16 @@ class GeneratedPackageTest {
     assertTrue(Files.readString(generated.resolve("setup.py")).contains("license=\"EPL-2.0\""));
   }
 
+  /** Also what the components import. */
+  @Test
+  void thePackageNamesWhatItImports() throws Exception {
+    Path script = Program.ROOT.resolve("bundles/m2t/src/test/resources/packages/dependencies.py");
+    assertEquals("[]", python(List.of(script.toString(), ".")).strip());
+    assertTrue(
+        Files.readString(generated.resolve("package.xml"))
+            .contains("<exec_depend>python3-numpy</exec_depend>"));
+  }
+
   @Test
   void generatingAgainTouchesNothing() throws IOException {
     Map<Path, FileTime> before = times();
