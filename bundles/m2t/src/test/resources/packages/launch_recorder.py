@@ -45,7 +45,7 @@ def provide(module, **members):
     vars(sys.modules[module]).update(members)
 
 
-provide("launch", LaunchDescription=recorder("LaunchDescription", "entities"))
+provide("launch", LaunchContext=dict, LaunchDescription=recorder("LaunchDescription", "entities"))
 provide(
     "launch.actions",
     DeclareLaunchArgument=recorder(

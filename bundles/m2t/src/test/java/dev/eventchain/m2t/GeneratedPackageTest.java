@@ -59,8 +59,23 @@ class GeneratedPackageTest {
     }
   }
 
+  /** Names of 64 characters, topics and units of several lines, fields inside of fields. */
   @ParameterizedTest
-  @ValueSource(strings = {"aeb", "fork-and-join", "names", "topics"})
+  @ValueSource(strings = {"aeb", "fork-and-join", "hostile", "long", "names", "topics"})
+  void linesAreAsShortAsAmentWantsAndFunctionsHaveTypes(String name) throws Exception {
+    Path folder = write(name);
+    List<String> ament = List.of("--isolated", "--line-length", "99");
+    List<String> check = ruff("check", ament);
+    // Any is what components exchange.
+    check.addAll(List.of("--select", "E,F,W,I,UP,ANN,RUF", "--ignore", "ANN401"));
+    python(folder, check).expect(0);
+    List<String> format = ruff("format", ament);
+    format.addAll(List.of("--check", "--diff"));
+    python(folder, format).expect(0);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"aeb", "fork-and-join", "long", "names", "topics"})
   void thePackageNamesWhatItImports(String name) throws Exception {
     String script = RESOURCES.resolve("packages/dependencies.py").toString();
     String missing = python(write(name), List.of(script, ".")).expect(0);
@@ -75,7 +90,7 @@ class GeneratedPackageTest {
   }
 
   @ParameterizedTest
-  @CsvSource({"aeb, 39", "fork-and-join, 53", "topics, 32"})
+  @CsvSource({"aeb, 39", "fork-and-join, 53", "long, 28", "topics, 32"})
   void itsOwnTestsPass(String name, int number) throws Exception {
     Path folder = writeComplete(name);
     String output = test(folder).expect(0);
@@ -230,7 +245,7 @@ class GeneratedPackageTest {
     try (Stream<Path> all = Files.list(modules)) {
       for (Path node : all.filter(f -> f.toString().endsWith("_node.py")).toList()) {
         String component =
-            Files.readString(node).replaceAll("(?s).*components\\.\\w+ import (\\w+).*", "$1");
+            Files.readString(node).replaceAll("(?s).*components\\.(\\w+) import.*", "$1");
         String text = "\"\"\"Does nothing.\"\"\"\n\n\nclass " + component + ":\n    pass\n";
         Files.writeString(modules.resolve("components/" + component + ".py"), text);
       }
@@ -244,6 +259,7 @@ class GeneratedPackageTest {
             List.of(
                 "-m", "pytest", "-p", "no:cacheprovider", "-p", "eventchain_ros2.pytest_plugin"));
     words.add("--messages=" + ROOT.resolve("examples/aeb/software-base/msg"));
+    words.add("--messages=" + RESOURCES.resolve("packages/long"));
     words.addAll(Arrays.asList(arguments));
     return python(folder, words);
   }
