@@ -52,7 +52,8 @@ final class ModuleLoader {
 
   /**
    * Modules in the folder of a file: {@code a::b} is {@code a/b.mtl} below it, or {@code b.mtl} in
-   * it, or {@code a/b.mtl} beside the folder, where several sets of templates share modules.
+   * it, or {@code a/b.mtl} beside the folder, where several sets of templates share modules. The
+   * file itself is no module of another name.
    *
    * @param read gets the file of each module that is read
    */
@@ -63,7 +64,7 @@ final class ModuleLoader {
       Path flat = folder.resolve(name.substring(name.lastIndexOf(':') + 1) + ".mtl");
       Path around = name.contains("::") ? folder.resolve("..").resolve(nested).normalize() : flat;
       return Stream.of(folder.resolve(nested), flat, around)
-          .filter(Files::exists)
+          .filter(found -> Files.exists(found) && !found.equals(file))
           .findFirst()
           .map(
               found -> {

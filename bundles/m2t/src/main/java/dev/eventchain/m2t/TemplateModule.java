@@ -12,6 +12,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Consumer;
 import java.util.function.Function;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
@@ -57,17 +58,38 @@ public final class TemplateModule {
   }
 
   /**
+   * Compiles a file; modules that it imports or extends, and those that these do, are looked for
+   * beside it and then elsewhere.
+   *
+   * @param elsewhere finds modules by their qualified names, in the order of the imports
+   * @param packages the metamodels that modules may name by their namespaces
+   * @throws DiagnosticException reason INPUT, with every problem of every module
+   */
+  public static TemplateModule compile(
+      Path file, Function<String, Optional<SourceText>> elsewhere, Collection<EPackage> packages) {
+    return compile(ModuleLoader.read(file), around(file, elsewhere, read -> {}), packages);
+  }
+
+  private static Function<String, Optional<SourceText>> around(
+      Path file, Function<String, Optional<SourceText>> elsewhere, Consumer<Path> read) {
+    Function<String, Optional<SourceText>> beside = ModuleLoader.beside(file, read);
+    return name -> beside.apply(name).or(() -> elsewhere.apply(name));
+  }
+
+  /**
    * The files that make a module: its own, and those of all that it imports or extends. One that is
    * not there, or has errors, is for the compiler to report.
    *
+   * @param elsewhere as for {@link #compile(Path, Function, Collection)}; what it finds is not
+   *     among the files, but what that imports may be
    * @throws DiagnosticException INPUT if one of them cannot be read
    */
-  public static List<Path> files(Path file) {
+  public static List<Path> files(Path file, Function<String, Optional<SourceText>> elsewhere) {
     List<Path> files = new ArrayList<>();
     files.add(file);
     if (Files.exists(file)) {
       ModuleLoader.load(
-          ModuleLoader.read(file), ModuleLoader.beside(file, files::add), new ArrayList<>());
+          ModuleLoader.read(file), around(file, elsewhere, files::add), new ArrayList<>());
     }
     return files;
   }

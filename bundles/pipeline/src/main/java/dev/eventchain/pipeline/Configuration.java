@@ -25,7 +25,7 @@ import java.util.TreeMap;
  *     handoff:DIR}
  * @param models the model for each task, by task
  * @param repairs how often a failed check goes back to the model
- * @param template the folder of the template set, under templates/
+ * @param template the folder of the template set, under templates/, or a file *.mtl of the project
  * @param packageFacts what the generated package says of itself, by the properties that templates
  *     get: {@code package.license} and so on; only what is given
  */
@@ -81,7 +81,7 @@ record Configuration(
             settings.text("llm").orElse("replay"),
             settings.object("models").map(Configuration::models).orElse(Map.of()),
             (int) settings.wholeNumber("repairs", REPAIRS).orElse(DEFAULT_REPAIRS),
-            settings.text("template").orElse("ros2-python"),
+            settings.text("template").orElse(Templates.DEFAULT),
             settings.object("package").map(Configuration::facts).orElseGet(TreeMap::new));
     settings.refuseOthers();
     return configuration;

@@ -46,8 +46,7 @@ final class GenerateStage implements StageWork {
     for (SoftwareNode node : run.chain().chain().getSoftware()) {
       fingerprint.addFile(run.file(generatedName(node)));
     }
-    Templates.own(run.project())
-        .ifPresent(main -> fingerprint.addFiles(TemplateModule.files(main)));
+    fingerprint.addFiles(Templates.ownFiles(run.project()));
   }
 
   @Override

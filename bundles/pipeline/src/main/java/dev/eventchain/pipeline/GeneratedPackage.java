@@ -92,7 +92,10 @@ record GeneratedPackage(String folder, NodeManifest manifest) {
                     + NodeManifest.FILE
                     + ", so that nobody knows which nodes there are to simulate.",
                 SourceLocation.of(template))
-            .withHint("See the rule's page for what it has to say."));
+            .withHint(
+                "Import python::manifest and call [chain.manifestFile()/] where names are those of"
+                    + " the shipped sets, or ros2_python::main and call [chain.main()/] for the"
+                    + " whole package."));
   }
 
   /**

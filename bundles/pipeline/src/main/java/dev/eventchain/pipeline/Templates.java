@@ -11,14 +11,20 @@ import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.Collection;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Function;
 import org.eclipse.emf.ecore.EPackage;
 
 /** The templates of a project: its own, or a set that ships with the program. */
 final class Templates {
+
+  /** The set of projects that name none. */
+  static final String DEFAULT = "ros2-python";
 
   private static final String MAIN = "main";
 
@@ -55,7 +61,7 @@ final class Templates {
   static TemplateModule compile(Project project, Collection<EPackage> packages) {
     Optional<Path> own = own(project);
     if (own.isPresent()) {
-      return TemplateModule.compile(own.get(), packages);
+      return TemplateModule.compile(own.get(), shippedModules(DEFAULT), packages);
     }
     String set = project.configuration().template();
     SourceText main =
@@ -72,7 +78,14 @@ final class Templates {
                                 "Use "
                                     + String.join(" or ", FOLDERS.keySet())
                                     + ", or name a file *.mtl of the project.")));
-    return compile(set, main, packages);
+    return TemplateModule.compile(main, shippedModules(set), packages);
+  }
+
+  /** The files of the project's own template, if it has one. */
+  static List<Path> ownFiles(Project project) {
+    return own(project)
+        .map(main -> TemplateModule.files(main, shippedModules(DEFAULT)))
+        .orElse(List.of());
   }
 
   /**
@@ -81,22 +94,29 @@ final class Templates {
    * @param module the main module's name in the set
    */
   static TemplateModule shipped(String set, String module, Collection<EPackage> packages) {
-    return compile(set, shipped(set, module).orElseThrow(), packages);
+    SourceText main = shipped(set, module).orElseThrow();
+    return TemplateModule.compile(main, shippedModules(set), packages);
   }
 
-  private static TemplateModule compile(
-      String set, SourceText main, Collection<EPackage> packages) {
-    return TemplateModule.compile(
-        main,
-        name -> {
-          int qualifier = name.lastIndexOf("::");
-          String module = qualifier < 0 ? name : name.substring(qualifier + 2);
-          String folder = qualifier < 0 ? set : name.substring(0, qualifier);
-          return shipped(folder, module)
-              .or(() -> shipped(set, module))
-              .or(() -> shipped(SHARED, module));
-        },
-        packages);
+  /**
+   * Finds modules that ship with the program, for one compilation: {@code ros2_python::node} is of
+   * the set {@code ros2-python}, and what it imports without a qualifier is then of that set, too.
+   *
+   * @param first the set of names without a qualifier until another one was named
+   */
+  private static Function<String, Optional<SourceText>> shippedModules(String first) {
+    AtomicReference<String> set = new AtomicReference<>(first);
+    return name -> {
+      int qualifier = name.lastIndexOf("::");
+      String module = qualifier < 0 ? name : name.substring(qualifier + 2);
+      String folder = qualifier < 0 ? set.get() : name.substring(0, qualifier).replace('_', '-');
+      if (FOLDERS.containsKey(folder)) {
+        set.set(folder);
+      }
+      return shipped(folder, module)
+          .or(() -> shipped(set.get(), module))
+          .or(() -> shipped(SHARED, module));
+    };
   }
 
   private static Optional<SourceText> shipped(String set, String module) {

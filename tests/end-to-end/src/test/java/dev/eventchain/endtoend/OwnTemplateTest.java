@@ -80,12 +80,58 @@ class OwnTemplateTest {
         .run("simulate", project)
         .expect(2)
         .says("[simulation.manifest]")
-        .says("mine.mtl: error: The template writes no eventchain-manifest.json");
+        .says("mine.mtl: error: The template writes no eventchain-manifest.json")
+        .says("Import python::manifest");
     new Program().run("run", project).expect(2).says("[simulation.manifest]");
     assertTrue(Files.readString(simulated).contains("\"passed\" : false,"));
   }
 
+  /** The one of the README; a module beside it stands in for one that ships. */
+  @Test
+  void aTemplateThatImportsAShippedSetRunsFromStartToVerdict() throws IOException {
+    Path own = Program.exampleIn(folder.resolve("importing"));
+    Files.writeString(
+        own.resolve("main.mtl"),
+        """
+        [module main('http://eventchain.dev/eventchain/1.0')]
+        [import python::names /]
+        [import ros2_python::main /]
+
+        [template public mine(chain : EventChain)]
+        [comment @main /]
+        [chain.main()/]
+        [file (chain.packageName().concat('/NODES.md'), false, 'UTF-8')]
+        [for (node : SoftwareNode | chain.wrappedNodes())]
+        - [node.nodeClass()/]
+        [/for]
+        [/file]
+        [/template]
+        """);
+    use(own, "main.mtl");
+    new Program().run("run", own).expect(0).says("PASSED: 10 of 10 scenarios passed");
+    Path made = own.resolve("out/ros2/aeb");
+    assertTrue(Files.readString(made.resolve("NODES.md")).contains("- TTC_Calculation_node\n"));
+    assertTrue(Files.exists(made.resolve("launch/aeb.launch.py")));
+    Files.writeString(
+        own.resolve("launch.mtl"),
+        """
+        [module launch('http://eventchain.dev/eventchain/1.0')]
+        [template public launchFiles(chain : EventChain)]
+        [file ('aeb/launch/mine.launch.py', false, 'UTF-8')]
+        # [chain.name/]
+        [/file]
+        [/template]
+        """);
+    new Program().run("run", own).expect(0).says("PASSED: 10 of 10 scenarios passed");
+    assertTrue(Files.exists(made.resolve("launch/mine.launch.py")), "the template has changed");
+    assertFalse(Files.exists(made.resolve("launch/aeb.launch.py")));
+  }
+
   private static void use(String template) throws IOException {
+    use(project, template);
+  }
+
+  private static void use(Path project, String template) throws IOException {
     Path configuration = project.resolve("eventchain.yaml");
     String text = Files.readString(configuration).replaceAll("(?m)^template: .*\n", "");
     Files.writeString(configuration, "template: " + template + "\n" + text);
