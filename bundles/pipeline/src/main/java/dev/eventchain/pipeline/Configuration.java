@@ -8,6 +8,7 @@ import dev.eventchain.documents.DocumentFormat;
 import dev.eventchain.documents.FindingIds;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -51,21 +52,22 @@ record Configuration(
   /**
    * Reads the configuration.
    *
+   * @param folder that of the project, in which its template may be
    * @throws DiagnosticException INPUT with everything that is not understood
    */
-  static Configuration read(SourceText text) {
+  static Configuration read(SourceText text, Path folder) {
     List<Diagnostic> problems = new ArrayList<>();
     Optional<Configuration> configuration =
         Document.parse(text, DocumentFormat.YAML, IDS, problems::add)
             .object("", problems::add)
-            .map(Configuration::read);
+            .map(settings -> read(settings, folder));
     if (!problems.isEmpty()) {
       throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
     }
     return configuration.orElseThrow();
   }
 
-  private static Configuration read(ObjectReader settings) {
+  private static Configuration read(ObjectReader settings, Path folder) {
     String name = settings.requiredText("name");
     if (!name.isBlank() && !name.matches("[a-z][a-z0-9_]*")) {
       String message = "'" + name + "' cannot be the name of a ROS 2 package.";
@@ -81,10 +83,25 @@ record Configuration(
             settings.text("llm").orElse("replay"),
             settings.object("models").map(Configuration::models).orElse(Map.of()),
             (int) settings.wholeNumber("repairs", REPAIRS).orElse(DEFAULT_REPAIRS),
-            settings.text("template").orElse(Templates.DEFAULT),
+            template(settings, folder),
             settings.object("package").map(Configuration::facts).orElseGet(TreeMap::new));
     settings.refuseOthers();
     return configuration;
+  }
+
+  /** A wrong one is said before a language model is asked for what it would generate from. */
+  private static String template(ObjectReader settings, Path folder) {
+    String template = settings.text("template").orElse(Templates.DEFAULT);
+    if (!Templates.exists(folder, template)) {
+      String sets = String.join(" or ", Templates.sets());
+      settings.find(
+          Diagnostic.error(
+                  IDS.range(),
+                  "There is no template set and no file '" + template + "'.",
+                  settings.at("template"))
+              .withHint("Use " + sets + ", or name a file *.mtl of the project."));
+    }
+    return template;
   }
 
   private static Map<String, String> models(ObjectReader models) {

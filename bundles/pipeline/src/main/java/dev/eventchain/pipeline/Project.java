@@ -53,7 +53,7 @@ public final class Project {
                   SourceLocation.of(folder))
               .withHint("Name the folder of a project, for example examples/aeb."));
     }
-    return new Project(folder, Configuration.read(SourceText.read(file)));
+    return new Project(folder, Configuration.read(SourceText.read(file), folder));
   }
 
   /** The folder. */

@@ -1,19 +1,19 @@
 package dev.eventchain.pipeline;
 
-import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.m2t.TemplateModule;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicReference;
@@ -37,6 +37,22 @@ final class Templates {
 
   private Templates() {}
 
+  /** The names of the sets, in order. */
+  static Set<String> sets() {
+    return FOLDERS.keySet();
+  }
+
+  /**
+   * Whether there is such a template.
+   *
+   * @param folder that of the project
+   */
+  static boolean exists(Path folder, String template) {
+    return template.endsWith(".mtl")
+        ? Files.isRegularFile(folder.resolve(template))
+        : FOLDERS.containsKey(template);
+  }
+
   /** The project's own template file, if its configuration names one. */
   static Optional<Path> own(Project project) {
     String name = project.configuration().template();
@@ -56,7 +72,7 @@ final class Templates {
   /**
    * Compiles the project's templates.
    *
-   * @throws DiagnosticException INPUT if there is no such set, or it has errors
+   * @throws DiagnosticException INPUT if they have errors
    */
   static TemplateModule compile(Project project, Collection<EPackage> packages) {
     Optional<Path> own = own(project);
@@ -64,21 +80,7 @@ final class Templates {
       return TemplateModule.compile(own.get(), shippedModules(DEFAULT), packages);
     }
     String set = project.configuration().template();
-    SourceText main =
-        shipped(set, MAIN)
-            .orElseThrow(
-                () ->
-                    new DiagnosticException(
-                        DiagnosticException.Reason.INPUT,
-                        Diagnostic.error(
-                                "project.configuration",
-                                "There is no template set '" + set + "'.",
-                                SourceLocation.of(project.configurationFile()))
-                            .withHint(
-                                "Use "
-                                    + String.join(" or ", FOLDERS.keySet())
-                                    + ", or name a file *.mtl of the project.")));
-    return TemplateModule.compile(main, shippedModules(set), packages);
+    return shipped(set, MAIN, packages);
   }
 
   /** The files of the project's own template, if it has one. */
@@ -109,13 +111,14 @@ final class Templates {
     return name -> {
       int qualifier = name.lastIndexOf("::");
       String module = qualifier < 0 ? name : name.substring(qualifier + 2);
-      String folder = qualifier < 0 ? set.get() : name.substring(0, qualifier).replace('_', '-');
+      if (qualifier < 0) {
+        return shipped(set.get(), module).or(() -> shipped(SHARED, module));
+      }
+      String folder = name.substring(0, qualifier).replace('_', '-');
       if (FOLDERS.containsKey(folder)) {
         set.set(folder);
       }
-      return shipped(folder, module)
-          .or(() -> shipped(set.get(), module))
-          .or(() -> shipped(SHARED, module));
+      return shipped(folder, module);
     };
   }
 

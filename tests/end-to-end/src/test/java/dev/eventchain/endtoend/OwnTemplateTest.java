@@ -127,6 +127,30 @@ class OwnTemplateTest {
     assertFalse(Files.exists(made.resolve("launch/aeb.launch.py")));
   }
 
+  /** Also where a set has a module of that name. */
+  @Test
+  void aSetThatIsNotThereIsNotReplacedByAnother() throws IOException {
+    Path own = Files.createDirectories(folder.resolve("wrong"));
+    new Program().run("init", own).expect(0);
+    use(own, "mine.mtl");
+    new Program()
+        .run("run", own)
+        .expect(2)
+        .says("eventchain.yaml:1:11: error: There is no template set and no file 'mine.mtl'.")
+        .says("Use cyclonedds-python or ros2-python, or name a file *.mtl of the project.");
+    Files.writeString(
+        own.resolve("mine.mtl"),
+        """
+        [module mine('http://eventchain.dev/eventchain/1.0')]
+        [import ros3_python::main /]
+        [template public mine(chain : EventChain)]
+        [comment @main /]
+        [chain.main()/]
+        [/template]
+        """);
+    new Program().run("run", own).expect(2).says("[m2t.module.missing]").says("mine.mtl:2:9");
+  }
+
   private static void use(String template) throws IOException {
     use(project, template);
   }
