@@ -33,8 +33,14 @@ final class InitCommand implements Callable<Integer> {
       console.out().println(folder.resolve(file));
     }
     console.out().println();
-    console.out().println("Next: eventchain bench " + folder + "; eventchain run " + folder);
+    String name = quoted(folder.toString());
+    console.out().println("Next: eventchain bench " + name + "; eventchain run " + name);
     console.out().flush();
     return ExitCode.FINE;
+  }
+
+  /** As a shell takes it. */
+  private static String quoted(String name) {
+    return name.matches("[A-Za-z0-9_./+-]+") ? name : "'" + name.replace("'", "'\\''") + "'";
   }
 }

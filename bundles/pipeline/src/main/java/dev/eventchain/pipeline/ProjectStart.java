@@ -46,6 +46,7 @@ public final class ProjectStart {
           "software-base/signals.json");
 
   private static final String SIGNALS = "software-base/signals.json";
+  private static final String COMPONENTS = "software-base/components.json";
 
   private final Path folder;
 
@@ -108,10 +109,7 @@ public final class ProjectStart {
   }
 
   private void aroundSoftware(Map<String, String> files) {
-    SoftwareBase base = SoftwareBase.read(folder.resolve("software-base"));
-    if (Diagnostic.anyError(base.diagnostics())) {
-      throw new DiagnosticException(DiagnosticException.Reason.INPUT, base.diagnostics());
-    }
+    SoftwareBase base = software(files);
     Path messages = folder.resolve("software-base/msg");
     MessageCatalog catalog =
         MessageCatalog.of(Files.isDirectory(messages) ? List.of(messages) : List.of());
@@ -135,6 +133,23 @@ public final class ProjectStart {
         accept:
           no_impact: true
         """);
+  }
+
+  /** What the folder has; no components are an empty list of them. */
+  private SoftwareBase software(Map<String, String> files) {
+    SoftwareBase base = SoftwareBase.read(folder.resolve("software-base"));
+    boolean withoutComponents = !exists(COMPONENTS);
+    List<Diagnostic> found =
+        base.diagnostics().stream()
+            .filter(it -> !withoutComponents || !it.location().file().endsWith(COMPONENTS))
+            .toList();
+    if (Diagnostic.anyError(found)) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, found);
+    }
+    if (withoutComponents) {
+      files.put(COMPONENTS, "[]\n");
+    }
+    return base;
   }
 
   private static String starter(String name) {

@@ -26,6 +26,7 @@ final class BenchFields {
   private static final String OBSERVED = "observed";
   private static final String VALUE = "value";
   private static final String CONSTANT = "constant";
+  private static final String NO_VALUE = "This is no value that a field can have.";
   private static final String DRIVES = "drives";
   private static final String UNIT = "unit";
 
@@ -70,6 +71,9 @@ final class BenchFields {
       ObjectReader part, String topic, String path, Optional<MessageType> message) {
     Optional<FieldType> type = type(part, path, message);
     JsonNode value = part.value(path).orElse(null);
+    if (value == null) {
+      part.find("bench.value.range", NO_VALUE, part.at(path));
+    }
     if (value == null || (message.isPresent() && type.isEmpty())) {
       return Optional.empty();
     }
@@ -107,28 +111,33 @@ final class BenchFields {
       String message = "A field has either '" + VALUE + "' or '" + CONSTANT + "'.";
       section.find("bench.key.missing", message, section.location());
     }
-    Optional<JsonNode> constant = section.value(CONSTANT);
     double absent = section.number("absent", NumberRange.of(-1e12, 1e12)).orElse(0.0);
     Optional<String> unitText = section.text(UNIT);
-    Optional<Source> found;
-    if (constant.isPresent()) {
-      found = Optional.of(constant(constant.get()));
-    } else {
-      found =
-          section
-              .text(VALUE)
-              .flatMap(
-                  text ->
-                      source(
-                          section,
-                          VALUE,
-                          text,
-                          unit(section, unitText, topic, path),
-                          absent,
-                          type));
-    }
+    Optional<Source> found =
+        section.has(CONSTANT)
+            ? constant(section)
+            : section
+                .text(VALUE)
+                .flatMap(
+                    text ->
+                        source(
+                            section,
+                            VALUE,
+                            text,
+                            unit(section, unitText, topic, path),
+                            absent,
+                            type));
     section.refuseOthers();
     return found;
+  }
+
+  private static Optional<Source> constant(ObjectReader section) {
+    Optional<JsonNode> constant = section.value(CONSTANT);
+    if (constant.isEmpty()) {
+      section.find("bench.value.range", NO_VALUE, section.at(CONSTANT));
+    }
+    section.value(VALUE);
+    return constant.map(BenchFields::constant);
   }
 
   private static Bench.Constant constant(JsonNode value) {
@@ -162,7 +171,7 @@ final class BenchFields {
   private static boolean fits(
       ObjectReader part, String path, Source source, Optional<MessageType> message) {
     if (source instanceof Bench.Constant constant && !isPlain(constant.value())) {
-      part.find("bench.value.range", "This is no value that a field can have.", part.at(path));
+      part.find("bench.value.range", NO_VALUE, part.at(path));
       return false;
     }
     if (message.isPresent() && source instanceof Bench.Constant constant) {
@@ -293,6 +302,9 @@ final class BenchFields {
       ObjectReader part, String topic, String path, Optional<MessageType> message) {
     Optional<FieldType> type = type(part, path, message);
     Optional<JsonNode> value = part.value(path);
+    if (value.isEmpty()) {
+      part.find("bench.value.range", NO_VALUE, part.at(path));
+    }
     if (value.isEmpty() || (message.isPresent() && type.isEmpty())) {
       return Optional.empty();
     }

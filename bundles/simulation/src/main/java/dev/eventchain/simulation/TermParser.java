@@ -163,10 +163,14 @@ final class TermParser {
     if (!before.comparesWith(after)) {
       String message =
           "'" + tokens.textSince(second) + "' is in " + named(after) + ", what is before it in ";
-      boolean plain = named(after).equals("1") || named(before).equals("1");
+      boolean plain = isPlainNumber(after) || isPlainNumber(before);
       String hint = plain ? "Each number needs its unit: `0 m`, and not `0`." : "";
       throw tokens.unitProblem(second, message + named(before) + ".", hint);
     }
+  }
+
+  private static boolean isPlainNumber(Term term) {
+    return term.signals().isEmpty() && named(term).equals("1");
   }
 
   private static String named(Term term) {

@@ -68,6 +68,17 @@ class InitTest {
   }
 
   @Test
+  void signalsAreEnoughToBeginWith() throws IOException {
+    Path project = folder.resolve("only signals");
+    Path base = Program.ROOT.resolve("examples/radar-aeb/software-base");
+    Program.copy(base.resolve("msg"), project.resolve("software-base/msg"));
+    Files.copy(base.resolve("signals.json"), project.resolve("software-base/signals.json"));
+    new Program().run("init", project).expect(0).says("eventchain run '" + project + "'");
+    assertEquals("[]\n", Files.readString(project.resolve("software-base/components.json")));
+    new Program().run("bench", project).expect(0).says("provides /radar/target");
+  }
+
+  @Test
   void exampleOfCarlaIsConnectedAsCarlaIs() throws IOException {
     Path project = folder.resolve("carla");
     Program.copy(
