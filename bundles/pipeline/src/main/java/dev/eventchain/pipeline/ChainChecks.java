@@ -8,6 +8,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.metamodel.EcoreChecks;
 import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.modeler.Requirements;
 import dev.eventchain.modeler.SoftwareBase;
 import dev.eventchain.ocl.OclResult;
 import java.nio.file.Path;
@@ -23,14 +24,17 @@ final class ChainChecks {
   private final Constraints constraints;
   private final ChainAnalysis analysis;
   private final SoftwareBase base;
+  private final List<Requirements.Item> requirements;
   private final List<Diagnostic> uncovered;
 
   private ChainChecks(
       Constraints constraints,
       ChainAnalysis analysis,
       SoftwareBase base,
+      List<Requirements.Item> requirements,
       List<Diagnostic> uncovered) {
     this.uncovered = uncovered;
+    this.requirements = requirements;
     this.constraints = constraints;
     this.analysis = analysis;
     this.base = base;
@@ -43,6 +47,7 @@ final class ChainChecks {
    * @param constraints the standard constraints, the project's own and the generated ones
    * @param analysis the contracts
    * @param reuse how existing components are used otherwise than they are
+   * @param trace how the model's requirements are others than those that are written
    * @param uncovered the design rules that no constraint stands for
    */
   record Outcome(
@@ -50,6 +55,7 @@ final class ChainChecks {
       OclResult constraints,
       AnalysisResult analysis,
       List<Diagnostic> reuse,
+      List<Diagnostic> trace,
       List<Diagnostic> uncovered) {
 
     /** All findings. */
@@ -58,6 +64,7 @@ final class ChainChecks {
       all.addAll(constraints.diagnostics());
       all.addAll(analysis.diagnostics());
       all.addAll(reuse);
+      all.addAll(trace);
       all.addAll(uncovered);
       return all;
     }
@@ -111,13 +118,19 @@ final class ChainChecks {
       RunContext run, Constraints constraints, List<Diagnostic> uncovered) {
     SoftwareBase base = run.softwareBase();
     MessageCatalog catalog = run.messages();
-    return new ChainChecks(constraints, ChainAnalysis.of(catalog, base.signals()), base, uncovered);
+    return new ChainChecks(
+        constraints,
+        ChainAnalysis.of(catalog, base.signals()),
+        base,
+        ProjectScenarios.requirements(run),
+        uncovered);
   }
 
   /** The files that the checks of a project depend on, besides the chain's. */
   static List<Path> files(RunContext run) {
     List<Path> files = new ArrayList<>(Constraints.paths(run));
     files.add(run.project().designRulesFile());
+    files.add(run.project().requirements());
     files.addAll(run.project().softwareBaseFiles());
     files.addAll(run.project().messageFiles());
     return files;
@@ -135,6 +148,7 @@ final class ChainChecks {
         constraints.check(chain, origins::locate),
         analysis.check(chain, origins::locate),
         base.check(chain, origins::locate),
+        RequirementTrace.check(requirements, chain, origins),
         uncovered);
   }
 }

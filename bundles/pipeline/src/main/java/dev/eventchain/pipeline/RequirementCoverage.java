@@ -76,7 +76,7 @@ final class RequirementCoverage {
   static Map<String, String> unproven(RunContext run, EventChain chain, List<Scenario> scenarios) {
     RequirementCoverage coverage = new RequirementCoverage(chain, run.bench(), scenarios);
     Map<String, String> unproven = new TreeMap<>();
-    coverage.findIndependent(unproven);
+    coverage.findIndependent(ProjectScenarios.requirements(run), unproven);
     coverage.findUnread(unproven);
     return unproven;
   }
@@ -98,22 +98,24 @@ final class RequirementCoverage {
     }
   }
 
-  private void findIndependent(Map<String, String> unproven) {
-    for (Requirement requirement : chain.getRequirements()) {
-      String id = requirement.getId();
+  private void findIndependent(List<Requirements.Item> requirements, Map<String, String> unproven) {
+    for (Requirements.Item item : requirements) {
       List<SoftwareNode> satisfying =
           chain.getSoftware().stream()
-              .filter(node -> node.getSatisfies().contains(requirement))
+              .filter(
+                  node -> node.getSatisfies().stream().anyMatch(it -> item.id().equals(it.getId())))
               .toList();
-      List<Scenario> about = about(id);
       Set<String> influenced = influenced(satisfying);
-      if (!satisfying.isEmpty()
-          && !about.isEmpty()
-          && about.stream().noneMatch(it -> it.dependsOn(influenced, bench))) {
+      if (satisfying.isEmpty()) {
         unproven.put(
-            id,
+            item.id(),
+            "No component of the chain is said to satisfy %s, so that no criterion can be about it."
+                .formatted(item.id()));
+      } else if (about(item.id()).stream().noneMatch(it -> it.dependsOn(influenced, bench))) {
+        unproven.put(
+            item.id(),
             "No criterion of the scenarios that name %s depends on what %s writes to satisfy it."
-                .formatted(id, names(satisfying)));
+                .formatted(item.id(), names(satisfying)));
       }
     }
   }

@@ -224,6 +224,29 @@ class OwnFunctionTest {
   }
 
   @Test
+  void requirementThatNoComponentSatisfies() throws IOException {
+    replace(CHAIN, " satisfies=\"//@requirements.1\"", "");
+    run()
+        .expect(1)
+        .says("No component of the chain is said to satisfy RAD-2")
+        .says("[project.requirement.untested RAD-2]");
+    notPassed();
+  }
+
+  @Test
+  void requirementsOfTheModelThatAreNotThoseOfTheProject() throws IOException {
+    replace("requirements.md", "is below 2.6 s", "is below 2 s");
+    replace(CHAIN, "id=\"RAD-4\"", "id=\"RAD-5\"");
+    run()
+        .expect(1)
+        .says("requirements.md says of RAD-2: The system shall warn")
+        .says("[project.requirement.changed]")
+        .says("The model has the requirement 'RAD-5', which requirements.md does not have.")
+        .says("[project.requirement.unknown]");
+    notPassed();
+  }
+
+  @Test
   void topicsThatFellSilentSayNothingAndTheVehicleKeepsToTheLastCommand() throws IOException {
     replace(CHAIN, "fieldName=\"range\"", "fieldName=\"range\" maximumAge=\"100.0\"");
     replace("bench.yaml", "rate_hz: 50", "rate_hz: 1.2");

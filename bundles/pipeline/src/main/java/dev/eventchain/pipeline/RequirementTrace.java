@@ -1,0 +1,68 @@
+package dev.eventchain.pipeline;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.EventchainPackage.Literals;
+import dev.eventchain.metamodel.eventchain.Requirement;
+import dev.eventchain.modeler.Requirements;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+
+/**
+ * Whether the requirements of a model are those that the project has written: what people edit has
+ * copies of them, which get old.
+ */
+final class RequirementTrace {
+
+  private RequirementTrace() {}
+
+  /**
+   * Compares ids and texts; nothing is compared if the project has written no requirements.
+   *
+   * @return {@code project.requirement.unknown}, {@code project.requirement.changed}
+   */
+  static List<Diagnostic> check(
+      List<Requirements.Item> written, EventChain chain, ChainOrigins origins) {
+    Map<String, String> texts =
+        written.stream()
+            .collect(Collectors.toMap(Requirements.Item::id, Requirements.Item::text, (a, b) -> a));
+    List<Diagnostic> found = new ArrayList<>();
+    if (written.isEmpty()) {
+      return found;
+    }
+    for (Requirement requirement : chain.getRequirements()) {
+      String text = texts.get(requirement.getId());
+      if (text == null) {
+        found.add(unknown(requirement, texts, origins));
+      } else if (!plain(text).equals(plain(requirement.getText()))) {
+        found.add(changed(requirement, text, origins));
+      }
+    }
+    return found;
+  }
+
+  private static Diagnostic unknown(
+      Requirement requirement, Map<String, String> texts, ChainOrigins origins) {
+    String id = String.valueOf(requirement.getId());
+    return Diagnostic.error(
+            "project.requirement.unknown",
+            "The model has the requirement '" + id + "', which requirements.md does not have.",
+            origins.locate(requirement, Literals.REQUIREMENT__ID))
+        .withHint(NearestName.question(id, texts.keySet()));
+  }
+
+  private static Diagnostic changed(Requirement requirement, String text, ChainOrigins origins) {
+    return Diagnostic.warning(
+            "project.requirement.changed",
+            "requirements.md says of %s: %s".formatted(requirement.getId(), text),
+            origins.locate(requirement, Literals.REQUIREMENT__TEXT))
+        .withHint("Write the same into the model, once the components satisfy it.");
+  }
+
+  private static String plain(String text) {
+    return text == null ? "" : text.strip().replaceAll("\\s+", " ");
+  }
+}
