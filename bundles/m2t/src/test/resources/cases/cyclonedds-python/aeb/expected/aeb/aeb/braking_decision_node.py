@@ -31,6 +31,7 @@ class Braking_Decision_node:
     now = staticmethod(time.monotonic_ns)
 
     def __init__(self, participant: DomainParticipant) -> None:
+        self.logger = logging.getLogger("Braking_Decision")
         self.component = Component()
         self.received: dict[str, Any] = {}
         self.arrived: dict[str, int] = {}  # ns
@@ -65,7 +66,8 @@ class Braking_Decision_node:
         message = runner.newest(self.reader_aeb_ttc)
         if message is not None:
             self.received["ttc"] = message.data  # s
-            self.arrived["ttc"] = self.now()
+            now = self.now()
+            self.arrived["ttc"] = now
 
     def too_old(self) -> list[str]:
         """The inputs that came too long ago."""
@@ -79,13 +81,13 @@ class Braking_Decision_node:
         if len(self.received) < 1:
             if self.awaited:
                 missing = [name for name in self.awaited if name not in self.received]
-                logging.getLogger("Braking_Decision").info("waiting for " + ", ".join(missing))
+                self.logger.info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
         too_old = self.too_old()
         if too_old:
             if not self.late:
-                logging.getLogger("Braking_Decision").warning("too old: " + ", ".join(too_old))
+                self.logger.warning("too old: " + ", ".join(too_old))
                 self.late = True
             return
         self.late = False

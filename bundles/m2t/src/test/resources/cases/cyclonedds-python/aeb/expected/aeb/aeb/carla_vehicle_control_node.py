@@ -32,6 +32,7 @@ class Carla_Vehicle_Control_node:
     wall_clock = staticmethod(time.time_ns)
 
     def __init__(self, participant: DomainParticipant) -> None:
+        self.logger = logging.getLogger("Carla_Vehicle_Control")
         self.component = Component()
         self.received: dict[str, Any] = {}
         self.arrived: dict[str, int] = {}  # ns
@@ -51,7 +52,11 @@ class Carla_Vehicle_Control_node:
         )
         self.writer_carla_ego_vehicle_vehicle_control_cmd = DataWriter(
             participant,
-            Topic(participant, "rt/carla/ego_vehicle/vehicle_control_cmd", messages.carla_msgs__CarlaEgoVehicleControl),
+            Topic(
+                participant,
+                "rt/carla/ego_vehicle/vehicle_control_cmd",
+                messages.carla_msgs__CarlaEgoVehicleControl,
+            ),
             qos=Qos(
                 Policy.Reliability.Reliable(max_blocking_time=duration(infinite=True)),
                 Policy.Durability.Volatile,
@@ -65,7 +70,8 @@ class Carla_Vehicle_Control_node:
         message = runner.newest(self.reader_vehicle_brake_force)
         if message is not None:
             self.received["brake_force"] = message.data
-            self.arrived["brake_force"] = self.now()
+            now = self.now()
+            self.arrived["brake_force"] = now
 
     def too_old(self) -> list[str]:
         """The inputs that came too long ago."""
@@ -79,13 +85,13 @@ class Carla_Vehicle_Control_node:
         if len(self.received) < 1:
             if self.awaited:
                 missing = [name for name in self.awaited if name not in self.received]
-                logging.getLogger("Carla_Vehicle_Control").info("waiting for " + ", ".join(missing))
+                self.logger.info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
         too_old = self.too_old()
         if too_old:
             if not self.late:
-                logging.getLogger("Carla_Vehicle_Control").warning("too old: " + ", ".join(too_old))
+                self.logger.warning("too old: " + ", ".join(too_old))
                 self.late = True
             return
         self.late = False

@@ -39,6 +39,7 @@ class TTC_Calculation_node:
     now = staticmethod(time.monotonic_ns)
 
     def __init__(self, participant: DomainParticipant) -> None:
+        self.logger = logging.getLogger("TTC_Calculation")
         self.component = Component()
         self.received: dict[str, Any] = {}
         self.arrived: dict[str, int] = {}  # ns
@@ -60,7 +61,11 @@ class TTC_Calculation_node:
         )
         self.reader_carla_ego_vehicle_vehicle_status = DataReader(
             participant,
-            Topic(participant, "rt/carla/ego_vehicle/vehicle_status", messages.carla_msgs__CarlaEgoVehicleStatus),
+            Topic(
+                participant,
+                "rt/carla/ego_vehicle/vehicle_status",
+                messages.carla_msgs__CarlaEgoVehicleStatus,
+            ),
             qos=Qos(
                 Policy.Reliability.Reliable(max_blocking_time=duration(infinite=True)),
                 Policy.Durability.Volatile,
@@ -87,8 +92,9 @@ class TTC_Calculation_node:
         if message is not None:
             self.received["ranges"] = array.array("f", message.ranges)  # m
             self.received["scan_stamp_sec"] = message.header.stamp.sec  # s
-            self.arrived["ranges"] = self.now()
-            self.arrived["scan_stamp_sec"] = self.now()
+            now = self.now()
+            self.arrived["ranges"] = now
+            self.arrived["scan_stamp_sec"] = now
         message = runner.newest(self.reader_carla_ego_vehicle_vehicle_status)
         if message is not None:
             self.received["ego_speed"] = message.velocity  # m/s
@@ -105,13 +111,13 @@ class TTC_Calculation_node:
         if len(self.received) < 3:
             if self.awaited:
                 missing = [name for name in self.awaited if name not in self.received]
-                logging.getLogger("TTC_Calculation").info("waiting for " + ", ".join(missing))
+                self.logger.info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
         too_old = self.too_old()
         if too_old:
             if not self.late:
-                logging.getLogger("TTC_Calculation").warning("too old: " + ", ".join(too_old))
+                self.logger.warning("too old: " + ", ".join(too_old))
                 self.late = True
             return
         self.late = False

@@ -26,7 +26,7 @@ class StandIn:
         }
 
 
-def node_with(component: StandIn) -> Braking_Decision_node:
+def node_with(component: StandIn) -> Any:
     """The node with another component."""
     node = Braking_Decision_node(participant())
     node.component = component
@@ -48,7 +48,9 @@ def test_a_message_of_each_topic_executes_the_component() -> None:
     message = messages.std_msgs__Float32()
     message.data = 1.5
     writer_for(node.reader_aeb_ttc).write(message)
-    reader_vehicle_brake_force = reader_for(node.writer_vehicle_brake_force)
+    reader_vehicle_brake_force = reader_for(
+        node.writer_vehicle_brake_force,
+    )
     wait_until(lambda: node.execute() or component.given)
     wait_for_values(
         reader_vehicle_brake_force,

@@ -28,7 +28,7 @@ class StandIn:
         }
 
 
-def node_with(component: StandIn) -> Carla_Vehicle_Control_node:
+def node_with(component: StandIn) -> Any:
     """The node with another component."""
     node = Carla_Vehicle_Control_node(participant())
     node.component = component
@@ -51,7 +51,9 @@ def test_a_message_of_each_topic_executes_the_component() -> None:
     message.data = 1.5
     writer_for(node.reader_vehicle_brake_force).write(message)
     node.wall_clock = lambda: 1_000_000_002
-    reader_carla_ego_vehicle_vehicle_control_cmd = reader_for(node.writer_carla_ego_vehicle_vehicle_control_cmd)
+    reader_carla_ego_vehicle_vehicle_control_cmd = reader_for(
+        node.writer_carla_ego_vehicle_vehicle_control_cmd,
+    )
     wait_until(lambda: node.execute() or component.given)
     wait_for_values(
         reader_carla_ego_vehicle_vehicle_control_cmd,

@@ -26,7 +26,7 @@ class StandIn:
         }
 
 
-def node_with(component: StandIn) -> TTC_Calculation_node:
+def node_with(component: StandIn) -> Any:
     """The node with another component."""
     node = TTC_Calculation_node(participant())
     node.component = component
@@ -52,7 +52,9 @@ def test_a_message_of_each_topic_executes_the_component() -> None:
     message = messages.carla_msgs__CarlaEgoVehicleStatus()
     message.velocity = 3.5
     writer_for(node.reader_carla_ego_vehicle_vehicle_status).write(message)
-    reader_aeb_ttc = reader_for(node.writer_aeb_ttc)
+    reader_aeb_ttc = reader_for(
+        node.writer_aeb_ttc,
+    )
     wait_until(lambda: node.execute() or component.given)
     wait_for_values(
         reader_aeb_ttc,

@@ -32,6 +32,7 @@ class Join_node:
     now = staticmethod(time.monotonic_ns)
 
     def __init__(self, participant: DomainParticipant) -> None:
+        self.logger = logging.getLogger("Join")
         self.component = Component()
         self.received: dict[str, Any] = {}
         self.arrived: dict[str, int] = {}  # ns
@@ -89,7 +90,8 @@ class Join_node:
         message = runner.newest(self.reader_right)
         if message is not None:
             self.received["right"] = message.data
-            self.arrived["right"] = self.now()
+            now = self.now()
+            self.arrived["right"] = now
 
     def too_old(self) -> list[str]:
         """The inputs that came too long ago."""
@@ -103,13 +105,13 @@ class Join_node:
         if len(self.received) < 2:
             if self.awaited:
                 missing = [name for name in self.awaited if name not in self.received]
-                logging.getLogger("Join").info("waiting for " + ", ".join(missing))
+                self.logger.info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
         too_old = self.too_old()
         if too_old:
             if not self.late:
-                logging.getLogger("Join").warning("too old: " + ", ".join(too_old))
+                self.logger.warning("too old: " + ", ".join(too_old))
                 self.late = True
             return
         self.late = False

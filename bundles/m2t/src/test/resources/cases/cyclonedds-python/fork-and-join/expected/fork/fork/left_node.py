@@ -42,6 +42,7 @@ class Left_node:
     now = staticmethod(time.monotonic_ns)
 
     def __init__(self, participant: DomainParticipant) -> None:
+        self.logger = logging.getLogger("Left")
         self.component = Component()
         self.received: dict[str, Any] = {}
         self.arrived: dict[str, int] = {}  # ns
@@ -96,20 +97,23 @@ class Left_node:
             self.received["letters"] = array.array("B", message.letters)
             self.received["blob"] = array.array("B", message.blob)
             self.received["three"] = numpy.array(message.three, dtype="int16")
-            self.received["covariance"] = numpy.array(message.covariance, dtype="float64")
+            value = numpy.array(message.covariance, dtype="float64")
+            received = self.received
+            received["covariance"] = value
             self.received["words"] = message.words
             self.received["part_name"] = message.part.name
             self.received["flags"] = message.part.flags
-            self.arrived["yes"] = self.now()
-            self.arrived["octet"] = self.now()
-            self.arrived["octets"] = self.now()
-            self.arrived["letters"] = self.now()
-            self.arrived["blob"] = self.now()
-            self.arrived["three"] = self.now()
-            self.arrived["covariance"] = self.now()
-            self.arrived["words"] = self.now()
-            self.arrived["part_name"] = self.now()
-            self.arrived["flags"] = self.now()
+            now = self.now()
+            self.arrived["yes"] = now
+            self.arrived["octet"] = now
+            self.arrived["octets"] = now
+            self.arrived["letters"] = now
+            self.arrived["blob"] = now
+            self.arrived["three"] = now
+            self.arrived["covariance"] = now
+            self.arrived["words"] = now
+            self.arrived["part_name"] = now
+            self.arrived["flags"] = now
 
     def too_old(self) -> list[str]:
         """The inputs that came too long ago."""
@@ -123,13 +127,13 @@ class Left_node:
         if len(self.received) < 10:
             if self.awaited:
                 missing = [name for name in self.awaited if name not in self.received]
-                logging.getLogger("Left").info("waiting for " + ", ".join(missing))
+                self.logger.info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
         too_old = self.too_old()
         if too_old:
             if not self.late:
-                logging.getLogger("Left").warning("too old: " + ", ".join(too_old))
+                self.logger.warning("too old: " + ", ".join(too_old))
                 self.late = True
             return
         self.late = False

@@ -31,6 +31,7 @@ class Right_node:
     now = staticmethod(time.monotonic_ns)
 
     def __init__(self, participant: DomainParticipant) -> None:
+        self.logger = logging.getLogger("Right")
         self.component = Component()
         self.received: dict[str, Any] = {}
         self.arrived: dict[str, int] = {}  # ns
@@ -76,7 +77,8 @@ class Right_node:
         message = runner.newest(self.reader_everything)
         if message is not None:
             self.received["all"] = message
-            self.arrived["all"] = self.now()
+            now = self.now()
+            self.arrived["all"] = now
         message = runner.newest(self.reader_nothing)
         if message is not None:
             self.received["nothing"] = message
@@ -93,13 +95,13 @@ class Right_node:
         if len(self.received) < 2:
             if self.awaited:
                 missing = [name for name in self.awaited if name not in self.received]
-                logging.getLogger("Right").info("waiting for " + ", ".join(missing))
+                self.logger.info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
         too_old = self.too_old()
         if too_old:
             if not self.late:
-                logging.getLogger("Right").warning("too old: " + ", ".join(too_old))
+                self.logger.warning("too old: " + ", ".join(too_old))
                 self.late = True
             return
         self.late = False

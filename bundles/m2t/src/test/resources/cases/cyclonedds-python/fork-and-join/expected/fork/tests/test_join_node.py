@@ -27,7 +27,7 @@ class StandIn:
         }
 
 
-def node_with(component: StandIn) -> Join_node:
+def node_with(component: StandIn) -> Any:
     """The node with another component."""
     node = Join_node(participant())
     node.component = component
@@ -52,8 +52,12 @@ def test_a_message_of_each_topic_executes_the_component() -> None:
     message = messages.std_msgs__Int64()
     message.data = 2
     writer_for(node.reader_right).write(message)
-    reader_joined = reader_for(node.writer_joined)
-    reader_done = reader_for(node.writer_done)
+    reader_joined = reader_for(
+        node.writer_joined,
+    )
+    reader_done = reader_for(
+        node.writer_done,
+    )
     wait_until(lambda: node.execute() or component.given)
     wait_for_values(
         reader_joined,

@@ -26,7 +26,7 @@ class StandIn:
         }
 
 
-def node_with(component: StandIn) -> Left_node:
+def node_with(component: StandIn) -> Any:
     """The node with another component."""
     node = Left_node(participant())
     node.component = component
@@ -57,7 +57,9 @@ def test_a_message_of_each_topic_executes_the_component() -> None:
     message.part.name = "i"
     message.part.flags = [True] * 2
     writer_for(node.reader_everything).write(message)
-    reader__left = reader_for(node.writer__left)
+    reader__left = reader_for(
+        node.writer__left,
+    )
     wait_until(lambda: node.execute() or component.given)
     wait_for_values(
         reader__left,

@@ -26,7 +26,7 @@ class StandIn:
         }
 
 
-def node_with(component: StandIn) -> Right_node:
+def node_with(component: StandIn) -> Any:
     """The node with another component."""
     node = Right_node(participant())
     node.component = component
@@ -49,7 +49,9 @@ def test_a_message_of_each_topic_executes_the_component() -> None:
     writer_for(node.reader_everything).write(message)
     message = messages.odd_msgs__Nothing()
     writer_for(node.reader_nothing).write(message)
-    reader_right = reader_for(node.writer_right)
+    reader_right = reader_for(
+        node.writer_right,
+    )
     wait_until(lambda: node.execute() or component.given)
     wait_for_values(
         reader_right,

@@ -37,7 +37,7 @@ class StandIn:
         }
 
 
-def node_with(component: StandIn) -> Source_node:
+def node_with(component: StandIn) -> Any:
     """The node with another component."""
     node = Source_node(participant())
     node.component = component
@@ -48,7 +48,9 @@ def test_the_component_is_executed() -> None:
     """It is given every input, and what it returns is written."""
     component = StandIn()
     node = node_with(component)
-    reader_everything = reader_for(node.writer_everything)
+    reader_everything = reader_for(
+        node.writer_everything,
+    )
     node.execute()
     wait_for_values(
         reader_everything,

@@ -25,6 +25,7 @@ class a___node:
 
     def __init__(self, participant: DomainParticipant) -> None:
         raise ValueError('there is no message type "sensor_msgs/msg/Image" with a field "class"')
+        self.logger = logging.getLogger("a__")
         self.component = Component()
         self.received: dict[str, Any] = {}
         self.awaited = [
@@ -101,7 +102,7 @@ class a___node:
         if len(self.received) < 3:
             if self.awaited:
                 missing = [name for name in self.awaited if name not in self.received]
-                logging.getLogger("a__").info("waiting for " + ", ".join(missing))
+                self.logger.info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
         output = self.component.execute(

@@ -32,6 +32,7 @@ class class__node:
 
     def __init__(self, participant: DomainParticipant) -> None:
         raise ValueError('there is no message type ""')
+        self.logger = logging.getLogger("class_")
         self.component = Component()
         self.received: dict[str, Any] = {}
         self.arrived: dict[str, int] = {}  # ns
@@ -83,7 +84,8 @@ class class__node:
         message = runner.newest(self.reader____1)
         if message is not None:
             self.received["_"] = message
-            self.arrived["_"] = self.now()
+            now = self.now()
+            self.arrived["_"] = now
         message = runner.newest(self.reader____2)
         if message is not None:
             self.received["_2fast"] = message
@@ -100,13 +102,13 @@ class class__node:
         if len(self.received) < 2:
             if self.awaited:
                 missing = [name for name in self.awaited if name not in self.received]
-                logging.getLogger("class_").info("waiting for " + ", ".join(missing))
+                self.logger.info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
         too_old = self.too_old()
         if too_old:
             if not self.late:
-                logging.getLogger("class_").warning("too old: " + ", ".join(too_old))
+                self.logger.warning("too old: " + ", ".join(too_old))
                 self.late = True
             return
         self.late = False

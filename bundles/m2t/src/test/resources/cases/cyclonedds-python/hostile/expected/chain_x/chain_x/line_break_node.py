@@ -24,6 +24,7 @@ class line_break_node:
 
     def __init__(self, participant: DomainParticipant) -> None:
         raise ValueError("the model states no frequency for this component")
+        self.logger = logging.getLogger("line_break")
         self.component = Component()
         self.received: dict[str, Any] = {}
         self.awaited = [
@@ -52,7 +53,7 @@ class line_break_node:
         if len(self.received) < 1:
             if self.awaited:
                 missing = [name for name in self.awaited if name not in self.received]
-                logging.getLogger("line_break").info("waiting for " + ", ".join(missing))
+                self.logger.info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
         self.component.execute(

@@ -24,6 +24,7 @@ class std_msgs_node:
     period = 1.0 / 5.0  # s
 
     def __init__(self, participant: DomainParticipant) -> None:
+        self.logger = logging.getLogger("std_msgs")
         self.component = Component()
         self.received: dict[str, Any] = {}
         self.awaited = [
@@ -62,7 +63,7 @@ class std_msgs_node:
         if len(self.received) < 1:
             if self.awaited:
                 missing = [name for name in self.awaited if name not in self.received]
-                logging.getLogger("std_msgs").info("waiting for " + ", ".join(missing))
+                self.logger.info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
         output = self.component.execute(

@@ -23,7 +23,7 @@ class StandIn:
         return {}
 
 
-def node_with(component: StandIn) -> __node:
+def node_with(component: StandIn) -> Any:
     """The node with another component."""
     node = __node(participant())
     node.component = component

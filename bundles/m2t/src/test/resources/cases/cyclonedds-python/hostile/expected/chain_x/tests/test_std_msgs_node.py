@@ -26,7 +26,7 @@ class StandIn:
         }
 
 
-def node_with(component: StandIn) -> std_msgs_node:
+def node_with(component: StandIn) -> Any:
     """The node with another component."""
     node = std_msgs_node(participant())
     node.component = component
@@ -47,7 +47,9 @@ def test_a_message_of_each_topic_executes_the_component() -> None:
     message = messages.std_msgs__String()
     message.data = "a"
     writer_for(node.reader_x).write(message)
-    reader_y = reader_for(node.writer_y)
+    reader_y = reader_for(
+        node.writer_y,
+    )
     wait_until(lambda: node.execute() or component.given)
     wait_for_values(
         reader_y,

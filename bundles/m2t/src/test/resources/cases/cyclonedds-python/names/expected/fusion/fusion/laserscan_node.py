@@ -27,6 +27,7 @@ class LaserScan_node:
     wall_clock = staticmethod(time.time_ns)
 
     def __init__(self, participant: DomainParticipant) -> None:
+        self.logger = logging.getLogger("LaserScan")
         self.component = Component()
         self.received: dict[str, Any] = {}
         self.awaited = [
@@ -95,7 +96,7 @@ class LaserScan_node:
         if len(self.received) < 4:
             if self.awaited:
                 missing = [name for name in self.awaited if name not in self.received]
-                logging.getLogger("LaserScan").info("waiting for " + ", ".join(missing))
+                self.logger.info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
         output = self.component.execute(

@@ -31,6 +31,7 @@ class Sink_node:
 
     def __init__(self, participant: DomainParticipant) -> None:
         raise ValueError("the model states no frequency for this component")
+        self.logger = logging.getLogger("Sink")
         self.component = Component()
         self.received: dict[str, Any] = {}
         self.arrived: dict[str, int] = {}  # ns
@@ -54,7 +55,8 @@ class Sink_node:
         message = runner.newest(self.reader_command)
         if message is not None:
             self.received["forward"] = message.twist.linear.x  # m/s
-            self.arrived["forward"] = self.now()
+            now = self.now()
+            self.arrived["forward"] = now
 
     def too_old(self) -> list[str]:
         """The inputs that came too long ago."""
@@ -68,13 +70,13 @@ class Sink_node:
         if len(self.received) < 1:
             if self.awaited:
                 missing = [name for name in self.awaited if name not in self.received]
-                logging.getLogger("Sink").info("waiting for " + ", ".join(missing))
+                self.logger.info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
         too_old = self.too_old()
         if too_old:
             if not self.late:
-                logging.getLogger("Sink").warning("too old: " + ", ".join(too_old))
+                self.logger.warning("too old: " + ", ".join(too_old))
                 self.late = True
             return
         self.late = False

@@ -28,7 +28,7 @@ class StandIn:
         }
 
 
-def node_with(component: StandIn) -> LaserScan_node:
+def node_with(component: StandIn) -> Any:
     """The node with another component."""
     node = LaserScan_node(participant())
     node.component = component
@@ -57,7 +57,9 @@ def test_a_message_of_each_topic_executes_the_component() -> None:
     message.twist.twist.angular.z = 4.5
     writer_for(node.reader_odometry).write(message)
     node.wall_clock = lambda: 1_000_000_002
-    reader_command = reader_for(node.writer_command)
+    reader_command = reader_for(
+        node.writer_command,
+    )
     wait_until(lambda: node.execute() or component.given)
     wait_for_values(
         reader_command,

@@ -37,6 +37,7 @@ class frequency_node:
     now = staticmethod(time.monotonic_ns)
 
     def __init__(self, participant: DomainParticipant) -> None:
+        self.logger = logging.getLogger("frequency")
         self.component = Component()
         self.received: dict[str, Any] = {}
         self.arrived: dict[str, int] = {}  # ns
@@ -181,11 +182,13 @@ class frequency_node:
         message = runner.newest(self.reader_level)
         if message is not None:
             self.received["level"] = message.data
-            self.arrived["level"] = self.now()
+            now = self.now()
+            self.arrived["level"] = now
         message = runner.newest(self.reader_valid)
         if message is not None:
             self.received["valid"] = message.data
-            self.arrived["valid"] = self.now()
+            now = self.now()
+            self.arrived["valid"] = now
 
     def too_old(self) -> list[str]:
         """The inputs that came too long ago."""
@@ -199,13 +202,13 @@ class frequency_node:
         if len(self.received) < 7:
             if self.awaited:
                 missing = [name for name in self.awaited if name not in self.received]
-                logging.getLogger("frequency").info("waiting for " + ", ".join(missing))
+                self.logger.info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
         too_old = self.too_old()
         if too_old:
             if not self.late:
-                logging.getLogger("frequency").warning("too old: " + ", ".join(too_old))
+                self.logger.warning("too old: " + ", ".join(too_old))
                 self.late = True
             return
         self.late = False

@@ -32,6 +32,7 @@ class options_node:
     wall_clock = staticmethod(time.time_ns)
 
     def __init__(self, participant: DomainParticipant) -> None:
+        self.logger = logging.getLogger("options")
         self.component = Component()
         self.received: dict[str, Any] = {}
         self.arrived: dict[str, int] = {}  # ns
@@ -85,7 +86,8 @@ class options_node:
         message = runner.newest(self.reader_best)
         if message is not None:
             self.received["best"] = message.data
-            self.arrived["best"] = self.now()
+            now = self.now()
+            self.arrived["best"] = now
 
     def too_old(self) -> list[str]:
         """The inputs that came too long ago."""
@@ -99,13 +101,13 @@ class options_node:
         if len(self.received) < 1:
             if self.awaited:
                 missing = [name for name in self.awaited if name not in self.received]
-                logging.getLogger("options").info("waiting for " + ", ".join(missing))
+                self.logger.info("waiting for " + ", ".join(missing))
                 self.awaited = []
             return
         too_old = self.too_old()
         if too_old:
             if not self.late:
-                logging.getLogger("options").warning("too old: " + ", ".join(too_old))
+                self.logger.warning("too old: " + ", ".join(too_old))
                 self.late = True
             self.write_safe_values()
             return

@@ -29,7 +29,7 @@ class StandIn:
         }
 
 
-def node_with(component: StandIn) -> frequency_node:
+def node_with(component: StandIn) -> Any:
     """The node with another component."""
     node = frequency_node(participant())
     node.component = component
@@ -69,10 +69,18 @@ def test_a_message_of_each_topic_executes_the_component() -> None:
     message = messages.std_msgs__Bool()
     message.data = True
     writer_for(node.reader_valid).write(message)
-    reader_level = reader_for(node.writer_level)
-    reader_valid = reader_for(node.writer_valid)
-    reader__out = reader_for(node.writer__out)
-    reader_best = reader_for(node.writer_best)
+    reader_level = reader_for(
+        node.writer_level,
+    )
+    reader_valid = reader_for(
+        node.writer_valid,
+    )
+    reader__out = reader_for(
+        node.writer__out,
+    )
+    reader_best = reader_for(
+        node.writer_best,
+    )
     wait_until(lambda: node.execute() or component.given)
     wait_for_values(
         reader_level,

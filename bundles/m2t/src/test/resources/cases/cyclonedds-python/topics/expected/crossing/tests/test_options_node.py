@@ -28,7 +28,7 @@ class StandIn:
         }
 
 
-def node_with(component: StandIn) -> options_node:
+def node_with(component: StandIn) -> Any:
     """The node with another component."""
     node = options_node(participant())
     node.component = component
@@ -51,9 +51,15 @@ def test_a_message_of_each_topic_executes_the_component() -> None:
     message.data = 1.5
     writer_for(node.reader_best).write(message)
     node.wall_clock = lambda: 1_000_000_002
-    reader_done = reader_for(node.writer_done)
-    reader_distance = reader_for(node.writer_distance)
-    reader_heard = reader_for(node.writer_heard)
+    reader_done = reader_for(
+        node.writer_done,
+    )
+    reader_distance = reader_for(
+        node.writer_distance,
+    )
+    reader_heard = reader_for(
+        node.writer_heard,
+    )
     wait_until(lambda: node.execute() or component.given)
     wait_for_values(
         reader_done,
