@@ -6,9 +6,9 @@ import java.util.regex.Pattern;
 enum AnswerKind {
   /** A JSON array or object. */
   JSON("JSON", "json|json5|jsonc|javascript|js", "^\\s*[\\[{]"),
-  /** A Python file. */
+  /** A Python module. */
   PYTHON(
-      "Python file",
+      "Python module",
       "python|py|python3",
       "^(import |from |class |def |@|#!|\"\"\"|'''|[A-Z_]+\\s*=)"),
   /** A Complete OCL document. */

@@ -14,7 +14,15 @@ final class FindingsText {
 
   private static final Pattern CLAUSE_END = Pattern.compile("(?<=[.;?]) ");
   private static final Pattern ABOUT_FILES =
-      Pattern.compile("(^| )--[a-z]|PACKAGE/msg/NAME|Looked for among");
+      Pattern.compile(
+          "(^| )--[a-z]|PACKAGE/msg/NAME|Looked for among|\\b[Ff](iles?|olders?)\\b"
+              + "|\\.(json|yaml|md|xmi|ecore|msg|py|ocl)\\b");
+
+  /** The file that is spoken of; what stands in quotes is a name. */
+  private static final Pattern THE_FILE = Pattern.compile("\\b([Tt]h)(?:e|is) file(?!['`])\\b");
+
+  private static final Pattern A_FILE =
+      Pattern.compile("(?<!['`./])\\bfile(s?)\\b(?!['`]|[.][a-z])");
 
   private FindingsText() {}
 
@@ -38,7 +46,7 @@ final class FindingsText {
     } else if (!place.element().isEmpty()) {
       out.append("At ").append(place.element()).append(": ");
     }
-    out.append(finding.message());
+    out.append(ofTheAnswer(finding.message()));
     if (!finding.rule().isEmpty()) {
       out.append(" (").append(finding.rule()).append(')');
     }
@@ -52,13 +60,19 @@ final class FindingsText {
     }
   }
 
+  /** What is said of a file is said of what the model sees: its answer. */
+  private static String ofTheAnswer(String text) {
+    String answer = THE_FILE.matcher(text).replaceAll("$1e answer");
+    return A_FILE.matcher(answer).replaceAll("document$1");
+  }
+
   /**
    * A hint without what speaks of files and options: who answers sees and changes the answer only.
    */
   private static String aboutTheAnswer(String hint) {
     String kept =
         CLAUSE_END
-            .splitAsStream(hint)
+            .splitAsStream(ofTheAnswer(hint))
             .filter(clause -> !ABOUT_FILES.matcher(clause).find())
             .collect(Collectors.joining(" "));
     return kept.endsWith(";") ? kept.substring(0, kept.length() - 1) + "." : kept;

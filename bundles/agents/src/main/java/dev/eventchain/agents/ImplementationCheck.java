@@ -14,7 +14,7 @@ import java.nio.file.Path;
 import java.util.List;
 
 /**
- * Whether a Python file is the component that the chain describes, and stands its inputs at their
+ * Whether a Python module is the component that the chain describes, and stands its inputs at their
  * edges.
  */
 final class ImplementationCheck {

@@ -19,7 +19,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.function.Function;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -29,7 +32,14 @@ class RepairTextTest {
   private static final Path RESOURCES = Path.of("src/test/resources");
   private static final Path BASE = RESOURCES.resolve("design/base");
   private static final Pattern FILES =
-      Pattern.compile("\\.(json|yaml|md|xmi|ecore|msg|py)\\b|(^| )--[a-z]");
+      Pattern.compile(
+          "\\.(json|yaml|md|xmi|ecore|msg|py)\\b|(^| )--[a-z]|(?<!['`])\\b[Ff]iles?\\b(?!['`])");
+
+  /** The bundles whose findings may be about an answer. */
+  private static final List<String> CHECKING =
+      List.of("agents", "analysis", "documents", "messages", "modeler", "ocl", "python");
+
+  private static final Pattern LITERAL = Pattern.compile("\"((?:[^\"\\\\\n]++|\\\\.)*+)\"");
 
   @Test
   void whatIsSaidAboutDesignsSpeaksOfTheAnswer() throws IOException {
@@ -75,6 +85,32 @@ class RepairTextTest {
                 "Did you mean `a`? Known is b; name another one with --metamodel FILE.ecore.");
     String text = FindingsText.of(List.of(finding));
     assertTrue(text.endsWith("   Did you mean `a`? Known is b.\n"), text);
+  }
+
+  /** Whatever the checks can say, in whichever finding: all texts that their bundles have. */
+  @Test
+  void noTextOfAnyFindingSpeaksOfFiles() throws IOException {
+    Set<String> texts = new TreeSet<>();
+    for (String bundle : CHECKING) {
+      try (Stream<Path> files = Files.walk(Path.of("..", bundle, "src/main/java"))) {
+        for (Path file : files.filter(path -> path.toString().endsWith(".java")).toList()) {
+          Matcher found = LITERAL.matcher(Files.readString(file).replaceAll("\"\\s*\\+ *\"", ""));
+          while (found.find()) {
+            texts.add(found.group(1).replace("\\\"", "\""));
+          }
+        }
+      }
+    }
+    assertTrue(texts.stream().filter(text -> FILES.matcher(text).find()).count() > 20);
+    texts.removeIf(text -> !text.contains(" "));
+    for (String text : texts) {
+      Diagnostic finding = Diagnostic.error("any.id", "It is wrong.", SourceLocation.NONE);
+      String hint = FindingsText.of(List.of(finding.withHint(text)));
+      assertFalse(FILES.matcher(hint).find(), hint);
+      String message =
+          FindingsText.of(List.of(Diagnostic.error("any.id", text, SourceLocation.NONE)));
+      assertFalse(message.contains(" file ") || message.contains(" file."), message);
+    }
   }
 
   private static void eachFault(

@@ -17,6 +17,7 @@ enum Rule {
   QOS_UNDECIDED("contract.qos.undecided", Severity.INFO),
   PUBLISHER_MISSING("contract.publisher.missing", Severity.ERROR),
   CONSUMER_MISSING("contract.consumer.missing", Severity.ERROR),
+  EXTERNAL_INPUT("contract.external.input", Severity.ERROR),
   PUBLISHERS_SEVERAL("contract.publishers.several", Severity.WARNING),
   SIGNAL_TYPE("contract.signal.type", Severity.ERROR),
   SIGNAL_FIELD("contract.signal.field", Severity.WARNING),

@@ -22,8 +22,17 @@ final class TopicContracts {
 
   private static final String LEAVES =
       "leave the output out; or, if a requirement asks for a signal that leaves the chain, say so"
-          + " with the output: \"consumer\": \"external\", and in \"requirements\" the ids of those"
-          + " that ask for it.";
+          + " with the ";
+
+  /** How descriptions say so. */
+  private static final String LEAVES_IN_JSON =
+      LEAVES
+          + "output: \"consumer\": \"external\", and in \"requirements\" the ids of those that ask"
+          + " for it.";
+
+  /** How models say so. */
+  private static final String LEAVES_IN_A_MODEL =
+      LEAVES + "data: external=\"true\", and in satisfies the requirements that ask for it.";
 
   private final boolean vehicleKnown;
   private final Collection<String> signals;
@@ -81,6 +90,7 @@ final class TopicContracts {
       topic.publishers().forEach(publisher -> isRead(topic, publisher));
     }
     topic.subscribers().forEach(subscriber -> fieldsAreSet(topic, subscriber));
+    topic.subscribers().forEach(subscriber -> staysInside(topic, subscriber));
   }
 
   /** Against the signal where there is one, else against whoever comes first. */
@@ -162,13 +172,31 @@ final class TopicContracts {
     if (publisher.isExternal()) {
       new ExternalSignal(topic, publisher, findings).check(awaited);
     } else if (!read.contains(topic.name())) {
+      SourceLocation place = findings.at(publisher.first(), Literals.DATA__TOPIC_NAME);
+      String leaves = place.file().endsWith(".json") ? LEAVES_IN_JSON : LEAVES_IN_A_MODEL;
       findings.error(
           Rule.CONSUMER_MISSING,
-          findings.at(publisher.first(), Literals.DATA__TOPIC_NAME),
+          place,
           "%s writes %s, but no component of the chain reads it, and %s."
               .formatted(publisher.name(), topic.name(), vehicle(topic, "consumed")),
-          hint(topic.name(), read, topic.signal().isPresent() ? "leave the output out." : LEAVES),
+          hint(topic.name(), read, topic.signal().isPresent() ? "leave the output out." : leaves),
           place(topic));
+    }
+  }
+
+  /** Of an input the declaration says nothing, and hides that an output has none. */
+  private void staysInside(Topic topic, Endpoint subscriber) {
+    for (Data data : subscriber.data()) {
+      findings.checked(Rule.EXTERNAL_INPUT);
+      if (data.isExternal() || !data.getSatisfies().isEmpty()) {
+        findings.error(
+            Rule.EXTERNAL_INPUT,
+            findings.at(data, Literals.DATA__EXTERNAL),
+            "'%s', by which %s reads %s, is declared to leave the chain, but is an input."
+                .formatted(data.getName(), subscriber.name(), topic.name()),
+            "Leave external and satisfies out of inputs; declare the output that leaves the"
+                + " chain.");
+      }
     }
   }
 

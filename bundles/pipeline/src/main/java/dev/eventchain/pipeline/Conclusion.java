@@ -36,7 +36,8 @@ final class Conclusion {
           "simulation.command.ignored",
           "simulation.criterion.untested",
           "simulation.latency.unmeasured",
-          "simulation.node.silent");
+          "simulation.node.silent",
+          "simulation.rule.untested");
 
   private final RunContext run;
   private final Map<Stage, StageOutcome> outcomes;
@@ -116,7 +117,12 @@ final class Conclusion {
     return Diagnostic.anyError(found)
         && found.stream()
             .filter(each -> each.severity() == Severity.ERROR)
-            .allMatch(each -> UNTESTED.contains(each.id()));
+            .allMatch(Conclusion::isUntested);
+  }
+
+  /** Whether a finding says that something was not tested, and not that it is wrong. */
+  static boolean isUntested(Diagnostic found) {
+    return UNTESTED.contains(found.id());
   }
 
   private String summary(Verdict verdict, List<ScenarioLine> scenarios, List<Diagnostic> found) {

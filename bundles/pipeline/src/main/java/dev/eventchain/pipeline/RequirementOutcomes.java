@@ -10,15 +10,15 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Set;
 
-/** What the scenarios say of the requirements that they name. */
+/** What the scenarios, and the constraints that stand for a requirement, say of it. */
 final class RequirementOutcomes {
 
   private enum Outcome {
-    /** Each scenario that names it passed, and there is one. */
+    /** Each scenario that names it passed, and there is one; so do its constraints, if any. */
     PROVED,
-    /** A scenario that names it failed. */
+    /** A scenario that names it failed, or a constraint that stands for it is violated. */
     VIOLATED,
-    /** No scenario names it, or one that does could not be judged. */
+    /** No scenario names it, or a scenario or constraint that does could not be judged. */
     NOT_TESTED;
 
     String words() {
@@ -33,27 +33,31 @@ final class RequirementOutcomes {
    *
    * @param unproven ids of those that no criterion can prove, see {@link
    *     RequirementCoverage#unproven}
+   * @param evidence what the measured model says of their constraints
    */
   static ArrayNode of(
-      List<Requirements.Item> requirements, List<ScenarioVerdict> verdicts, Set<String> unproven) {
+      List<Requirements.Item> requirements,
+      List<ScenarioVerdict> verdicts,
+      Set<String> unproven,
+      RuleEvidence evidence) {
     ArrayNode outcomes = JsonNodeFactory.instance.arrayNode();
     for (Requirements.Item item : requirements) {
       List<ScenarioVerdict> about =
           verdicts.stream().filter(each -> each.requirements().contains(item.id())).toList();
-      outcomes
-          .addObject()
-          .put("id", item.id())
-          .put("outcome", outcome(about, unproven.contains(item.id())).words());
+      boolean untested = unproven.contains(item.id()) || evidence.untestedIds().contains(item.id());
+      Outcome outcome =
+          evidence.violatedIds().contains(item.id()) ? Outcome.VIOLATED : outcome(about, untested);
+      outcomes.addObject().put("id", item.id()).put("outcome", outcome.words());
     }
     return outcomes;
   }
 
-  private static Outcome outcome(List<ScenarioVerdict> verdicts, boolean unproven) {
+  private static Outcome outcome(List<ScenarioVerdict> verdicts, boolean untested) {
     if (verdicts.stream().anyMatch(each -> each.tested() && !each.passed())) {
       return Outcome.VIOLATED;
     }
     boolean proved = !verdicts.isEmpty() && verdicts.stream().allMatch(ScenarioVerdict::passed);
-    return proved && !unproven ? Outcome.PROVED : Outcome.NOT_TESTED;
+    return proved && !untested ? Outcome.PROVED : Outcome.NOT_TESTED;
   }
 
   /**

@@ -50,7 +50,7 @@ final class SimulateStage implements StageWork {
     fingerprint.addFile(run.file(Constraints.GENERATED));
     fingerprint.addFiles(Project.below(run.file(GeneratedPackage.required(run).folder())));
     fingerprint.addFiles(project.messageFiles());
-    ProjectScenarios.requirements(run).forEach(item -> fingerprint.add(item.id()));
+    RuleEvidence.ids(run).forEach(fingerprint::add);
   }
 
   @Override
@@ -71,17 +71,17 @@ final class SimulateStage implements StageWork {
       found.addAll(reread.ecore().diagnostics());
       ecore = reread.ecore().coverage();
     }
-    ArrayNode outcomes = outcomes(run, chain, scenarios, result);
     OclResult validation = Constraints.of(run).check(measured, locator);
-    found.addAll(validation.diagnostics());
+    RuleEvidence evidence = RuleEvidence.of(run, measured, validation);
+    found.addAll(evidence.findings());
+    ArrayNode outcomes = outcomes(run, chain, scenarios, result, evidence);
     if (!run.options().isPartial()) {
-      found.addAll(RequirementCoverage.untested(run, chain, scenarios));
-      found.addAll(unmeasured(chain, result, run.chain()::locate));
+      found.addAll(untested(run, chain, scenarios, result));
       // Last, so that it is never there without what it is about.
       run.writeResult(VERDICT, verdict(run, chain, result, found, outcomes));
     }
     Coverage coverage = Constraints.coverage(List.of(measuredFile(run)), validation).and(ecore);
-    ObjectNode report = report(run, result, validation, outcomes);
+    ObjectNode report = report(run, result, validation, outcomes, evidence);
     return new StageResult(details(result), results(run), found, report, coverage);
   }
 
@@ -106,8 +106,13 @@ final class SimulateStage implements StageWork {
   }
 
   private static ObjectNode report(
-      RunContext run, SimulationResult result, OclResult validation, ArrayNode outcomes) {
+      RunContext run,
+      SimulationResult result,
+      OclResult validation,
+      ArrayNode outcomes,
+      RuleEvidence evidence) {
     ObjectNode report = SimulationReport.of(result);
+    evidence.addTo(report);
     if (!run.options().isPartial()) {
       report.set("requirements", outcomes);
     }
@@ -116,11 +121,23 @@ final class SimulateStage implements StageWork {
   }
 
   private static ArrayNode outcomes(
-      RunContext run, EventChain chain, List<Scenario> scenarios, SimulationResult result) {
+      RunContext run,
+      EventChain chain,
+      List<Scenario> scenarios,
+      SimulationResult result,
+      RuleEvidence evidence) {
     return RequirementOutcomes.of(
         ProjectScenarios.requirements(run),
         result.verdicts(),
-        RequirementCoverage.unproven(run, chain, scenarios).keySet());
+        RequirementCoverage.unproven(run, chain, scenarios).keySet(),
+        evidence);
+  }
+
+  private static List<Diagnostic> untested(
+      RunContext run, EventChain chain, List<Scenario> scenarios, SimulationResult result) {
+    List<Diagnostic> found = new ArrayList<>(RequirementCoverage.untested(run, chain, scenarios));
+    found.addAll(unmeasured(chain, result, run.chain()::locate));
+    return found;
   }
 
   /** A bound on a time that was never measured is not kept, but not tested. */

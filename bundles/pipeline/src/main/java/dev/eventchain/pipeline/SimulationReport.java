@@ -68,6 +68,7 @@ final class SimulationReport {
     }
     ArrayNode violated = JsonNodeFactory.instance.arrayNode();
     errors.stream()
+        .filter(each -> !Conclusion.isUntested(each))
         .map(Diagnostic::rule)
         .filter(rule -> !rule.isEmpty())
         .distinct()

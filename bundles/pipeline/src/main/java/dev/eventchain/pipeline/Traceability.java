@@ -68,24 +68,21 @@ final class Traceability {
         if (id.asText().equals(item.id())) {
           proofs.add(
               new Proof(
-                  "scenario", scenario.path("name").asText(), scenario.path("passed").asBoolean()));
+                  "scenario",
+                  scenario.path("name").asText(),
+                  scenario.path("tested").asBoolean(),
+                  scenario.path("passed").asBoolean()));
         }
       }
     }
+    proofs.addAll(checks(item));
     return proved(row, proofs);
   }
 
   private ObjectNode designRule(Requirements.Item item) {
     ObjectNode row = row(item);
     row.putArray("components");
-    List<Proof> proofs = new ArrayList<>();
-    JsonNode designed = report(Stage.VALIDATE).path("validation");
-    JsonNode measured = report(Stage.SIMULATE).path("validation");
-    for (OclConstraint constraint : Constraints.of(run).standingFor(item.id())) {
-      String name = constraint.qualifiedName();
-      boolean holds = holds(designed, name) && holds(measured, name);
-      proofs.add(new Proof("check", constraint.name(), holds));
-    }
+    List<Proof> proofs = checks(item);
     row.putArray("files");
     if (!proofs.isEmpty()) {
       ((ArrayNode) row.get("files")).add(Constraints.GENERATED);
@@ -93,7 +90,26 @@ final class Traceability {
     return proved(row, proofs);
   }
 
-  private record Proof(String kind, String name, boolean passed) {}
+  /**
+   * What the constraints say that stand for a requirement or design rule. The measured model is the
+   * designed one with more in it: a constraint on what is only there is tested by it alone.
+   */
+  private List<Proof> checks(Requirements.Item item) {
+    JsonNode designed = report(Stage.VALIDATE).path("validation");
+    JsonNode measured = report(Stage.SIMULATE).path("validation");
+    JsonNode untested = report(Stage.SIMULATE).path("untested");
+    List<Proof> proofs = new ArrayList<>();
+    for (OclConstraint constraint : Constraints.of(run).standingFor(item.id())) {
+      String name = constraint.qualifiedName();
+      boolean violated =
+          has(designed.path("violated"), name) || has(measured.path("violated"), name);
+      boolean tested = has(measured.path("evaluated"), name) && !has(untested, name);
+      proofs.add(new Proof("check", constraint.name(), tested || violated, tested && !violated));
+    }
+    return proofs;
+  }
+
+  private record Proof(String kind, String name, boolean tested, boolean passed) {}
 
   private static ObjectNode row(Requirements.Item item) {
     return JsonNodeFactory.instance.objectNode().put("id", item.id()).put("text", item.text());
@@ -106,6 +122,7 @@ final class Traceability {
           .addObject()
           .put("kind", proof.kind())
           .put("name", proof.name())
+          .put("tested", proof.tested())
           .put("passed", proof.passed());
     }
     return row.put("proved", !proofs.isEmpty() && proofs.stream().allMatch(Proof::passed));
@@ -116,12 +133,6 @@ final class Traceability {
         .find(node.getName())
         .map(component -> run.project().folder().relativize(component.file()).toString())
         .orElse("components/" + node.getName() + ".py");
-  }
-
-  /** Whether a validation took place, evaluated the constraint at all, and found it to hold. */
-  private static boolean holds(JsonNode validation, String constraint) {
-    return has(validation.path("evaluated"), constraint)
-        && !has(validation.path("violated"), constraint);
   }
 
   private static boolean has(JsonNode names, String constraint) {

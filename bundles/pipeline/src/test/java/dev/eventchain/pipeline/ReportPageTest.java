@@ -12,10 +12,14 @@ import dev.eventchain.metamodel.eventchain.ChainMeasurement;
 import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainFactory;
+import dev.eventchain.metamodel.eventchain.LatencyConstraint;
+import dev.eventchain.metamodel.eventchain.LatencyMeasurement;
+import dev.eventchain.metamodel.eventchain.LatencyPart;
 import dev.eventchain.metamodel.eventchain.Measurement;
 import dev.eventchain.metamodel.eventchain.Requirement;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import dev.eventchain.metamodel.eventchain.StatisticKind;
+import dev.eventchain.metamodel.eventchain.Statistics;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -30,6 +34,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class ReportPageTest {
+
+  private static final EventchainFactory FACTORY = EventchainFactory.eINSTANCE;
 
   private static final JsonMapper MAPPER = JsonMapper.builder().build();
 
@@ -102,6 +108,52 @@ class ReportPageTest {
       assertEquals(tags(harmless), tags(page), hostile);
       assertFalse(page.contains("\u202e") || page.contains("\u0000"), hostile);
     }
+  }
+
+  /** Without a script, since it comes from the model. */
+  @Test
+  void longestLatencyIsStackedByNode() {
+    EventChain chain = chain("Detection");
+    LatencyConstraint bound = FACTORY.createLatencyConstraint();
+    bound.setName("quick");
+    bound.setFirst(chain.getSoftware().get(0));
+    bound.setLast(chain.getSoftware().get(0));
+    bound.setMaximum(100);
+    chain.getLatencyConstraints().add(bound);
+    for (double waiting : new double[] {5, 35, 15}) {
+      ChainMeasurement measured = FACTORY.createChainMeasurement();
+      measured.setScenario("waits " + waiting);
+      measured.getLatencies().add(latency(bound, waiting, 10));
+      chain.getMeasured().add(measured);
+    }
+
+    String page = page(chain, MAPPER.createObjectNode());
+
+    assertTrue(
+        page.contains("at most <strong>45.000 ms</strong> of 100 ms allowed, in <em>waits 35.0"));
+    assertTrue(
+        page.contains("<rect class=\"waiting\" x=\"0\" y=\"0\" width=\"3500\" height=\"100\"/>"));
+    assertTrue(page.contains("<rect class=\"execution\" x=\"3500\" y=\"0\" width=\"1000\""));
+    assertTrue(page.contains("Simulated execution time, from the model"));
+    assertEquals(1, count(page, "<figure class=\"passage\">"));
+    assertFalse(page.contains("too long"));
+    bound.setMaximum(20);
+    assertTrue(page(chain, MAPPER.createObjectNode()).contains("<strong class=\"bad\">too long"));
+  }
+
+  private static LatencyMeasurement latency(
+      LatencyConstraint bound, double waiting, double execution) {
+    LatencyPart part = FACTORY.createLatencyPart();
+    part.setNode(bound.getFirst());
+    part.setWaiting(waiting);
+    part.setExecution(execution);
+    Statistics statistics = FACTORY.createStatistics();
+    statistics.setMaximum(waiting + execution);
+    LatencyMeasurement latency = FACTORY.createLatencyMeasurement();
+    latency.setConstraint(bound);
+    latency.setLatency(statistics);
+    latency.getSlowest().add(part);
+    return latency;
   }
 
   @Test

@@ -2,8 +2,10 @@ package dev.eventchain.simulation;
 
 import dev.eventchain.simulation.RunLog.Activation;
 import dev.eventchain.simulation.RunLog.SampleId;
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.Deque;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -27,15 +29,59 @@ final class ChainLatency {
   /** An activation of a node. */
   private record Step(String node, int position, Activation activation) {}
 
-  /** What a written sample is based on: the oldest stimulus behind it, and when that was. */
-  private record Origin(int writer, long time) {}
+  /**
+   * What an activation is based on: the oldest stimulus behind it, and the way from there. Where
+   * several ways lead there, it is the one whose sample came last.
+   *
+   * @param origin when the stimulus was, in ns
+   * @param before the activation whose sample led to this one; null if the stimulus did
+   */
+  private record Passage(Step step, long origin, Passage before) {
 
-  private static final long NOTHING = -1;
+    long end() {
+      return step.activation().end();
+    }
+
+    long time() {
+      return end() - origin;
+    }
+  }
+
+  /**
+   * What a node contributes to a latency, in ns.
+   *
+   * @param waiting from the end of the node before, or from the stimulus, to its start
+   * @param execution from its start to its end
+   */
+  record Part(String node, long waiting, long execution) {}
+
+  /**
+   * A time from a stimulus to what is based on it.
+   *
+   * @param time in ns
+   * @param parts what it consists of, in the order of the data; they sum up to it
+   */
+  record Latency(long time, List<Part> parts) {
+
+    private static Latency of(Passage passage) {
+      Deque<Part> parts = new ArrayDeque<>();
+      for (Passage each = passage; each != null; each = each.before()) {
+        Activation activation = each.step().activation();
+        long since = each.before() == null ? each.origin() : each.before().end();
+        parts.addFirst(
+            new Part(
+                each.step().node(),
+                activation.start() - since,
+                activation.end() - activation.start()));
+      }
+      return new Latency(passage.time(), List.copyOf(parts));
+    }
+  }
 
   private final RunLog log;
   private final Set<String> first;
   private final Map<String, Integer> positions;
-  private final Map<SampleId, Origin> origins = new HashMap<>();
+  private final Map<SampleId, Passage> writers = new HashMap<>();
 
   private ChainLatency(RunLog log, Set<String> first, Map<String, Integer> positions) {
     this.log = log;
@@ -59,11 +105,11 @@ final class ChainLatency {
     List<Long> latencies = new ArrayList<>();
     Set<Long> answered = new HashSet<>();
     for (Step step : latency.steps()) {
-      long origin = latency.follow(step, source);
+      Passage passage = latency.follow(step, source);
       boolean commands =
           step.activation().writes().stream().anyMatch(sample -> sample.topic().equals(target));
-      if (commands && origin != NOTHING && answered.add(origin)) {
-        latencies.add(step.activation().end() - origin);
+      if (commands && passage != null && answered.add(passage.origin())) {
+        latencies.add(passage.time());
       }
     }
     return latencies;
@@ -76,21 +122,21 @@ final class ChainLatency {
    * @param first the node whose inputs start the time
    * @param last the node whose outputs end it; its activation if it writes nothing at all
    * @param dataAge whether every output counts, not only the first one based on a sample
-   * @return times in ns; empty if nothing that the last node did is based on an input of the first
+   * @return none if nothing that the last node did is based on an input of the first
    */
-  static List<Long> between(RunLog log, String first, String last, boolean dataAge) {
-    List<Long> latencies = new ArrayList<>();
+  static List<Latency> between(RunLog log, String first, String last, boolean dataAge) {
+    List<Latency> latencies = new ArrayList<>();
     Map<String, Integer> positions = ActivationOrder.of(log, Set.of(first));
     for (String stimulus : stimuli(log, first, positions.keySet())) {
       ChainLatency latency = new ChainLatency(log, Set.of(first), positions);
       Set<Long> answered = new HashSet<>();
       for (Step step : latency.steps()) {
-        long origin = latency.follow(step, stimulus);
-        if (origin != NOTHING
+        Passage passage = latency.follow(step, stimulus);
+        if (passage != null
             && step.node().equals(last)
             && latency.ends(step)
-            && (answered.add(origin) || dataAge)) {
-          latencies.add(step.activation().end() - origin);
+            && (answered.add(passage.origin()) || dataAge)) {
+          latencies.add(Latency.of(passage));
         }
       }
     }
@@ -147,31 +193,39 @@ final class ChainLatency {
    *
    * @param stimulus the topic whose samples the first node is stimulated by; empty for its
    *     activation
-   * @return when the oldest stimulus was, in ns
+   * @return how the oldest stimulus came to the activation; null if none did
    */
-  private long follow(Step step, String stimulus) {
-    long oldest = NOTHING;
+  private Passage follow(Step step, String stimulus) {
+    Passage oldest = null;
     boolean starts = first.contains(step.node());
     if (starts && stimulus.isEmpty()) {
-      oldest = step.activation().start();
+      oldest = new Passage(step, step.activation().start(), null);
     }
     for (SampleId read : step.activation().reads()) {
-      long found = NOTHING;
-      Origin origin = origins.get(read);
+      Passage writer = writers.get(read);
+      Passage found = null;
       if (starts && read.topic().equals(stimulus)) {
-        found = log.time(read);
-      } else if (!starts && origin != null && origin.writer() < step.position()) {
-        found = origin.time();
+        found = new Passage(step, log.time(read), null);
+      } else if (!starts && writer != null && writer.step().position() < step.position()) {
+        found = new Passage(step, writer.origin(), writer);
       }
-      if (found != NOTHING && (oldest == NOTHING || found < oldest)) {
+      if (found != null && (oldest == null || isBehind(found, oldest))) {
         oldest = found;
       }
     }
-    if (oldest != NOTHING) {
+    if (oldest != null) {
       for (SampleId sample : step.activation().writes()) {
-        origins.put(sample, new Origin(step.position(), oldest));
+        writers.put(sample, oldest);
       }
     }
     return oldest;
+  }
+
+  /** Whether one stimulus is older than another, or the same one that took a longer way. */
+  private static boolean isBehind(Passage one, Passage other) {
+    if (one.origin() != other.origin()) {
+      return one.origin() < other.origin();
+    }
+    return one.before() != null && one.before().end() > other.before().end();
   }
 }

@@ -5,6 +5,7 @@ import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainFactory;
 import dev.eventchain.metamodel.eventchain.LatencyConstraint;
 import dev.eventchain.metamodel.eventchain.LatencyMeasurement;
+import dev.eventchain.metamodel.eventchain.LatencyPart;
 import dev.eventchain.metamodel.eventchain.Measurement;
 import dev.eventchain.metamodel.eventchain.NodeMeasurement;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
@@ -55,8 +56,11 @@ final class MeasuredModel {
     statistics(verdict.latency()).ifPresent(measurement::setLatency);
     for (int i = 0; i < verdict.latencies().size(); i++) {
       LatencyConstraint constraint = chain.getLatencyConstraints().get(i);
-      statistics(verdict.latencies().get(i))
-          .ifPresent(latency -> measurement.getLatencies().add(latency(constraint, latency)));
+      verdict
+          .latencies()
+          .get(i)
+          .map(latency -> latency(chain, constraint, latency))
+          .ifPresent(measurement.getLatencies()::add);
     }
     verdict.figures().forEach(figure -> measurement.getMeasurements().add(figure(figure)));
     verdict.criteria().forEach(each -> margin(each).ifPresent(measurement.getMeasurements()::add));
@@ -95,11 +99,21 @@ final class MeasuredModel {
     return measurement;
   }
 
-  private static LatencyMeasurement latency(LatencyConstraint constraint, Statistics latency) {
+  private static LatencyMeasurement latency(
+      EventChain chain, LatencyConstraint constraint, ScenarioVerdict.Latency latency) {
     LatencyMeasurement measurement = FACTORY.createLatencyMeasurement();
     measurement.setConstraint(constraint);
-    measurement.setLatency(latency);
+    statistics(Optional.of(latency.statistics())).ifPresent(measurement::setLatency);
+    latency.slowest().forEach(part -> measurement.getSlowest().add(part(chain, part)));
     return measurement;
+  }
+
+  private static LatencyPart part(EventChain chain, ScenarioVerdict.Part part) {
+    LatencyPart copy = FACTORY.createLatencyPart();
+    find(chain, part.node()).ifPresent(copy::setNode);
+    copy.setWaiting(part.waiting());
+    copy.setExecution(part.execution());
+    return copy;
   }
 
   private static Optional<SoftwareNode> find(EventChain chain, String name) {

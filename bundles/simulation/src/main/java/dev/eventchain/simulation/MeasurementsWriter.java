@@ -67,8 +67,8 @@ final class MeasurementsWriter {
     figures(verdict.figures());
     statistics("latency", verdict.latency());
     json.writeArrayFieldStart("latencies");
-    for (Optional<Measurements.Statistics> latency : verdict.latencies()) {
-      statistics(latency);
+    for (Optional<ScenarioVerdict.Latency> latency : verdict.latencies()) {
+      latency(latency);
     }
     json.writeEndArray();
     series(verdict.series());
@@ -168,20 +168,40 @@ final class MeasurementsWriter {
   private void statistics(String name, Optional<Measurements.Statistics> values)
       throws IOException {
     json.writeFieldName(name);
-    statistics(values);
-  }
-
-  private void statistics(Optional<Measurements.Statistics> values) throws IOException {
     if (values.isEmpty()) {
       json.writeNull();
       return;
     }
     json.writeStartObject();
-    field("minimum", values.get().minimum());
-    field("median", values.get().median());
-    field("percentile99", values.get().percentile99());
-    field("maximum", values.get().maximum());
-    json.writeNumberField("count", values.get().count());
+    statistics(values.get());
+    json.writeEndObject();
+  }
+
+  private void statistics(Measurements.Statistics values) throws IOException {
+    field("minimum", values.minimum());
+    field("median", values.median());
+    field("percentile99", values.percentile99());
+    field("maximum", values.maximum());
+    json.writeNumberField("count", values.count());
+  }
+
+  /** The parts of the slowest time sum up to the maximum. */
+  private void latency(Optional<ScenarioVerdict.Latency> latency) throws IOException {
+    if (latency.isEmpty()) {
+      json.writeNull();
+      return;
+    }
+    json.writeStartObject();
+    statistics(latency.get().statistics());
+    json.writeArrayFieldStart("slowest");
+    for (ScenarioVerdict.Part part : latency.get().slowest()) {
+      json.writeStartObject();
+      json.writeStringField("node", part.node());
+      field("waiting", part.waiting());
+      field("execution", part.execution());
+      json.writeEndObject();
+    }
+    json.writeEndArray();
     json.writeEndObject();
   }
 

@@ -111,17 +111,33 @@ final class ScenarioJudge {
   }
 
   /** What was measured of a constraint; an incomplete one is a finding of the model. */
-  private static Optional<Measurements.Statistics> latency(
+  private static Optional<ScenarioVerdict.Latency> latency(
       RunLog log, LatencyConstraint constraint) {
     if (constraint.getFirst() == null || constraint.getLast() == null) {
       return Optional.empty();
     }
-    return statistics(
+    List<ChainLatency.Latency> found =
         ChainLatency.between(
             log,
             constraint.getFirst().getName(),
             constraint.getLast().getName(),
-            constraint.getKind() == LatencyKind.DATA_AGE));
+            constraint.getKind() == LatencyKind.DATA_AGE);
+    return statistics(found.stream().map(ChainLatency.Latency::time).toList())
+        .map(statistics -> new ScenarioVerdict.Latency(statistics, slowest(found)));
+  }
+
+  /** What the longest time consists of; of several, the first one. */
+  private static List<ScenarioVerdict.Part> slowest(List<ChainLatency.Latency> latencies) {
+    ChainLatency.Latency slowest = latencies.get(0);
+    for (ChainLatency.Latency each : latencies) {
+      slowest = each.time() > slowest.time() ? each : slowest;
+    }
+    return slowest.parts().stream()
+        .map(
+            part ->
+                new ScenarioVerdict.Part(
+                    part.node(), part.waiting() / MILLISECOND, part.execution() / MILLISECOND))
+        .toList();
   }
 
   private static Optional<Measurements.Statistics> statistics(List<Long> nanoseconds) {

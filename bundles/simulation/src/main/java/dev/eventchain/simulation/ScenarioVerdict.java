@@ -31,7 +31,7 @@ public record ScenarioVerdict(
     List<CriterionResult> criteria,
     List<Figure> figures,
     Optional<Measurements.Statistics> latency,
-    List<Optional<Measurements.Statistics>> latencies,
+    List<Optional<Latency>> latencies,
     Series series) {
 
   /** Copies the lists. */
@@ -100,6 +100,29 @@ public record ScenarioVerdict(
    * @param time when it was so first, in s since the start
    */
   public record Figure(String name, String unit, Statistic statistic, double value, double time) {}
+
+  /**
+   * What was measured of a latency constraint.
+   *
+   * @param statistics of all its times, in ms
+   * @param slowest what the longest of them consists of, in the order of the data; sums up to it
+   */
+  public record Latency(Measurements.Statistics statistics, List<Part> slowest) {
+
+    /** Copies the list. */
+    public Latency {
+      slowest = List.copyOf(slowest);
+    }
+  }
+
+  /**
+   * What a component contributes to a latency, in ms of simulated time.
+   *
+   * @param node the component's name
+   * @param waiting how long what it works on had been there when it started
+   * @param execution how long it executed: the model's number
+   */
+  public record Part(String node, double waiting, double execution) {}
 
   /**
    * What happened, every 50 ms.

@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
+import org.eclipse.emf.ecore.EPackage;
 
 /**
  * The AEB example with nodes generated for it and hand-written components in the place of those
@@ -70,8 +71,15 @@ final class AebProject {
   private static final class Generated {
     private static final TemplateModule MODULE =
         TemplateModule.compile(
-            Path.of("../../templates/ros2-python/main.mtl"), List.of(EventchainPackage.eINSTANCE));
+            Path.of("../../templates/ros2-python/main.mtl"),
+            List.of(EventchainPackage.eINSTANCE, messages()));
     private static final Map<String, byte[]> FILES = filesOf(load());
+
+    /** The metamodel of message definitions, which the templates name. */
+    private static EPackage messages() {
+      Path folder = Path.of("../../metamodel");
+      return new XmiStore(folder).loadMetamodel(folder.resolve("messages.ecore")).get(0);
+    }
 
     private static Map<String, byte[]> filesOf(EventChain chain) {
       return MODULE.generate(List.of(chain), element -> SourceLocation.NONE).files();

@@ -102,14 +102,14 @@ class SilenceTest {
             });
     List<Double> medians =
         result.verdicts().get(0).latencies().stream()
-            .map(found -> found.map(Measurements.Statistics::median).orElse(-1.0))
+            .map(found -> found.map(latency -> latency.statistics().median()).orElse(-1.0))
             .toList();
     assertEquals(-1.0, medians.get(3));
     assertTrue(medians.get(0) > 0 && medians.get(1) > 0, medians.toString());
     assertTrue(medians.get(2) > medians.get(0), medians.toString());
     assertEquals(
         result.verdicts().get(0).latency().orElseThrow(),
-        result.verdicts().get(0).latencies().get(2).orElseThrow());
+        result.verdicts().get(0).latencies().get(2).orElseThrow().statistics());
   }
 
   private static void constrain(EventChain chain, int first, int last) {

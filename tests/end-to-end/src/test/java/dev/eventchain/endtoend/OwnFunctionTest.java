@@ -1,11 +1,13 @@
 package dev.eventchain.endtoend;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -56,6 +58,9 @@ class OwnFunctionTest {
         .expect(0)
         .says("provides /radar/target (demo_msgs/msg/RadarTarget, 50 Hz) -> Radar_Tracking")
         .says("consumes /cluster/collision_warning (std_msgs/msg/Bool) <- Collision_Warning");
+    String path = "Radar_Tracking Brake_Request";
+    assertEquals(List.of(path, path), Program.slowestPaths(project));
+    assertTrue(Files.readString(project.resolve("out/report.html")).contains("class=\"passage\""));
   }
 
   @Test

@@ -1,7 +1,10 @@
 package dev.eventchain.endtoend;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -137,6 +140,30 @@ final class Program {
     ProcessBuilder builder = new ProcessBuilder(command).directory(ROOT.toFile());
     builder.environment().putAll(environment);
     return builder.redirectOutput(out.toFile()).redirectError(err.toFile()).start();
+  }
+
+  /**
+   * The nodes of the longest time of each latency constraint in each scenario of a run; fails if
+   * what they waited and executed is not that time.
+   */
+  static List<String> slowestPaths(Path project) throws IOException {
+    JsonNode measured =
+        new ObjectMapper().readTree(project.resolve("out/measurements.json").toFile());
+    List<String> paths = new ArrayList<>();
+    for (JsonNode scenario : measured.path("scenarios")) {
+      for (JsonNode latency : scenario.path("latencies")) {
+        List<String> nodes = new ArrayList<>();
+        double sum = 0;
+        for (JsonNode part : latency.path("slowest")) {
+          nodes.add(part.path("node").asText());
+          sum += part.path("waiting").asDouble() + part.path("execution").asDouble();
+        }
+        // Each number is rounded to four decimals.
+        assertEquals(latency.path("maximum").asDouble(), sum, 1e-4 * (1 + nodes.size()));
+        paths.add(String.join(" ", nodes));
+      }
+    }
+    return paths;
   }
 
   /** A copy of the AEB example without what runs have put there. */

@@ -1,11 +1,13 @@
 package dev.eventchain.endtoend;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -150,12 +152,18 @@ class VerdictTest {
         "</eventchain:EventChain>\n",
         """
           <latencyConstraints name="Tight" first="//@software.1" last="//@software.2" maximum="1"/>
+          <latencyConstraints name="All" first="//@software.0" last="//@software.3" maximum="250"/>
         </eventchain:EventChain>
         """);
     run()
         .expect(1)
         .says("FAILED")
         .says("'Tight' allows 1.0 ms from TTC_Calculation to Braking_Decision, but");
+    assertEquals(
+        List.of(
+            "TTC_Calculation Braking_Decision",
+            "ObjectDetection TTC_Calculation Braking_Decision Carla_Vehicle_Control"),
+        Program.slowestPaths(project));
   }
 
   @Test
@@ -177,6 +185,53 @@ class VerdictTest {
         .says("The latency constraint 'Quick' was not measured in any scenario")
         .says("[simulation.latency.unmeasured]");
     assertNoPass();
+  }
+
+  @Test
+  void constraintThatWhatWasMeasuredDecidesProvesItsRequirement() throws IOException {
+    constrain("context ChainMeasurement inv Quick: self.latency.maximum <= 250.0");
+    run().expect(0).says("PASSED: 1 of 1 scenarios passed, 6 requirements proved");
+  }
+
+  @Test
+  void constraintOnAClassWithoutInstancesIsNotTested() throws IOException {
+    constrain("context LatencyConstraint inv Quick: self.maximum <= 250.0");
+    run()
+        .expect(1)
+        .says("INCOMPLETE: 1 of 1 scenarios passed, but not all was tested")
+        .says("5 requirements proved, 1 not tested, 1 error")
+        .says("constraints.ocl:2:")
+        .says(
+            "'LatencyConstraint::Quick', which stands for AEB-6, was not tested: the measured model"
+                + " has no LatencyConstraint.")
+        .says("[simulation.rule.untested LatencyConstraint::Quick]");
+    assertNoPass();
+  }
+
+  @Test
+  void constraintThatIsTrueOfNothingIsNotTestedUnlessPeopleAcceptIt() throws IOException {
+    constrain(
+        "context ChainMeasurement inv Quick: self.latencies->forAll(l | l.latency.maximum <= 250)");
+    run()
+        .expect(1)
+        .says("INCOMPLETE")
+        .says("'ChainMeasurement::Quick', which stands for AEB-6, was not tested: it reads")
+        .says("[simulation.rule.untested ChainMeasurement::Quick]");
+    assertNoPass();
+    Files.writeString(
+        project.resolve("eventchain-suppressions.yaml"),
+        """
+        - id: simulation.rule.untested
+          rule: ChainMeasurement::Quick
+          reason: no latency constraint is in the model yet
+          expires: 2999-12-31
+        """);
+    run().expect(0).says("PASSED").says("1 not tested, 1 finding suppressed");
+  }
+
+  private void constrain(String constraint) throws IOException {
+    Files.writeString(
+        project.resolve("constraints.ocl"), "-- AEB-6: in time\n" + constraint + "\n");
   }
 
   private void editModel(String text, String by) throws IOException {
