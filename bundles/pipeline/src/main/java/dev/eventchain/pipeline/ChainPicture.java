@@ -4,11 +4,15 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.metamodel.TopicIndex;
+import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import java.util.List;
 
-/** A chain as nodes and edges; an edge without a node at one end leads out of the chain. */
+/**
+ * A chain as nodes and edges; an edge without a node at one end leads out of the chain, and is
+ * marked where the model declares that.
+ */
 final class ChainPicture {
 
   private ChainPicture() {}
@@ -20,13 +24,29 @@ final class ChainPicture {
     chain.getSoftware().forEach(node -> nodes.add(node(node)));
     ArrayNode edges = picture.putArray("edges");
     for (TopicIndex.Topic topic : TopicIndex.of(chain).topics()) {
+      boolean external = isExternal(topic);
       for (String from : names(topic.publishers())) {
+        if (external) {
+          edge(edges, from, "", topic).put("external", true);
+        }
         for (String to : names(topic.subscribers())) {
-          edges.addObject().put("from", from).put("to", to).put("topic", topic.name());
+          if (!external || !to.isEmpty()) {
+            edge(edges, from, to, topic);
+          }
         }
       }
     }
     return picture;
+  }
+
+  private static boolean isExternal(TopicIndex.Topic topic) {
+    return topic.publishers().stream()
+        .flatMap(publisher -> publisher.data().stream())
+        .anyMatch(Data::isExternal);
+  }
+
+  private static ObjectNode edge(ArrayNode edges, String from, String to, TopicIndex.Topic topic) {
+    return edges.addObject().put("from", from).put("to", to).put("topic", topic.name());
   }
 
   private static List<String> names(List<TopicIndex.Endpoint> endpoints) {

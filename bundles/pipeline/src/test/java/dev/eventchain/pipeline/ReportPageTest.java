@@ -110,6 +110,26 @@ class ReportPageTest {
     }
   }
 
+  @Test
+  void signalThatLeavesTheChainIsMarked() {
+    EventChain chain = chain("Detection");
+    Requirement asking = FACTORY.createRequirement();
+    asking.setId("R-7");
+    chain.getRequirements().add(asking);
+    Data warning = FACTORY.createData();
+    warning.setName("warning");
+    warning.setTopicName("/cluster/warning");
+    warning.setExternal(true);
+    warning.getSatisfies().add(asking);
+    chain.getData().add(warning);
+    chain.getSoftware().get(0).getOutput().add(warning);
+
+    String page = page(chain, MAPPER.createObjectNode());
+
+    assertTrue(page.contains("<strong>leaves the chain</strong> for R-7</div>"));
+    assertTrue(ChainPicture.of(chain).path("edges").toString().contains("\"external\":true"));
+  }
+
   /** Without a script, since it comes from the model. */
   @Test
   void longestLatencyIsStackedByNode() {

@@ -45,6 +45,7 @@ function graphOf(chain) {
     const topic = vertex("topic", text(edge.topic));
     topic.provided ||= text(edge.from) === "";
     topic.consumed ||= text(edge.to) === "";
+    topic.external ||= edge.external === true;
     if (text(edge.from) !== "") {
       link(vertex("node", text(edge.from)), topic);
     }
@@ -271,12 +272,12 @@ function drawTopic(vertex, down) {
   const name = down
     ? { x: vertex.x, top: top + before, height: vertex.height - before - after }
     : { x: left + before + (vertex.width - before - after) / 2, top, height: vertex.height };
-  const circle = (along) => (down
-    ? svg("circle", { class: "terminal", cx: vertex.x, cy: top + along, r: 4 })
-    : svg("circle", { class: "terminal", cx: left + along, cy: vertex.y, r: 4 }));
+  const circle = (along, kind = "") => (down
+    ? svg("circle", { class: "terminal" + kind, cx: vertex.x, cy: top + along, r: 4 })
+    : svg("circle", { class: "terminal" + kind, cx: left + along, cy: vertex.y, r: 4 }));
   const outside = vertex.provided || vertex.consumed;
   return svg("g", null, svg("title", null, vertex.name),
-    vertex.provided ? circle(5) : null, vertex.consumed ? circle((down ? vertex.height : vertex.width) - 5) : null,
+    vertex.provided ? circle(5) : null, vertex.consumed ? circle((down ? vertex.height : vertex.width) - 5, vertex.external ? " external" : "") : null,
     drawLines(vertex.lines, name.x, name.top + (name.height - vertex.lines.length * CHAIN.line) / 2, "topic-name" + (outside ? " outside" : "")));
 }
 

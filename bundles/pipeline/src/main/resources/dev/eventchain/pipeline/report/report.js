@@ -129,10 +129,12 @@ function completeChain() {
 
 function chainKey() {
   const box = (name) => svg("svg", { width: 22, height: 14, "aria-hidden": "true" }, svg("rect", { class: "node " + name, x: 1, y: 1, width: 20, height: 12, rx: 2 }));
-  const circle = svg("svg", { width: 12, height: 12, "aria-hidden": "true" }, svg("circle", { class: "terminal", cx: 6, cy: 6, r: 4 }));
+  const circle = (kind) => svg("svg", { width: 12, height: 12, "aria-hidden": "true" }, svg("circle", { class: "terminal" + kind, cx: 6, cy: 6, r: 4 }));
+  const external = records(record(data.chain).edges).some((edge) => edge.external === true);
   return html("p", { class: "chain-key" },
     html("span", null, box("generated"), "generated node"), html("span", null, box("existing"), "existing node"),
-    html("span", null, circle, "topic from or to the outside"));
+    html("span", null, circle(""), "topic from or to the outside"),
+    external ? html("span", null, circle(" external"), "signal that leaves the chain, as a requirement asks") : null);
 }
 
 /** What never came, before the picture of what should have brought it. */
