@@ -234,7 +234,9 @@ final class SimulateStage implements StageWork {
             run.project().messageFolders(),
             run.bench(),
             scenarios)
-        .withGenerated(written(run, chain));
+        .withGenerated(written(run, chain))
+        .withAccepted(
+            found -> run.options().suppressions().part(List.of(found)).remaining().isEmpty());
   }
 
   /** The components that a language model wrote: those that the software base does not have. */

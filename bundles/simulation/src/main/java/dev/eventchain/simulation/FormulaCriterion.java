@@ -44,6 +44,11 @@ record FormulaCriterion(String name, Formula formula, SourceLocation location)
     return formula.horizon();
   }
 
+  /** Whether it is certainly true. */
+  boolean holds(Trace trace) {
+    return formula.holds(new SampledRun(trace));
+  }
+
   @Override
   public Criterion.Outcome judge(Trace trace) {
     return formula.judge(trace);

@@ -170,6 +170,11 @@ final class NodeSetup {
         .anyMatch(written -> written != null && RosNames.overlap(written, path));
   }
 
+  /** Whether people have decided to live with a finding. */
+  boolean isAccepted(Diagnostic finding) {
+    return request.accepted().test(finding);
+  }
+
   /** The latency constraints of the chain. */
   List<LatencyConstraint> latencyConstraints() {
     return request.chain().getLatencyConstraints();

@@ -32,7 +32,9 @@ final class ResultBuilder {
     List<Diagnostic> silent = Silence.in(runs.stream().map(Run::log).toList(), setup);
     ScenarioJudge judge = new ScenarioJudge(setup);
     List<ScenarioVerdict> verdicts =
-        runs.stream().map(run -> judge.verdict(run, silent.isEmpty())).toList();
+        runs.stream()
+            .map(run -> judge.verdict(run, silent.stream().allMatch(setup::isAccepted)))
+            .toList();
     List<Measurements.Node> nodes = setup.nodes().stream().map(this::measure).toList();
     Measurements measurements =
         new Measurements(

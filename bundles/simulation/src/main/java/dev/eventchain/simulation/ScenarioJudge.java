@@ -6,6 +6,9 @@ import dev.eventchain.simulation.ScenarioRunner.Run;
 import dev.eventchain.simulation.ScenarioVerdict.CriterionResult;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
 
 /** Judges what happened in a scenario. */
 final class ScenarioJudge {
@@ -21,7 +24,7 @@ final class ScenarioJudge {
   /**
    * Judges a scenario.
    *
-   * @param worked whether every component worked
+   * @param worked whether every component worked, or people accept that it did not
    */
   ScenarioVerdict verdict(Run run, boolean worked) {
     Scenario scenario = run.scenario();
@@ -69,6 +72,9 @@ final class ScenarioJudge {
       outcome = Criterion.Outcome.untested("no component's output changes what it reads");
     } else {
       outcome = criterion.judge(trace);
+      if (outcome.passed() && criterion instanceof FormulaCriterion formula) {
+        outcome = unlessItHoldsAnyway(formula, trace).orElse(outcome);
+      }
     }
     return new CriterionResult(
         criterion.text(),
@@ -78,6 +84,20 @@ final class ScenarioJudge {
         outcome.margin(),
         criterion.limits(),
         criterion.location());
+  }
+
+  /** A formula that reads what components write is about that only if it would not hold without. */
+  private Optional<Criterion.Outcome> unlessItHoldsAnyway(FormulaCriterion formula, Trace trace) {
+    Set<String> written =
+        formula.signals().stream()
+            .flatMap(Signal::origins)
+            .filter(it -> BenchSignals.topicName(it).isPresent() && dependsOnSoftware(it))
+            .map(Signal::name)
+            .collect(Collectors.toCollection(TreeSet::new));
+    return !written.isEmpty() && formula.holds(trace.without(written))
+        ? Optional.of(
+            Criterion.Outcome.untested("it holds whatever is in " + String.join(" and ", written)))
+        : Optional.empty();
   }
 
   /** Whether the chain can make a difference to something that a formula reads. */

@@ -1,10 +1,12 @@
 package dev.eventchain.simulation;
 
+import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Set;
+import java.util.function.Predicate;
 
 /**
  * What to simulate.
@@ -20,6 +22,8 @@ import java.util.Set;
  * @param generated names of the components that were generated and have to keep to the rules of
  *     such; the others are people's own
  * @param limits what the nodes and their components may use
+ * @param accepted whether people have decided to live with a finding: a component that did not work
+ *     keeps criteria from being judged only if they have not
  */
 public record SimulationRequest(
     EventChain chain,
@@ -30,7 +34,8 @@ public record SimulationRequest(
     List<Scenario> scenarios,
     int processes,
     Set<String> generated,
-    Limits limits) {
+    Limits limits,
+    Predicate<Diagnostic> accepted) {
 
   /**
    * What foreign code may use before it counts as hanging. Processor time does not depend on what
@@ -75,26 +80,42 @@ public record SimulationRequest(
         scenarios,
         2,
         Set.of(),
-        Limits.DEFAULT);
+        Limits.DEFAULT,
+        finding -> false);
   }
 
   /** The same on another number of processes. */
   public SimulationRequest withProcesses(int number) {
-    return with(number, generated, limits);
+    return with(number, generated, limits, accepted);
   }
 
   /** The same with other components that count as generated. */
   public SimulationRequest withGenerated(Set<String> names) {
-    return with(processes, names, limits);
+    return with(processes, names, limits, accepted);
   }
 
   /** The same with other limits. */
   public SimulationRequest withLimits(Limits other) {
-    return with(processes, generated, other);
+    return with(processes, generated, other, accepted);
   }
 
-  private SimulationRequest with(int number, Set<String> names, Limits newLimits) {
+  /** The same with other findings that people accept. */
+  public SimulationRequest withAccepted(Predicate<Diagnostic> other) {
+    return with(processes, generated, limits, other);
+  }
+
+  private SimulationRequest with(
+      int number, Set<String> names, Limits newLimits, Predicate<Diagnostic> newAccepted) {
     return new SimulationRequest(
-        chain, packageFolder, manifest, messageFolders, bench, scenarios, number, names, newLimits);
+        chain,
+        packageFolder,
+        manifest,
+        messageFolders,
+        bench,
+        scenarios,
+        number,
+        names,
+        newLimits,
+        newAccepted);
   }
 }

@@ -8,6 +8,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.Set;
 
 /** What happened in a scenario: states at fixed distances in time, and every command. */
 final class Trace {
@@ -105,6 +106,17 @@ final class Trace {
   /** A message was published: the value of one of its fields, by the name of the signal. */
   void sample(String signal, long time, double value) {
     samples.computeIfAbsent(signal, name -> new ArrayList<>()).add(new Sample(time, value));
+  }
+
+  /** The same as if some signals of topics had never come. */
+  Trace without(Set<String> signals) {
+    Trace other = new Trace(inputs);
+    other.states.addAll(states);
+    other.commands.addAll(commands);
+    other.samples.putAll(samples);
+    other.samples.keySet().removeAll(signals);
+    other.impactSpeed = impactSpeed;
+    return other;
   }
 
   /**

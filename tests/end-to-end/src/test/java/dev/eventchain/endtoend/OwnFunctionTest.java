@@ -11,6 +11,8 @@ import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * A function of somebody's own: emergency braking on a radar at 50 Hz, with messages that no
@@ -248,6 +250,54 @@ class OwnFunctionTest {
         .says("[project.requirement.changed]")
         .says("The model has the requirement 'RAD-5', which requirements.md does not have.")
         .says("[project.requirement.unknown]");
+    notPassed();
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "always[0.1, 11.5] (ttc < 2.5 s implies (ttc > 3 s implies W))",
+        "eventually[0.1, 11.5] (ttc < 2.5 s implies W)",
+        "always[0.1, 11.5] not (ttc < 0.1 s and not W)",
+        "always[0.1, 11.5] (ego.speed >= 0 m/s or W)",
+        "(ttc < 2.5 s implies W) until[0, 10] ttc < 3 s"
+      })
+  void formulaThatHoldsWhateverTheComponentSays(String formula) throws IOException {
+    String text = Files.readString(project.resolve(SCENARIO));
+    Files.writeString(
+        project.resolve(SCENARIO),
+        text.replaceAll(
+            "formula: always.*collision_warning.data.*",
+            "formula: " + formula.replace("W", "/cluster/collision_warning.data")));
+    run()
+        .expect(1)
+        .says("INCOMPLETE")
+        .says("it holds whatever is in /cluster/collision_warning.data");
+    notPassed();
+  }
+
+  @Test
+  void aSilentComponentThatPeopleAcceptDoesNotHideTheOthers() throws IOException {
+    String chain = Files.readString(project.resolve(CHAIN));
+    int warned = chain.lastIndexOf("fieldName=\"time_to_collision\"");
+    Files.writeString(
+        project.resolve(CHAIN),
+        chain.substring(0, warned) + "maximumAge=\"0.001\" " + chain.substring(warned));
+    replace("software-base/components/Brake_Request.py", "FULL_BRAKE = -9.0", "FULL_BRAKE = 0.0");
+    run().expect(1).says("[simulation.node.silent]");
+    Files.writeString(
+        project.resolve("eventchain-suppressions.yaml"),
+        """
+        - id: simulation.node.silent
+          element: Collision_Warning
+          reason: The lamp comes later.
+          expires: 2027-03-31
+        """);
+    new Program()
+        .run("run", project, "--date", "2026-11-30")
+        .expect(1)
+        .says("FAILED")
+        .says("impact at ");
     notPassed();
   }
 
