@@ -5,8 +5,12 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
@@ -15,12 +19,16 @@ import java.util.regex.Pattern;
  * their order. An item goes on in indented lines; everything else in the file is for people.
  *
  * @param items the items
- * @param diagnostics what is wrong with the file: an id twice, an item without text, no item at all
+ * @param diagnostics what is wrong with the file: an id twice, an item without text, no item at
+ *     all, and as warnings lines that name an id like those of the items and are none
  */
 public record Requirements(List<Item> items, List<Diagnostic> diagnostics) {
 
   private static final Pattern ITEM =
       Pattern.compile("[-*+] +\\**([A-Za-z][A-Za-z0-9_.-]*)\\**:\\**\\s*(.*)");
+
+  /** An id as most people number them: what stands before the number, and the number. */
+  private static final Pattern NUMBERED = Pattern.compile("(.*?[A-Za-z])[-_. ]?([0-9]+)");
 
   /**
    * An item.
@@ -67,6 +75,7 @@ public record Requirements(List<Item> items, List<Diagnostic> diagnostics) {
         }
       }
       check();
+      findUnread();
       return new Requirements(items, diagnostics);
     }
 
@@ -84,7 +93,7 @@ public record Requirements(List<Item> items, List<Diagnostic> diagnostics) {
       }
       Map<String, Item> seen = new HashMap<>();
       for (Item item : items) {
-        Item earlier = seen.putIfAbsent(item.id, item);
+        Item earlier = seen.putIfAbsent(item.id.toLowerCase(Locale.ROOT), item);
         if (earlier != null) {
           find(
               "duplicate",
@@ -95,6 +104,39 @@ public record Requirements(List<Item> items, List<Diagnostic> diagnostics) {
           find("empty", "The item " + item.id + " says nothing.", item);
         }
       }
+    }
+
+    /** A line with an id of the same kind may be an item that is written in another way. */
+    private void findUnread() {
+      Set<String> known = new HashSet<>();
+      Set<String> kinds = new TreeSet<>();
+      for (Item item : items) {
+        Matcher numbered = NUMBERED.matcher(item.id);
+        if (numbered.matches()) {
+          kinds.add(Pattern.quote(numbered.group(1)));
+          known.add(plain(numbered));
+        }
+      }
+      if (kinds.isEmpty()) {
+        return;
+      }
+      String kind = "(?i)(?<![A-Za-z0-9_-])(" + String.join("|", kinds) + ")[-_. ]?([0-9]+)";
+      Matcher found = Pattern.compile(kind).matcher(source.text());
+      while (found.find()) {
+        if (known.add(plain(found))) {
+          diagnostics.add(
+              Diagnostic.warning(
+                      "modeler.requirements.unread",
+                      "'%s' is the id of no item.".formatted(found.group()),
+                      source.at(found.start()))
+                  .withHint(
+                      "If it is to be one, write: '- ID: text'; items go on in indented lines."));
+        }
+      }
+    }
+
+    private static String plain(Matcher numbered) {
+      return numbered.group(1).toLowerCase(Locale.ROOT) + "-" + numbered.group(2);
     }
 
     private void find(String kind, String message, Item item) {

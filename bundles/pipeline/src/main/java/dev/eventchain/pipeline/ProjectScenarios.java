@@ -32,6 +32,7 @@ final class ProjectScenarios {
     if (known.isEmpty()) {
       return found;
     }
+    found.addAll(run.requirements().diagnostics());
     for (Scenario scenario : scenarios) {
       if (scenario.requirements().isEmpty()) {
         found.add(unrelated(scenario));

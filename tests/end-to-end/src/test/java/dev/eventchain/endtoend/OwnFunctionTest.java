@@ -302,6 +302,16 @@ class OwnFunctionTest {
   }
 
   @Test
+  void requirementThatIsWrittenInAnotherWayIsSaid() throws IOException {
+    Path requirements = project.resolve("requirements.md");
+    String text = Files.readString(requirements) + "5. RAD-5: The system shall stop.\n";
+    Files.writeString(requirements, text);
+    run()
+        .says("requirements.md:6:4: warning: 'RAD-5' is the id of no item.")
+        .says("[modeler.requirements.unread]");
+  }
+
+  @Test
   void topicsThatFellSilentSayNothingAndTheVehicleKeepsToTheLastCommand() throws IOException {
     replace(CHAIN, "fieldName=\"range\"", "fieldName=\"range\" maximumAge=\"100.0\"");
     replace("bench.yaml", "rate_hz: 50", "rate_hz: 1.2");
