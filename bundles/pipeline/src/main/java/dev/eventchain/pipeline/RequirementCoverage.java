@@ -1,6 +1,8 @@
 package dev.eventchain.pipeline;
 
+import com.fasterxml.jackson.databind.node.ArrayNode;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.metamodel.TopicIndex;
 import dev.eventchain.metamodel.eventchain.ComponentImplementation;
 import dev.eventchain.metamodel.eventchain.Data;
@@ -60,6 +62,32 @@ final class RequirementCoverage {
       }
     }
     return found;
+  }
+
+  /**
+   * What is not tested because people accept that something could not be judged must be accepted by
+   * itself: who suppresses a finding need not see which requirements hang on it.
+   *
+   * @param outcomes as {@link RequirementOutcomes#of} makes them
+   * @param found all findings so far; as long as one of them counts, nothing is added
+   */
+  static List<Diagnostic> unlisted(RunContext run, ArrayNode outcomes, List<Diagnostic> found) {
+    Suppressions.Parted parted = run.options().suppressions().part(found);
+    if (Diagnostic.anyError(parted.remaining())) {
+      return List.of();
+    }
+    Set<String> listed =
+        parted.suppressed().stream().map(each -> each.finding().rule()).collect(Collectors.toSet());
+    Set<String> untested = RequirementOutcomes.untested(outcomes);
+    return ProjectScenarios.requirements(run).stream()
+        .filter(item -> untested.contains(item.id()) && !listed.contains(item.id()))
+        .map(
+            item ->
+                untested(
+                    item,
+                    "Something that " + item.id() + " hangs on could not be judged.",
+                    "Let its scenarios test it"))
+        .toList();
   }
 
   private static Diagnostic untested(Requirements.Item item, String message, String hint) {

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
+import java.util.TreeSet;
 
 /** What the scenarios, and the constraints that stand for a requirement, say of it. */
 final class RequirementOutcomes {
@@ -58,6 +59,18 @@ final class RequirementOutcomes {
     }
     boolean proved = !verdicts.isEmpty() && verdicts.stream().allMatch(ScenarioVerdict::passed);
     return proved && !untested ? Outcome.PROVED : Outcome.NOT_TESTED;
+  }
+
+  /** The ids of those that are not tested. */
+  static Set<String> untested(JsonNode outcomes) {
+    Set<String> ids = new TreeSet<>();
+    outcomes.forEach(
+        each -> {
+          if (each.path("outcome").asText().equals(Outcome.NOT_TESTED.words())) {
+            ids.add(each.path("id").asText());
+          }
+        });
+    return ids;
   }
 
   /**

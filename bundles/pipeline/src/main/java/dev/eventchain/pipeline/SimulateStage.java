@@ -76,7 +76,7 @@ final class SimulateStage implements StageWork {
     found.addAll(evidence.findings());
     ArrayNode outcomes = outcomes(run, chain, scenarios, result, evidence);
     if (!run.options().isPartial()) {
-      found.addAll(untested(run, chain, scenarios, result));
+      addUntested(run, chain, scenarios, result, outcomes, found);
       // Last, so that it is never there without what it is about.
       run.writeResult(VERDICT, verdict(run, chain, result, found, outcomes));
     }
@@ -133,11 +133,16 @@ final class SimulateStage implements StageWork {
         evidence);
   }
 
-  private static List<Diagnostic> untested(
-      RunContext run, EventChain chain, List<Scenario> scenarios, SimulationResult result) {
-    List<Diagnostic> found = new ArrayList<>(RequirementCoverage.untested(run, chain, scenarios));
+  private static void addUntested(
+      RunContext run,
+      EventChain chain,
+      List<Scenario> scenarios,
+      SimulationResult result,
+      ArrayNode outcomes,
+      List<Diagnostic> found) {
+    found.addAll(RequirementCoverage.untested(run, chain, scenarios));
     found.addAll(unmeasured(chain, result, run.chain()::locate));
-    return found;
+    found.addAll(RequirementCoverage.unlisted(run, outcomes, found));
   }
 
   /** A bound on a time that was never measured is not kept, but not tested. */
@@ -193,6 +198,7 @@ final class SimulateStage implements StageWork {
   /** Simulates, and adds what was found. */
   private static SimulationResult simulate(
       RunContext run, EventChain chain, List<Scenario> scenarios, List<Diagnostic> found) {
+    found.addAll(ComponentCopies.requireSame(run, chain, GeneratedPackage.required(run)));
     SimulationResult result = simulate(run, chain, scenarios);
     found.addAll(result.diagnostics());
     result.verdicts().forEach(verdict -> found.addAll(verdict.diagnostics()));
@@ -253,7 +259,9 @@ final class SimulateStage implements StageWork {
     SourceLocation place = found.location();
     for (SoftwareNode node : chain.getSoftware()) {
       if (generated.manifest().find(node.getName()).isPresent()
-          && place.file().equals(copy(run, generated, node))) {
+          && place
+              .file()
+              .equals(SourceLocation.of(ComponentCopies.of(run, generated, node)).file())) {
         String source = SourceLocation.of(GenerateStage.componentFile(run, node)).file();
         return found.withLocation(
             new SourceLocation(
@@ -261,9 +269,5 @@ final class SimulateStage implements StageWork {
       }
     }
     return found;
-  }
-
-  private static String copy(RunContext run, GeneratedPackage generated, SoftwareNode node) {
-    return SourceLocation.of(run.file(generated.componentFile(node))).file();
   }
 }

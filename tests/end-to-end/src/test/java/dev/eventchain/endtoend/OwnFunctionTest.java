@@ -312,6 +312,21 @@ class OwnFunctionTest {
   }
 
   @Test
+  void copyOfAComponentThatSomebodyChangedIsNotSimulatedForIt() throws IOException {
+    run().expect(0);
+    String copy = "out/ros2/radar_aeb/radar_aeb/components/Collision_Warning.py";
+    replace(copy, "ttc < WARNING_TTC", "True");
+    new Program().run("simulate", project).expect(1).says("[eventchain.file.edited]");
+    notPassed();
+    run()
+        .expect(1)
+        .says(copy + ": error: This copy of the component 'Collision_Warning' is not what ")
+        .says("[eventchain.file.edited]");
+    notPassed();
+    new Program().run("run", project, "--overwrite").expect(0).says("PASSED");
+  }
+
+  @Test
   void topicsThatFellSilentSayNothingAndTheVehicleKeepsToTheLastCommand() throws IOException {
     replace(CHAIN, "fieldName=\"range\"", "fieldName=\"range\" maximumAge=\"100.0\"");
     replace("bench.yaml", "rate_hz: 50", "rate_hz: 1.2");
@@ -355,19 +370,35 @@ class OwnFunctionTest {
   @Test
   void whatPeopleDecidedToLiveWithIsAcceptedByConsoleAndFileAlike() throws IOException {
     replace(SCENARIO, "ttc < 2.5 s implies", "ttc < 2.5 s and ego.speed > 60 km/h implies");
-    Files.writeString(
-        project.resolve("eventchain-suppressions.yaml"),
+    String accepted =
         """
         - id: simulation.criterion.untested
           reason: The test track has no such speed.
           expires: 2027-03-31
-        """);
+        """;
+    Files.writeString(project.resolve("eventchain-suppressions.yaml"), accepted);
+    new Program()
+        .run("run", project, "--date", "2026-11-30")
+        .expect(1)
+        .says("INCOMPLETE")
+        .says("Something that RAD-4 hangs on could not be judged.")
+        .says("[project.requirement.untested RAD-4]");
+    notPassed();
+    Files.writeString(
+        project.resolve("eventchain-suppressions.yaml"),
+        accepted
+            + """
+            - id: project.requirement.untested
+              rule: RAD-*
+              reason: The test track has no such speed.
+              expires: 2027-03-31
+            """);
     new Program()
         .run("run", project, "--date", "2026-11-30")
         .expect(0)
-        .says("PASSED: 1 of 2 scenarios passed, 4 requirements not tested, 1 finding suppressed");
+        .says("PASSED: 1 of 2 scenarios passed, 4 requirements not tested, 5 findings suppressed");
     String verdict = Files.readString(project.resolve("out/verdict.json"));
-    assertTrue(verdict.contains("\"passed\" : true,\n  \"suppressed\" : 1,"), verdict);
+    assertTrue(verdict.contains("\"passed\" : true,\n  \"suppressed\" : 5,"), verdict);
     assertTrue(verdict.contains("\"outcome\" : \"not tested\""), verdict);
   }
 
