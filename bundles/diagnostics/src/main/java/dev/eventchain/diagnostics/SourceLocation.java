@@ -36,6 +36,11 @@ public record SourceLocation(String file, int line, int column, String element, 
     return of(nameOf(file));
   }
 
+  /** The same place in another file, of which this one is a copy. */
+  public SourceLocation inFile(Path other) {
+    return new SourceLocation(nameOf(other), line, column, element, excerpt);
+  }
+
   /** The same place, narrowed to an element. */
   public SourceLocation withElement(String newElement) {
     return new SourceLocation(file, line, column, newElement, excerpt);

@@ -138,6 +138,11 @@ public final class Suppressions {
         && !id.startsWith("report.");
   }
 
+  /** Whether a finding is suppressed. */
+  public boolean accepts(Diagnostic finding) {
+    return entryFor(finding).isPresent();
+  }
+
   /** Parts the findings into those that count and those that do not, each in the order given. */
   public Parted part(List<Diagnostic> findings) {
     List<Diagnostic> remaining = new ArrayList<>();

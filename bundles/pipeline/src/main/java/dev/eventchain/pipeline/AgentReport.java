@@ -52,12 +52,9 @@ final class AgentReport {
   /** A finding in an answer where it is in the file that the answer becomes. */
   static Diagnostic placed(RunContext run, Diagnostic finding) {
     SourceLocation place = finding.location();
-    String file = SourceLocation.of(run.file(place.file())).file();
-    return place.file().isEmpty() || place.file().equals(file)
+    return place.file().isEmpty()
         ? finding
-        : finding.withLocation(
-            new SourceLocation(
-                file, place.line(), place.column(), place.element(), place.excerpt()));
+        : finding.withLocation(place.inFile(run.file(place.file())));
   }
 
   /** How many answers had to be corrected, in words; empty if none. */

@@ -26,6 +26,8 @@ import java.util.stream.Collectors;
 /** Which requirements the scenarios can say something about, whatever happens in them. */
 final class RequirementCoverage {
 
+  private static final String UNTESTED = "project.requirement.untested";
+
   private final EventChain chain;
   private final TopicIndex topics;
   private final Bench bench;
@@ -77,7 +79,11 @@ final class RequirementCoverage {
       return List.of();
     }
     Set<String> listed =
-        parted.suppressed().stream().map(each -> each.finding().rule()).collect(Collectors.toSet());
+        parted.suppressed().stream()
+            .map(Suppressions.Suppressed::finding)
+            .filter(finding -> finding.id().equals(UNTESTED))
+            .map(Diagnostic::rule)
+            .collect(Collectors.toSet());
     Set<String> untested = RequirementOutcomes.untested(outcomes);
     return ProjectScenarios.requirements(run).stream()
         .filter(item -> untested.contains(item.id()) && !listed.contains(item.id()))
@@ -91,7 +97,7 @@ final class RequirementCoverage {
   }
 
   private static Diagnostic untested(Requirements.Item item, String message, String hint) {
-    return Diagnostic.error("project.requirement.untested", message, item.location())
+    return Diagnostic.error(UNTESTED, message, item.location())
         .withRule(item.id())
         .withHint(hint + ", or suppress this finding with a reason and a last day.");
   }

@@ -238,12 +238,7 @@ final class RunContext {
     return new AgentContext(
         model,
         configuration.repairs(),
-        finding ->
-            options
-                .suppressions()
-                .part(List.of(AgentReport.placed(this, finding)))
-                .remaining()
-                .isEmpty(),
+        finding -> options.suppressions().accepts(AgentReport.placed(this, finding)),
         message -> progress.step(stage, message));
   }
 

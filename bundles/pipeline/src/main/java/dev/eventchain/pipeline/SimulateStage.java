@@ -241,8 +241,7 @@ final class SimulateStage implements StageWork {
             run.bench(),
             scenarios)
         .withGenerated(written(run, chain))
-        .withAccepted(
-            found -> run.options().suppressions().part(List.of(found)).remaining().isEmpty());
+        .withAccepted(run.options().suppressions()::accepts);
   }
 
   /** The components that a language model wrote: those that the software base does not have. */
@@ -262,10 +261,7 @@ final class SimulateStage implements StageWork {
           && place
               .file()
               .equals(SourceLocation.of(ComponentCopies.of(run, generated, node)).file())) {
-        String source = SourceLocation.of(GenerateStage.componentFile(run, node)).file();
-        return found.withLocation(
-            new SourceLocation(
-                source, place.line(), place.column(), place.element(), place.excerpt()));
+        return found.withLocation(place.inFile(GenerateStage.componentFile(run, node)));
       }
     }
     return found;
