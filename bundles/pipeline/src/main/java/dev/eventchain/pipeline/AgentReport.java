@@ -52,9 +52,16 @@ final class AgentReport {
   /** A finding in an answer where it is in the file that the answer becomes. */
   static Diagnostic placed(RunContext run, Diagnostic finding) {
     SourceLocation place = finding.location();
-    return place.file().isEmpty()
-        ? finding
-        : finding.withLocation(place.inFile(run.file(place.file())));
+    return becomesFile(place.file())
+        ? finding.withLocation(place.inFile(run.file(place.file())))
+        : finding;
+  }
+
+  /** What an answer is about may be wrong elsewhere, such as in a message definition. */
+  private static boolean becomesFile(String name) {
+    return name.equals(DesignStage.FILE)
+        || name.equals(Constraints.GENERATED)
+        || name.startsWith(ImplementStage.FOLDER + "/");
   }
 
   /** How many answers had to be corrected, in words; empty if none. */

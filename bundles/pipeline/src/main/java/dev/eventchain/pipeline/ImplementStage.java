@@ -20,7 +20,7 @@ import java.util.function.Supplier;
 /** The components of the chain that do not exist yet: {@code components/*.py}. */
 final class ImplementStage implements StageWork {
 
-  private static final String FOLDER = "components";
+  static final String FOLDER = "components";
 
   @Override
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
