@@ -6,6 +6,7 @@ import dev.eventchain.pipeline.Project;
 import dev.eventchain.pipeline.ProjectBench;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -36,6 +37,9 @@ final class BenchCommand implements Callable<Integer> {
   @Option(names = "--schema", description = "Print the JSON Schema of bench.yaml instead.")
   private boolean schema;
 
+  @Option(names = "--scenario-schema", description = "Print the JSON Schema of scenarios instead.")
+  private boolean scenarioSchema;
+
   @Spec private CommandSpec spec;
 
   private final Console console;
@@ -46,11 +50,12 @@ final class BenchCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
-    if (schema == (folder != null)) {
-      throw new ParameterException(spec.commandLine(), "name a project's folder, or say --schema");
+    if (Stream.of(schema, scenarioSchema, folder != null).filter(it -> it).count() != 1) {
+      throw new ParameterException(
+          spec.commandLine(), "name a project's folder, or say --schema or --scenario-schema");
     }
-    if (schema) {
-      console.out().print(ProjectBench.schema());
+    if (schema || scenarioSchema) {
+      console.out().print(schema ? ProjectBench.schema() : ProjectBench.scenarioSchema());
       console.out().flush();
       return ExitCode.FINE;
     }

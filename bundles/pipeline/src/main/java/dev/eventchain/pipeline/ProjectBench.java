@@ -8,6 +8,7 @@ import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.modeler.SoftwareBase;
 import dev.eventchain.simulation.Bench;
+import dev.eventchain.simulation.Scenario;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -56,5 +57,10 @@ public record ProjectBench(String text, List<Diagnostic> diagnostics) {
   /** The JSON Schema of {@code bench.yaml}. */
   public static String schema() {
     return Bench.schema();
+  }
+
+  /** The JSON Schema of a scenario. */
+  public static String scenarioSchema() {
+    return Scenario.schema();
   }
 }

@@ -127,7 +127,7 @@ public final class ProjectStart {
         duration_s: 12
         ego:
           speed_kmh: 50
-        targets:
+        actors:
           - gap_m: 80
             speed_kmh: 0
         accept:

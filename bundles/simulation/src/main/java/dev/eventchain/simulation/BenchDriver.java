@@ -102,7 +102,7 @@ final class BenchDriver {
     this.bench = setup.bench();
     this.scenario = scenario;
     this.chain = setup.chainSignals();
-    this.lidar = new Lidar(scenario.ego(), scenario.seed());
+    this.lidar = new Lidar(scenario.situation().ego().lidar(), scenario.seed());
     publishers.add(new Publisher(CLOCK, Optional.empty(), message(CLOCK), List.of()));
     Set<String> read = setup.topicsRead();
     bench.provided().values().stream()
@@ -233,7 +233,7 @@ final class BenchDriver {
     }
     publisher.stamps.forEach(path -> stamp(message, path, world.now()));
     if (publisher.provided.get().lidar()) {
-      lidar.scan(RoadScene.boxes(world), moment.trace().end().pose(), message);
+      lidar.scan(RoadScene.of(world), message);
     }
     for (Bench.Field field : publisher.provided.get().fields()) {
       if (field.source() instanceof Bench.Quantity quantity) {
@@ -276,7 +276,7 @@ final class BenchDriver {
       demands.put(effect.actuator().get(), effect.demand(number(message, effect.path())));
     }
     if (!receiver.effects().isEmpty()) {
-      world.command(outbound.time(), VehicleCommand.of(demands, scenario.ego()));
+      world.command(outbound.time(), VehicleCommand.of(demands, scenario.situation().ego()));
     }
   }
 

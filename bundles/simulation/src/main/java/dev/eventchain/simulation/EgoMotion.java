@@ -27,8 +27,14 @@ final class EgoMotion {
   private double speed;
   private double deceleration;
 
-  /** Whether the driver holds the speed, as long as the software asks for nothing. */
+  /** Whether the driver has the pedals, as long as the software asks for nothing. */
   private boolean held = true;
+
+  /** Whether the driver has the wheel, as long as the software does not steer. */
+  private boolean steered = true;
+
+  /** The deceleration that the driver asks for, in m/s2. */
+  private double driven;
 
   EgoMotion(EgoVehicle vehicle) {
     this.maximalDeceleration = vehicle.maximalDeceleration();
@@ -60,6 +66,8 @@ final class EgoMotion {
     this.deceleration = other.deceleration;
     this.command = other.command;
     this.held = other.held;
+    this.steered = other.steered;
+    this.driven = other.driven;
   }
 
   /** The same state, to try out a piece of time. */
@@ -76,19 +84,20 @@ final class EgoMotion {
     return chassis.frontOverhang() * StrictMath.sin(heading);
   }
 
-  /** Way of the front bumper along the road since the start, in m. */
-  double position() {
-    return along + ahead();
+  /** Where the middle of the front bumper is, and where it looks. */
+  Road.Place front() {
+    return new Road.Place(along + ahead(), across + aside(), heading);
   }
 
-  /** Place of the middle of the front bumper left of the centre of the lane, in m. */
-  double offset() {
-    return across + aside();
-  }
-
-  /** In rad, left is positive. */
-  double heading() {
-    return heading;
+  /** The body. */
+  Body body() {
+    return new Body(
+        front().ahead(-EgoVehicle.LENGTH / 2),
+        EgoVehicle.LENGTH,
+        EgoVehicle.WIDTH,
+        0.0,
+        EgoVehicle.HEIGHT,
+        0.0f);
   }
 
   /** In rad/s, to the left is positive. */
@@ -111,15 +120,40 @@ final class EgoMotion {
     return speed > 0.0 ? direction * deceleration : 0.0;
   }
 
+  /** Whether the driver has the pedals. */
+  boolean held() {
+    return held;
+  }
+
+  /** Whether the driver has the wheel. */
+  boolean steered() {
+    return steered;
+  }
+
+  /** What the driver does with the pedals, as an acceleration in m/s2. */
+  void drive(double acceleration) {
+    driven = Math.max(-maximalAcceleration, Math.min(maximalDeceleration, -acceleration));
+  }
+
+  /** What the driver does with the wheel, as a curvature in 1/m. */
+  void steer(double wanted) {
+    double tightest = chassis.curvature(-1.0);
+    curvature = Math.max(-tightest, Math.min(tightest, wanted));
+  }
+
   /**
-   * A command takes effect. The driver holds the speed until the software first asks for throttle,
-   * brake, hand brake or another gear, and lifts the pedal then: with none, the vehicle coasts.
-   * Braking wins over driving; the throttle adds to coasting in proportion, up to the maximal
-   * acceleration. Another direction is engaged at standstill.
+   * A command takes effect. The driver has the pedals until the software first asks for throttle,
+   * brake, hand brake or another gear, and lifts them then: with none, the vehicle coasts. He has
+   * the wheel until the software first steers. Braking wins over driving; the throttle adds to
+   * coasting in proportion, up to the maximal acceleration. Another direction is engaged at
+   * standstill.
    */
   void follow(VehicleCommand newCommand) {
     command = newCommand;
-    curvature = chassis.curvature(command.limitedSteering());
+    steered &= command.limitedSteering() == 0.0;
+    if (!steered) {
+      curvature = chassis.curvature(command.limitedSteering());
+    }
     held &=
         command.limitedBrake() == 0.0
             && command.limitedThrottle() == 0.0
@@ -130,7 +164,7 @@ final class EgoMotion {
   /** The deceleration that the command asks for, in m/s2. */
   private double demand() {
     if (held) {
-      return 0.0;
+      return driven;
     }
     double handBrake = command.handBrake() ? chassis.handBrakeDeceleration() : 0.0;
     double braking = Math.max(command.limitedBrake() * maximalDeceleration, handBrake);

@@ -9,9 +9,7 @@ package dev.eventchain.simulation;
  * @param maximalDeceleration at full brake, in m/s2
  * @param coastingDeceleration of a vehicle whose driver has lifted the throttle pedal, in m/s2
  * @param maximalAcceleration at full throttle, in m/s2
- * @param lidarBehindBumper from the front bumper back to the lidar, in m
- * @param lidarAboveRoad from the road up to the lidar, in m
- * @param lidarNoise standard deviation of a measured range, in m
+ * @param lidar how it is mounted, and what it gets wrong
  * @param chassis what it has besides its pedals
  */
 record EgoVehicle(
@@ -21,9 +19,7 @@ record EgoVehicle(
     double maximalDeceleration,
     double coastingDeceleration,
     double maximalAcceleration,
-    double lidarBehindBumper,
-    double lidarAboveRoad,
-    double lidarNoise,
+    Lidar.Settings lidar,
     Chassis chassis) {
 
   /** Width of the body, in m. */
@@ -31,6 +27,12 @@ record EgoVehicle(
 
   /** Length of the body, in m. */
   static final double LENGTH = 4.5;
+
+  /** Height of the body, in m: what hangs higher is driven under. */
+  static final double HEIGHT = 1.5;
+
+  /** Ground clearance, in m: what is not higher is driven over. */
+  static final double CLEARANCE = 0.15;
 
   /** The throttle, 0 to 1, for an acceleration in m/s2; none where coasting is too much already. */
   double throttleFor(double acceleration) {
@@ -48,6 +50,6 @@ record EgoVehicle(
 
   /** A passenger car with the mounting that the AEB example's object detection knows. */
   static EgoVehicle withSpeed(double speed) {
-    return new EgoVehicle(speed, 0.2, 0.3, 9.0, 0.5, 3.0, 2.4, 2.4, 0.01, Chassis.USUAL);
+    return new EgoVehicle(speed, 0.2, 0.3, 9.0, 0.5, 3.0, Lidar.Settings.USUAL, Chassis.USUAL);
   }
 }

@@ -7,6 +7,7 @@ import dev.eventchain.simulation.ScenarioVerdict.Margin;
 import java.util.Comparator;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.stream.Collectors;
 
 /** Judges how a scenario ended, and the brake commands whatever the traffic. */
 final class ImpactRules {
@@ -27,10 +28,21 @@ final class ImpactRules {
         ? new Outcome(
             false,
             format(
-                "impact at %.1f km/h after %.2f s",
-                impact.getAsDouble() * 3.6, World.seconds(trace.end().time())),
+                "impact at %.1f km/h after %.2f s: %s",
+                impact.getAsDouble() * 3.6, World.seconds(trace.end().time()), trace.impact()),
             atTheEnd(trace, -impact.getAsDouble()))
-        : new Outcome(true, gapText(trace), gapMargin(trace, 0));
+        : new Outcome(true, gapText(trace) + fromBehind(trace), gapMargin(trace, 0));
+  }
+
+  /** Who is hit from behind has hit nobody; it is said none the less. */
+  private static String fromBehind(Trace trace) {
+    return trace.fromBehind().stream()
+        .map(
+            each ->
+                format(
+                    "; %s at %.1f km/h after %.2f s",
+                    each.words(), each.speed() * 3.6, World.seconds(each.time())))
+        .collect(Collectors.joining());
   }
 
   /** A margin of the speed. */

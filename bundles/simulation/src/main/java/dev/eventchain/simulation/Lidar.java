@@ -19,6 +19,20 @@ import java.util.SplittableRandom;
  */
 final class Lidar {
 
+  /**
+   * How it is mounted, and what it gets wrong.
+   *
+   * @param behindBumper from the front bumper back to the lidar, in m
+   * @param aboveRoad from the road up to the lidar, in m
+   * @param noise standard deviation of a measured range, in m
+   * @param dropout part of the rays that return nothing although something is there, 0 to 1
+   */
+  record Settings(double behindBumper, double aboveRoad, double noise, double dropout) {
+
+    /** The mounting that the AEB example's object detection knows. */
+    static final Settings USUAL = new Settings(2.4, 2.4, 0.01, 0.0);
+  }
+
   /** Length of one point in bytes: x, y, z and intensity as float32. */
   static final int POINT_STEP = 16;
 
@@ -28,10 +42,11 @@ final class Lidar {
   /** Longest range, in m. */
   static final double RANGE = 100.0;
 
-  /** Elevation of the rings, in degrees; dense where vehicles far ahead appear. */
+  /** Elevation of the rings, in degrees: those of a Velodyne VLP-32C (its data sheet). */
   private static final double[] ELEVATIONS = {
-    -0.3, -0.7, -1.0, -1.15, -1.3, -1.45, -1.6, -2.0, -2.6, -3.4, -4.6, -6.5, -9.5, -14.0, -20.0,
-    -27.0
+    15.0, 10.333, 7.0, 4.667, 3.333, 2.333, 1.667, 1.333, 1.0, 0.667, 0.333, 0.0, -0.333, -0.667,
+    -1.0, -1.333, -1.667, -2.0, -2.333, -2.667, -3.0, -3.333, -3.667, -4.0, -4.667, -5.333, -6.148,
+    -7.254, -8.843, -11.31, -15.639, -25.0
   };
 
   private static final double HALF_VIEW = 60.0;
@@ -61,28 +76,20 @@ final class Lidar {
     }
   }
 
-  private final double behindBumper;
-  private final double aboveRoad;
-  private final float noise;
+  private final Settings settings;
   private final SplittableRandom random;
-  private final float[] backgroundRange = new float[RAYS];
-  private final float[] backgroundIntensity = new float[RAYS];
+  private final SplittableRandom dropouts;
+  private final float[] straightRange = new float[RAYS];
+  private final float[] straightIntensity = new float[RAYS];
   private final float[] range = new float[RAYS];
   private final float[] intensity = new float[RAYS];
   private final byte[] points = new byte[RAYS * POINT_STEP];
 
-  Lidar(EgoVehicle vehicle, long seed) {
-    this.behindBumper = vehicle.lidarBehindBumper();
-    this.aboveRoad = vehicle.lidarAboveRoad();
-    this.noise = (float) vehicle.lidarNoise();
+  Lidar(Settings settings, long seed) {
+    this.settings = settings;
     this.random = new SplittableRandom(seed);
-    for (int ray = 0; ray < RAYS; ray++) {
-      background(
-          ray,
-          RoadScene.WALL_DISTANCE / Math.abs(DIRECTION_Y[ray]),
-          backgroundRange,
-          backgroundIntensity);
-    }
+    this.dropouts = new SplittableRandom(~seed);
+    background(Road.STRAIGHT, new Road.Place(0.0, 0.0, 0.0), straightRange, straightIntensity);
   }
 
   private static float[] noise() {
@@ -92,15 +99,6 @@ final class Lidar {
       values[i] = (float) gaussian.nextGaussian();
     }
     return values;
-  }
-
-  /** Road and walls look the same from every place in the middle of a straight lane. */
-  private void background(int ray, double wall, float[] ranges, float[] intensities) {
-    double road = DIRECTION_Z[ray] < 0.0 ? aboveRoad / -DIRECTION_Z[ray] : Double.POSITIVE_INFINITY;
-    double wallHeight = aboveRoad + wall * DIRECTION_Z[ray];
-    boolean hitsWall = wall < road && wallHeight <= RoadScene.WALL_HEIGHT;
-    ranges[ray] = (float) (hitsWall ? wall : road);
-    intensities[ray] = hitsWall ? WALL_INTENSITY : ROAD_INTENSITY;
   }
 
   /** Sets what never changes in the messages of scans. */
@@ -126,8 +124,8 @@ final class Lidar {
   }
 
   /** One scan into a message, but for its header. */
-  void scan(List<Box> boxes, Trace.Pose pose, MessageValue message) {
-    byte[] scanned = scan(boxes, pose);
+  void scan(RoadScene scene, MessageValue message) {
+    byte[] scanned = scan(scene);
     message.set("width", (long) scanned.length / POINT_STEP);
     message.set("row_step", (long) scanned.length);
     message.set("data", scanned);
@@ -136,66 +134,144 @@ final class Lidar {
   /**
    * One scan, as the data of a PointCloud2 in the lidar's frame (x forward, y left, z up).
    *
-   * @param boxes seen from the front bumper of an ego in the middle of the lane
-   * @param pose how the ego stands in the lane
    * @return {@link #POINT_STEP} bytes for each ray that returned
    */
-  byte[] scan(List<Box> boxes, Trace.Pose pose) {
-    if (pose.offset() == 0.0 && pose.heading() == 0.0) {
-      System.arraycopy(backgroundRange, 0, range, 0, RAYS);
-      System.arraycopy(backgroundIntensity, 0, intensity, 0, RAYS);
-      boxes.forEach(this::see);
+  byte[] scan(RoadScene scene) {
+    Road.Place place = scene.ego().ahead(-settings.behindBumper());
+    if (scene.road().curvature() == 0.0 && place.y() == 0.0 && place.heading() == 0.0) {
+      System.arraycopy(straightRange, 0, range, 0, RAYS);
+      System.arraycopy(straightIntensity, 0, intensity, 0, RAYS);
     } else {
-      look(boxes, pose);
+      background(scene.road(), place, range, intensity);
     }
-    return noisy();
+    for (Body body : scene.bodies()) {
+      see(body, place);
+    }
+    return returned();
   }
 
-  /** Casts each ray from where the lidar is, which is slower than to look straight ahead. */
-  private void look(List<Box> boxes, Trace.Pose pose) {
-    double cos = StrictMath.cos(pose.heading());
-    double sin = StrictMath.sin(pose.heading());
-    double along = -behindBumper * cos;
-    double across = pose.offset() - behindBumper * sin;
+  /** Road and walls, which look the same from every place in the middle of a straight lane. */
+  private void background(Road road, Road.Place place, float[] ranges, float[] intensities) {
+    double cos = StrictMath.cos(place.heading());
+    double sin = StrictMath.sin(place.heading());
+    double height = settings.aboveRoad();
     for (int ray = 0; ray < RAYS; ray++) {
       double dx = DIRECTION_X[ray] * cos - DIRECTION_Y[ray] * sin;
       double dy = DIRECTION_X[ray] * sin + DIRECTION_Y[ray] * cos;
-      double wallAt = Math.copySign(RoadScene.WALL_DISTANCE, dy) - across;
-      background(ray, wallAt / dy, range, intensity);
-      for (Box box : boxes) {
-        double distance = distance(dx, dy, DIRECTION_Z[ray], box, along, across);
+      double dz = DIRECTION_Z[ray];
+      double wall = road.wall(place, dx, dy);
+      double ground = dz < 0.0 ? height / -dz : Double.POSITIVE_INFINITY;
+      boolean hitsWall = wall < ground && height + wall * dz <= RoadScene.WALL_HEIGHT;
+      ranges[ray] = (float) (hitsWall ? wall : ground);
+      intensities[ray] = hitsWall ? WALL_INTENSITY : ROAD_INTENSITY;
+    }
+  }
+
+  /** Shortens the rays that hit a box. */
+  private void see(Body body, Road.Place place) {
+    double x = body.place().x() - place.x();
+    double y = body.place().y() - place.y();
+    double cos = StrictMath.cos(place.heading());
+    double sin = StrictMath.sin(place.heading());
+    Box box = new Box(body, x * cos + y * sin, y * cos - x * sin, place, settings.aboveRoad());
+    int first = box.beside() ? 0 : azimuthIndex(box.rightmost());
+    int last = box.beside() ? AZIMUTHS - 1 : azimuthIndex(box.leftmost()) + 1;
+    for (int ring = 0; ring < ELEVATIONS.length; ring++) {
+      for (int azimuth = Math.max(0, first); azimuth <= Math.min(AZIMUTHS - 1, last); azimuth++) {
+        int ray = ring * AZIMUTHS + azimuth;
+        double distance = box.distance(DIRECTION_X[ray], DIRECTION_Y[ray], DIRECTION_Z[ray]);
         if (distance < range[ray]) {
           range[ray] = (float) distance;
-          intensity[ray] = box.intensity();
+          intensity[ray] = body.intensity();
         }
       }
     }
   }
 
-  /** Where a ray from a place enters a box: after the last of its entries into the three slabs. */
-  private double distance(double dx, double dy, double dz, Box box, double along, double across) {
-    double enter = Math.max(entry(box.rear() - along, box.front() - along, dx), 0.0);
-    enter = Math.max(enter, entry(box.right() - across, box.left() - across, dy));
-    enter = Math.max(enter, entry(-aboveRoad, box.height() - aboveRoad, dz));
-    double exit = -entry(along - box.front(), along - box.rear(), dx);
-    exit = Math.min(exit, -entry(across - box.left(), across - box.right(), dy));
-    exit = Math.min(exit, -entry(aboveRoad - box.height(), aboveRoad, dz));
-    return enter <= exit && enter > 0.0 ? enter : Double.POSITIVE_INFINITY;
+  /** The last azimuth that is not left of a direction. */
+  private static int azimuthIndex(double direction) {
+    return (int) Math.floor((StrictMath.toDegrees(direction) + HALF_VIEW) / STEP);
   }
 
-  /** When a ray enters a slab; never if it runs beside it, and always if it runs within. */
-  private static double entry(double low, double high, double direction) {
-    if (direction == 0.0) {
-      return low <= 0.0 && high >= 0.0 ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
+  /** A box as the lidar sees it: in the lidar's frame, turned. */
+  private static final class Box {
+
+    private final double x;
+    private final double y;
+    private final double cos;
+    private final double sin;
+    private final double halfLength;
+    private final double halfWidth;
+    private final double bottom;
+    private final double top;
+    private double leftmost = Double.NEGATIVE_INFINITY;
+    private double rightmost = Double.POSITIVE_INFINITY;
+    private boolean beside;
+
+    Box(Body body, double x, double y, Road.Place lidar, double aboveRoad) {
+      double turned = body.place().heading() - lidar.heading();
+      this.cos = StrictMath.cos(turned);
+      this.sin = StrictMath.sin(turned);
+      // The lidar as the box has it.
+      this.x = -(x * cos + y * sin);
+      this.y = x * sin - y * cos;
+      this.halfLength = body.length() / 2;
+      this.halfWidth = body.width() / 2;
+      this.bottom = body.bottom() - aboveRoad;
+      this.top = body.top() - aboveRoad;
+      for (int corner = 0; corner < 4; corner++) {
+        double along = (corner & 1) == 0 ? halfLength : -halfLength;
+        double aside = (corner & 2) == 0 ? halfWidth : -halfWidth;
+        double ahead = x + along * cos - aside * sin;
+        double left = y + along * sin + aside * cos;
+        beside |= ahead <= 0.0;
+        double azimuth = StrictMath.atan2(left, ahead);
+        leftmost = Math.max(leftmost, azimuth);
+        rightmost = Math.min(rightmost, azimuth);
+      }
     }
-    return Math.min(low / direction, high / direction);
+
+    /** Whether a part of it is not ahead of the lidar. */
+    boolean beside() {
+      return beside;
+    }
+
+    double leftmost() {
+      return leftmost;
+    }
+
+    double rightmost() {
+      return rightmost;
+    }
+
+    /** Where a ray enters it: after the last of its entries into the three slabs. */
+    double distance(double dx, double dy, double dz) {
+      double along = dx * cos + dy * sin;
+      double aside = dy * cos - dx * sin;
+      double enter = entry(-halfLength - x, halfLength - x, along);
+      enter = Math.max(enter, entry(-halfWidth - y, halfWidth - y, aside));
+      enter = Math.max(enter, entry(bottom, top, dz));
+      double exit = -entry(x - halfLength, x + halfLength, along);
+      exit = Math.min(exit, -entry(y - halfWidth, y + halfWidth, aside));
+      exit = Math.min(exit, -entry(-top, -bottom, dz));
+      return enter <= exit && enter > 0.0 ? enter : Double.POSITIVE_INFINITY;
+    }
+
+    /** When a ray enters a slab; never if it runs beside it, and always if it runs within. */
+    private static double entry(double low, double high, double direction) {
+      if (direction == 0.0) {
+        return low <= 0.0 && high >= 0.0 ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
+      }
+      return Math.min(low / direction, high / direction);
+    }
   }
 
-  private byte[] noisy() {
+  private byte[] returned() {
     int offset = 0;
     int start = random.nextInt(NOISE.length);
+    float noise = (float) settings.noise();
     for (int ray = 0; ray < RAYS; ray++) {
-      if (range[ray] <= RANGE) {
+      if (range[ray] <= RANGE && !dropped()) {
         double distance = range[ray] + noise * NOISE[(start + ray) & (NOISE.length - 1)];
         FLOAT.set(points, offset, (float) (distance * DIRECTION_X[ray]));
         FLOAT.set(points, offset + 4, (float) (distance * DIRECTION_Y[ray]));
@@ -207,51 +283,7 @@ final class Lidar {
     return Arrays.copyOf(points, offset);
   }
 
-  /** Shortens the rays that hit a box. */
-  private void see(Box box) {
-    double near = box.rear() + behindBumper;
-    double far = box.front() + behindBumper;
-    int first = azimuthIndex(box.right(), box.right() < 0.0 ? near : far);
-    int last = azimuthIndex(box.left(), box.left() > 0.0 ? near : far) + 1;
-    for (int ring = 0; ring < ELEVATIONS.length; ring++) {
-      for (int azimuth = Math.max(0, first); azimuth <= Math.min(AZIMUTHS - 1, last); azimuth++) {
-        int ray = ring * AZIMUTHS + azimuth;
-        double distance = distance(ray, near, far, box);
-        if (distance < range[ray]) {
-          range[ray] = (float) distance;
-          intensity[ray] = box.intensity();
-        }
-      }
-    }
-  }
-
-  /** The last azimuth that is not left of a place; places beside or behind the lidar saturate. */
-  private static int azimuthIndex(double y, double x) {
-    double azimuth = StrictMath.toDegrees(StrictMath.atan2(y, x));
-    return (int) Math.floor((azimuth + HALF_VIEW) / STEP);
-  }
-
-  /**
-   * Where a ray enters a box: the last of the entries into its three slabs, if before the exits.
-   */
-  private double distance(int ray, double near, double far, Box box) {
-    double dx = DIRECTION_X[ray];
-    double dy = DIRECTION_Y[ray];
-    double dz = DIRECTION_Z[ray];
-    double enterX = near / dx;
-    double exitX = far / dx;
-    double enterY = (dy > 0.0 ? box.right() : box.left()) / dy;
-    double exitY = (dy > 0.0 ? box.left() : box.right()) / dy;
-    if (dy == 0.0) {
-      boolean between = box.right() <= 0.0 && box.left() >= 0.0;
-      enterY = between ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;
-      exitY = between ? Double.POSITIVE_INFINITY : Double.NEGATIVE_INFINITY;
-    }
-    double top = box.height() - aboveRoad;
-    double enterZ = dz < 0.0 ? top / dz : -aboveRoad / dz;
-    double exitZ = dz < 0.0 ? -aboveRoad / dz : top / dz;
-    double enter = Math.max(enterX, Math.max(enterY, enterZ));
-    double exit = Math.min(exitX, Math.min(exitY, exitZ));
-    return enter <= exit && enter > 0.0 ? enter : Double.POSITIVE_INFINITY;
+  private boolean dropped() {
+    return settings.dropout() > 0.0 && dropouts.nextDouble() < settings.dropout();
   }
 }

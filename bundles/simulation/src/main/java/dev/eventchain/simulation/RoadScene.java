@@ -3,56 +3,46 @@ package dev.eventchain.simulation;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What the lidar can see besides the road and the walls: vehicles, and posts beside the road. */
-final class RoadScene {
-
-  /** From the centre line of the ego's lane to the walls on both sides of the road, in m. */
-  static final double WALL_DISTANCE = 8.0;
-
-  /** Height of the walls, in m. */
-  static final double WALL_HEIGHT = 2.0;
+/**
+ * What a sensor can see besides the road and the walls: all that is on the road, and posts beside
+ * it.
+ *
+ * @param ego where the ego's front bumper is, and where it looks
+ */
+record RoadScene(Road road, Road.Place ego, List<Body> bodies) {
 
   private static final double POST_DISTANCE = 6.0;
   private static final double POST_SPACING = 25.0;
   private static final double POST_WIDTH = 0.3;
   private static final double POST_HEIGHT = 3.0;
   private static final double VIEW = 110.0;
-  private static final float VEHICLE_INTENSITY = 0.8f;
   private static final float POST_INTENSITY = 0.5f;
 
-  private RoadScene() {}
+  /** Height of the walls, in m. */
+  static final double WALL_HEIGHT = 2.0;
 
-  /** The solids ahead of the ego at this moment. */
-  static List<Box> boxes(World world) {
-    List<Box> boxes = new ArrayList<>();
-    for (TargetVehicle target : world.targets()) {
-      double rear = world.distanceTo(target);
-      if (rear < VIEW && rear + target.length() > 0.0) {
-        boxes.add(
-            new Box(
-                rear,
-                rear + target.length(),
-                target.lateralOffset() - target.width() / 2,
-                target.lateralOffset() + target.width() / 2,
-                target.height(),
-                VEHICLE_INTENSITY));
+  /** What is around the ego at this moment. */
+  static RoadScene of(World world) {
+    List<Body> bodies = new ArrayList<>();
+    double along = world.station().along();
+    double seconds = World.seconds(world.now());
+    for (Actor actor : world.actors()) {
+      double reach = actor.reach(seconds);
+      double ahead = actor.along(seconds) - along;
+      if (ahead - reach < VIEW && ahead + reach > -EgoVehicle.LENGTH) {
+        bodies.add(actor.body(world.road(), seconds));
       }
     }
-    double first = POST_SPACING - world.ego().position() % POST_SPACING;
-    for (double rear = first; rear < VIEW; rear += POST_SPACING) {
-      boxes.add(post(rear, POST_DISTANCE));
-      boxes.add(post(rear, -POST_DISTANCE));
+    double first = Math.floor(along / POST_SPACING) * POST_SPACING + POST_SPACING;
+    for (double rear = first; rear < along + VIEW; rear += POST_SPACING) {
+      bodies.add(post(world.road(), rear, POST_DISTANCE));
+      bodies.add(post(world.road(), rear, -POST_DISTANCE));
     }
-    return boxes;
+    return new RoadScene(world.road(), world.ego().front(), bodies);
   }
 
-  private static Box post(double rear, double y) {
-    return new Box(
-        rear,
-        rear + POST_WIDTH,
-        y - POST_WIDTH / 2,
-        y + POST_WIDTH / 2,
-        POST_HEIGHT,
-        POST_INTENSITY);
+  private static Body post(Road road, double rear, double across) {
+    Road.Place place = road.place(rear + POST_WIDTH / 2, across);
+    return new Body(place, POST_WIDTH, POST_WIDTH, 0.0, POST_HEIGHT, POST_INTENSITY);
   }
 }

@@ -26,8 +26,7 @@ public final class Scenario {
   private final List<String> requirements;
   private final long seed;
   private final double duration;
-  private final EgoVehicle ego;
-  private final List<TargetVehicle> targets;
+  private final Situation situation;
   private final Map<String, Script> inputs;
   private final List<Expectation> criteria;
   private final SourceLocation requirementsLocation;
@@ -37,8 +36,7 @@ public final class Scenario {
       Heading heading,
       long seed,
       double duration,
-      EgoVehicle ego,
-      List<TargetVehicle> targets,
+      Situation situation,
       Map<String, Script> inputs,
       List<Expectation> criteria) {
     this.name = heading.name();
@@ -49,8 +47,7 @@ public final class Scenario {
     this.location = heading.location();
     this.seed = seed;
     this.duration = duration;
-    this.ego = ego;
-    this.targets = List.copyOf(targets);
+    this.situation = situation;
     this.inputs = Map.copyOf(inputs);
     this.criteria = List.copyOf(criteria);
   }
@@ -94,6 +91,11 @@ public final class Scenario {
    */
   public static List<Scenario> readFolder(Path folder, Bench bench, Consumer<Diagnostic> warnings) {
     return new ScenarioFolder(folder).read(bench, warnings);
+  }
+
+  /** The JSON Schema of scenarios. */
+  public static String schema() {
+    return BenchReader.resource("scenario.schema.json");
   }
 
   /** The files on which {@link #readFolder} depends, in a fixed order. */
@@ -140,12 +142,9 @@ public final class Scenario {
     return seed;
   }
 
-  EgoVehicle ego() {
-    return ego;
-  }
-
-  List<TargetVehicle> targets() {
-    return targets;
+  /** Vehicle, driver, road and all others at the start. */
+  Situation situation() {
+    return situation;
   }
 
   /** What people do with the inputs of the bench, by their names. */

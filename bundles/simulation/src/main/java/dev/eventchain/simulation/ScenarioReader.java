@@ -26,8 +26,8 @@ final class ScenarioReader {
           "scenario.key.missing",
           "scenario.key.unknown",
           "scenario.value.range");
-  private static final double KMH = 1.0 / 3.6;
-  private static final NumberRange SPEED_KMH = NumberRange.of(0, 250);
+  private static final NumberRange RADIUS = NumberRange.of(-100_000, 100_000);
+  private static final double TIGHTEST = 30;
   private static final NumberRange DURATION = NumberRange.of(0.1, 600);
   private static final NumberRange SEED = NumberRange.of(0, 1L << 52);
 
@@ -60,9 +60,7 @@ final class ScenarioReader {
             section.location());
     long seed = section.wholeNumber("seed", SEED).orElse(1);
     double duration = section.requiredNumber("duration_s", DURATION);
-    Optional<EgoVehicle> ego = section.requiredObject("ego").map(ScenarioReader::ego);
-    List<TargetVehicle> targets =
-        section.objects("targets").stream().map(ScenarioReader::target).toList();
+    Situation situation = situation(section, longest(section));
     Map<String, Script> inputs =
         section.object("inputs").map(part -> InputsReader.read(part, bench)).orElse(Map.of());
     Optional<ObjectReader> accept = section.requiredObject("accept");
@@ -71,8 +69,35 @@ final class ScenarioReader {
         accept.map(part -> CriteriaReader.read(part, formulas)).orElse(List.of());
     InputsReader.requireUse(section, inputs.keySet(), criteria, bench);
     section.refuseOthers();
-    EgoVehicle vehicle = ego.orElse(EgoVehicle.withSpeed(0));
-    return new Scenario(heading, seed, duration, vehicle, targets, inputs, criteria);
+    return new Scenario(heading, seed, duration, situation, inputs, criteria);
+  }
+
+  private static Situation situation(ObjectReader section, double longest) {
+    ActorsReader reader = new ActorsReader(longest);
+    Optional<ObjectReader> part = section.requiredObject("ego");
+    EgoVehicle ego = part.map(ScenarioReader::ego).orElse(EgoVehicle.withSpeed(0));
+    double offset = ego.chassis().offset();
+    Driver driver =
+        part.map(it -> reader.driver(it, ego.speed(), offset))
+            .orElse(Situation.straight(ego, List.of()).driver());
+    part.ifPresent(ObjectReader::refuseOthers);
+    Road road = section.object("road").map(ScenarioReader::road).orElse(Road.STRAIGHT);
+    return new Situation(ego, driver, road, reader.read(section));
+  }
+
+  private static Road road(ObjectReader section) {
+    OptionalDouble radius = section.number("curve_radius_m", RADIUS);
+    double width = number(section, "lane_width_m", Road.USUAL_LANE_WIDTH, 2, 6);
+    if (radius.isPresent() && Math.abs(radius.getAsDouble()) < TIGHTEST) {
+      section.find(
+          Diagnostic.error(
+                  "scenario.value.range",
+                  "A bend has a radius of at least 30 m.",
+                  section.at("curve_radius_m"))
+              .withHint("To the right it is negative. Leave it out for a straight road."));
+    }
+    section.refuseOthers();
+    return new Road(radius.isPresent() ? 1.0 / radius.getAsDouble() : 0.0, width);
   }
 
   /** The duration; if it was refused, the longest one, so that no interval is refused for it. */
@@ -86,20 +111,24 @@ final class ScenarioReader {
 
   private static EgoVehicle ego(ObjectReader section) {
     EgoVehicle usual = EgoVehicle.withSpeed(0);
-    EgoVehicle ego =
-        new EgoVehicle(
-            section.requiredNumber("speed_kmh", SPEED_KMH) * KMH,
-            number(section, "brake_delay_s", usual.brakeDelay(), 0, 5),
-            number(section, "brake_build_up_s", usual.brakeBuildUp(), 0, 5),
-            number(section, "maximal_deceleration_mps2", usual.maximalDeceleration(), 0.1, 20),
-            number(section, "coasting_deceleration_mps2", usual.coastingDeceleration(), 0, 5),
-            number(section, "maximal_acceleration_mps2", usual.maximalAcceleration(), 0, 20),
-            number(section, "lidar_behind_bumper_m", usual.lidarBehindBumper(), 0, 10),
-            number(section, "lidar_above_road_m", usual.lidarAboveRoad(), 0.5, 5),
-            number(section, "lidar_noise_m", usual.lidarNoise(), 0, 1),
-            chassis(section));
-    section.refuseOthers();
-    return ego;
+    return new EgoVehicle(
+        section.requiredNumber("speed_kmh", ActorsReader.SPEED_KMH) * ActorsReader.KMH,
+        number(section, "brake_delay_s", usual.brakeDelay(), 0, 5),
+        number(section, "brake_build_up_s", usual.brakeBuildUp(), 0, 5),
+        number(section, "maximal_deceleration_mps2", usual.maximalDeceleration(), 0.1, 20),
+        number(section, "coasting_deceleration_mps2", usual.coastingDeceleration(), 0, 5),
+        number(section, "maximal_acceleration_mps2", usual.maximalAcceleration(), 0, 20),
+        lidar(section),
+        chassis(section));
+  }
+
+  private static Lidar.Settings lidar(ObjectReader section) {
+    Lidar.Settings usual = Lidar.Settings.USUAL;
+    return new Lidar.Settings(
+        number(section, "lidar_behind_bumper_m", usual.behindBumper(), 0, 10),
+        number(section, "lidar_above_road_m", usual.aboveRoad(), 0.5, 5),
+        number(section, "lidar_noise_m", usual.noise(), 0, 1),
+        number(section, "lidar_dropout_percent", usual.dropout(), 0, 100) / 100);
   }
 
   private static Chassis chassis(ObjectReader section) {
@@ -117,30 +146,6 @@ final class ScenarioReader {
       ObjectReader section, String key, double absent, double least, double most) {
     OptionalDouble degrees = section.number(key, NumberRange.of(least, most));
     return degrees.isPresent() ? StrictMath.toRadians(degrees.getAsDouble()) : absent;
-  }
-
-  private static TargetVehicle target(ObjectReader section) {
-    TargetVehicle usual = TargetVehicle.passengerCar(0, 0, 0);
-    double deceleration = number(section, "deceleration_mps2", 0, 0, 20);
-    TargetVehicle target =
-        new TargetVehicle(
-            section.requiredNumber("gap_m", NumberRange.of(-500, 500)),
-            section.requiredNumber("speed_kmh", SPEED_KMH) * KMH,
-            number(section, "lateral_offset_m", 0, -6, 6),
-            number(section, "width_m", usual.width(), 0.3, 3),
-            number(section, "height_m", usual.height(), 0.5, 4.5),
-            number(section, "length_m", usual.length(), 0.3, 30),
-            number(section, "brakes_at_s", Double.POSITIVE_INFINITY, 0, 600),
-            deceleration);
-    if (section.has("brakes_at_s") != section.has("deceleration_mps2")) {
-      String present = section.has("brakes_at_s") ? "brakes_at_s" : "deceleration_mps2";
-      section.find(
-          "scenario.value.range",
-          "A vehicle that brakes needs both brakes_at_s and deceleration_mps2.",
-          section.at(present));
-    }
-    section.refuseOthers();
-    return target;
   }
 
   private static double number(

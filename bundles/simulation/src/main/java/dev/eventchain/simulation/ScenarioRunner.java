@@ -30,9 +30,9 @@ final class ScenarioRunner {
   Run run(Scenario scenario) {
     BenchDriver driver = new BenchDriver(setup, scenario);
     JsonNode ready = session.configure(setup.configuration(scenario, driver));
-    World world = new World(scenario.ego(), scenario.targets(), new Trace(scenario.inputs()));
+    World world = new World(scenario.situation(), new Trace(scenario.inputs()));
     long end = World.nanoseconds(scenario.duration());
-    long stoppedAt = scenario.ego().speed() > 0 ? Long.MAX_VALUE : end;
+    long stoppedAt = scenario.situation().ego().speed() > 0 ? Long.MAX_VALUE : end;
     long started = System.nanoTime();
     long horizon = Math.min(end, scenario.horizon());
     while (world.now() < end

@@ -22,7 +22,7 @@ final class Trace {
    * @param timeToCollision in s, from the true distance and closing speed; infinite if nothing is
    *     approached
    * @param deceleration of the ego, in m/s2
-   * @param position of the ego's front bumper since the start, in m
+   * @param position of the ego's front bumper along the road since the start, in m
    * @param leadSpeed of the nearest vehicle in the path, in m/s; NaN if there is none
    * @param pose how the ego stands in its lane
    */
@@ -40,7 +40,7 @@ final class Trace {
    * How the ego stands in its lane; all are positive to the left.
    *
    * @param offset of the middle of the front bumper from the centre of the lane, in m
-   * @param heading in rad
+   * @param heading from the direction of the road, in rad
    * @param yawRate in rad/s
    */
   record Pose(double offset, double heading, double yawRate) {
@@ -71,7 +71,9 @@ final class Trace {
   private final List<State> states = new ArrayList<>();
   private final Map<String, List<Sample>> samples = new HashMap<>();
   private final List<Command> commands = new ArrayList<>();
+  private final List<Contact> fromBehind = new ArrayList<>();
   private OptionalDouble impactSpeed = OptionalDouble.empty();
+  private String impact = "";
   private String ignored = "";
 
   /** A trace without inputs. */
@@ -116,6 +118,8 @@ final class Trace {
     other.samples.putAll(samples);
     other.samples.keySet().removeAll(signals);
     other.impactSpeed = impactSpeed;
+    other.impact = impact;
+    other.fromBehind.addAll(fromBehind);
     return other;
   }
 
@@ -160,8 +164,29 @@ final class Trace {
     return ignored;
   }
 
-  void impact(double speed) {
+  /**
+   * The impact that ends everything.
+   *
+   * @param words who hit whom
+   */
+  void impact(double speed, String words) {
     impactSpeed = OptionalDouble.of(speed);
+    impact = words;
+  }
+
+  /** Somebody drove into the ego's rear. */
+  void hitFromBehind(Contact contact) {
+    fromBehind.add(contact);
+  }
+
+  /** Who hit whom at the impact; empty if there was none. */
+  String impact() {
+    return impact;
+  }
+
+  /** Those who drove into the ego's rear, in the order of time. */
+  List<Contact> fromBehind() {
+    return Collections.unmodifiableList(fromBehind);
   }
 
   List<State> states() {

@@ -1,14 +1,16 @@
 package dev.eventchain.simulation;
 
 import java.util.ArrayDeque;
+import java.util.Comparator;
 import java.util.Deque;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
-import java.util.function.DoubleUnaryOperator;
+import java.util.Set;
 
 /**
- * The road with the ego and the other vehicles on it, as point masses along the lane. Gaps are
- * measured from bumper to bumper. An impact ends the movement of time.
+ * The road with the ego and all others on it, as boxes that move in the plane. Gaps are measured
+ * along the road, from bumper to bumper. An impact of the ego ends the movement of time.
  */
 final class World {
 
@@ -17,16 +19,18 @@ final class World {
 
   private record Pending(long effectiveAt, VehicleCommand command) {}
 
-  private final EgoVehicle vehicle;
-  private final List<TargetVehicle> targets;
-  private final EgoMotion ego;
+  private final Situation situation;
   private final Trace trace;
   private final Deque<Pending> pending = new ArrayDeque<>();
+  private final Set<Actor> gone = new HashSet<>();
+  private EgoMotion ego;
   private long now;
-  private double impactSpeed = Double.NaN;
 
-  World(EgoVehicle vehicle, List<TargetVehicle> targets) {
-    this(vehicle, targets, new Trace());
+  /** About how far the ego is along the road, in m: a bend may be more than a full circle. */
+  private double travelled;
+
+  World(EgoVehicle vehicle, List<Actor> actors) {
+    this(Situation.straight(vehicle, actors), new Trace());
   }
 
   /**
@@ -34,11 +38,11 @@ final class World {
    *
    * @param trace where what happens is recorded; empty
    */
-  World(EgoVehicle vehicle, List<TargetVehicle> targets, Trace trace) {
+  World(Situation situation, Trace trace) {
     this.trace = trace;
-    this.vehicle = vehicle;
-    this.targets = List.copyOf(targets);
-    this.ego = new EgoMotion(vehicle);
+    this.situation = situation;
+    this.ego = new EgoMotion(situation.ego());
+    letDrive();
     record();
   }
 
@@ -57,9 +61,9 @@ final class World {
     return ego.speed();
   }
 
-  /** Whether the ego has hit another vehicle or a wall beside the road. */
+  /** Whether the ego hit somebody or a wall beside the road, or was hit, but not from behind. */
   boolean impacted() {
-    return !Double.isNaN(impactSpeed);
+    return trace.impactSpeed().isPresent();
   }
 
   /** Everything that happened up to now. */
@@ -67,14 +71,24 @@ final class World {
     return trace;
   }
 
-  /** All other vehicles. */
-  List<TargetVehicle> targets() {
-    return targets;
+  Road road() {
+    return situation.road();
   }
 
-  /** Place of a vehicle's rear bumper ahead of the ego's front bumper, in m. */
-  double distanceTo(TargetVehicle target) {
-    return target.position(seconds(now)) - ego.position();
+  /** All others, but for those that drove into the ego's rear. */
+  List<Actor> actors() {
+    List<Actor> actors = situation.actors();
+    return gone.isEmpty() ? actors : actors.stream().filter(each -> !gone.contains(each)).toList();
+  }
+
+  /** Where the ego's front bumper is on the road. */
+  Road.Station station() {
+    Road.Place front = ego.front();
+    return road().station(front.x(), front.y(), travelled);
+  }
+
+  private double heading(Road.Station station) {
+    return ego.front().heading() - road().heading(station.along());
   }
 
   /**
@@ -83,7 +97,7 @@ final class World {
    * @param time when it was published, in ns: not before now and not before the last one
    */
   void command(long time, VehicleCommand command) {
-    pending.add(new Pending(time + nanoseconds(vehicle.brakeDelay()), command));
+    pending.add(new Pending(time + nanoseconds(situation.ego().brakeDelay()), command));
     trace.command(time, command);
   }
 
@@ -104,50 +118,54 @@ final class World {
   }
 
   private void advancePiece(long until) {
-    EgoMotion before = ego.copy();
+    Movement movement = new Movement(ego.copy(), now, until, situation.road(), travelled);
     ego.advance(seconds(until - now));
-    Optional<TargetVehicle> hit = touched(until, before, ego);
-    if (hit.isPresent()) {
-      TargetVehicle target = hit.get();
-      boolean aside = !target.inPath(before.offset());
-      impact(before, until, (time, tried) -> touches(target, time, tried, aside), target::speed);
-    } else if (leavesTheRoad(ego)) {
-      impact(before, until, (time, tried) -> leavesTheRoad(tried), time -> 0.0);
-    } else {
-      now = until;
+    travelled += ego.velocity() * seconds(until - now);
+    now = until;
+    Optional<Contact> contact =
+        actors().stream()
+            .filter(Actor::obstructs)
+            .flatMap(actor -> movement.contact(actor).stream())
+            .min(Comparator.comparingLong(Contact::time));
+    contact.filter(Contact::fromBehind).ifPresent(this::hitFromBehind);
+    Optional<Contact> impact = contact.filter(each -> !each.fromBehind());
+    if (impact.isPresent()) {
+      end(movement, impact.get().time());
+      trace.impact(impact.get().speed(), impact.get().words());
+    } else if (movement.leavesTheRoad(until)) {
+      end(movement, movement.leaving());
+      trace.impact(ego.speed(), "the ego left the road");
     }
     if (impacted() || now % TRACE_STEP == 0) {
+      letDrive();
       record();
     }
   }
 
-  private interface Touch {
-    boolean at(long time, EgoMotion motion);
+  private void end(Movement movement, long time) {
+    now = time;
+    ego = movement.at(time);
   }
 
-  /**
-   * Finds the instant of an impact to a nanosecond.
-   *
-   * @param speedOfOther that of what is hit, in m/s, after some seconds
-   */
-  private void impact(EgoMotion before, long until, Touch touch, DoubleUnaryOperator speedOfOther) {
-    long apart = now;
-    long touching = until;
-    while (touching - apart > 1) {
-      long middle = (apart + touching) / 2;
-      EgoMotion tried = before.copy();
-      tried.advance(seconds(middle - now));
-      if (touch.at(middle, tried)) {
-        touching = middle;
-      } else {
-        apart = middle;
-      }
+  /** What happens to a vehicle that is hit is not simulated: the other one is gone from then on. */
+  private void hitFromBehind(Contact contact) {
+    gone.add(contact.other());
+    trace.hitFromBehind(contact);
+  }
+
+  /** What the driver does until he looks again. */
+  private void letDrive() {
+    Driver driver = situation.driver();
+    if (ego.held()) {
+      ego.drive(driver.acceleration(seconds(now), ego.speed()));
     }
-    EgoMotion touched = before.copy();
-    touched.advance(seconds(touching - now));
-    now = touching;
-    impactSpeed = Math.abs(touched.velocity() - speedOfOther.applyAsDouble(seconds(touching)));
-    trace.impact(impactSpeed);
+    if (ego.steered() && driver.steers(road())) {
+      Road.Station station = station();
+      // At the rear axle, which follows the bend, the road points less far into it.
+      double behind = road().curvature() * situation.ego().chassis().frontOverhang();
+      double heading = heading(station) + behind;
+      ego.steer(driver.curvature(road(), station, heading, ego.speed(), seconds(now)));
+    }
   }
 
   private void record() {
@@ -160,9 +178,12 @@ final class World {
   }
 
   private Trace.State state() {
-    Optional<TargetVehicle> ahead = nearest(now, ego);
-    double gap = ahead.map(target -> gap(target, now, ego)).orElse(Double.POSITIVE_INFINITY);
-    double closing = ego.velocity() - ahead.map(target -> target.speed(seconds(now))).orElse(0.0);
+    Road.Station station = station();
+    double time = seconds(now);
+    Optional<Actor> ahead = nearest(station);
+    double gap =
+        ahead.map(actor -> actor.rear(time) - station.along()).orElse(Double.POSITIVE_INFINITY);
+    double closing = ego.velocity() - ahead.map(actor -> actor.speedAlong(time)).orElse(0.0);
     double timeToCollision =
         ahead.isPresent() && closing > 0.0
             ? Math.max(0.0, gap) / closing
@@ -173,52 +194,28 @@ final class World {
         Math.max(0.0, gap),
         timeToCollision,
         ego.deceleration(),
-        ego.position(),
-        ahead.map(target -> target.speed(seconds(now))).orElse(Double.NaN),
-        new Trace.Pose(ego.offset(), ego.heading(), ego.yawRate()));
+        station.along(),
+        ahead.map(actor -> actor.speedAlong(time)).orElse(Double.NaN),
+        new Trace.Pose(station.across(), heading(station), ego.yawRate()));
   }
 
-  /** A vehicle that the ego has driven into, forwards, backwards or aside. */
-  private Optional<TargetVehicle> touched(long time, EgoMotion before, EgoMotion motion) {
-    return targets.stream()
-        .filter(target -> touches(target, time, motion, !target.inPath(before.offset())))
-        .findFirst();
-  }
-
-  /** Whether the front touches a wall beside the road. */
-  private static boolean leavesTheRoad(EgoMotion motion) {
-    return Math.abs(motion.offset()) + EgoVehicle.WIDTH / 2 >= RoadScene.WALL_DISTANCE;
-  }
-
-  /**
-   * Whether bodies overlap; who is hit from behind has not driven into anybody.
-   *
-   * @param aside whether the other one was beside the ego a moment ago
-   */
-  private static boolean touches(TargetVehicle target, long time, EgoMotion motion, boolean aside) {
-    double gap = gap(target, time, motion);
-    boolean ahead = gap <= 0.0 && gap > -target.length();
-    boolean beside = gap <= -target.length() && gap >= -target.length() - EgoVehicle.LENGTH;
-    return target.inPath(motion.offset())
-        && (ahead || (beside && (motion.velocity() < 0.0 || aside)));
-  }
-
-  /** The nearest vehicle that is in the ego's path and not behind it. */
-  private Optional<TargetVehicle> nearest(long time, EgoMotion motion) {
-    TargetVehicle nearest = null;
-    for (TargetVehicle target : targets) {
-      double gap = gap(target, time, motion);
-      if (target.inPath(motion.offset())
-          && gap > -target.length()
-          && (nearest == null || gap < gap(nearest, time, motion))) {
-        nearest = target;
+  /** The nearest that is in the ego's path and not behind it. */
+  private Optional<Actor> nearest(Road.Station station) {
+    double time = seconds(now);
+    Actor nearest = null;
+    for (Actor actor : actors()) {
+      double gap = actor.rear(time) - station.along();
+      boolean inPath =
+          Math.abs(actor.across(time) - station.across())
+              < EgoVehicle.WIDTH / 2 + actor.breadth(time);
+      if (actor.obstructs()
+          && inPath
+          && gap > -2 * actor.reach(time)
+          && (nearest == null || gap < nearest.rear(time) - station.along())) {
+        nearest = actor;
       }
     }
     return Optional.ofNullable(nearest);
-  }
-
-  private static double gap(TargetVehicle target, long time, EgoMotion motion) {
-    return target.position(seconds(time)) - motion.position();
   }
 
   static double seconds(long nanoseconds) {

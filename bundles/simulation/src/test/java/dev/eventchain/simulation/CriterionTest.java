@@ -153,8 +153,7 @@ class CriterionTest {
 
   @Test
   void impactAndStopAreToldApart() {
-    World hit =
-        new World(EgoVehicle.withSpeed(10), java.util.List.of(TargetVehicle.passengerCar(5, 0, 0)));
+    World hit = new World(EgoVehicle.withSpeed(10), java.util.List.of(Actor.passengerCar(5, 0, 0)));
     hit.advanceTo(1_000 * MILLISECOND);
     assertEquals(false, holds(CriterionKind.NO_IMPACT, 0, hit.trace()));
     assertEquals(false, holds(CriterionKind.STOPS, 0, hit.trace()));
@@ -163,8 +162,7 @@ class CriterionTest {
     assertEquals(true, holds(CriterionKind.MAXIMAL_IMPACT_SPEED, 10.1, hit.trace()));
 
     World stopped =
-        new World(
-            EgoVehicle.withSpeed(10), java.util.List.of(TargetVehicle.passengerCar(50, 0, 0)));
+        new World(EgoVehicle.withSpeed(10), java.util.List.of(Actor.passengerCar(50, 0, 0)));
     assertEquals(false, holds(CriterionKind.STOPS, 0, stopped.trace()));
     stopped.command(0, VehicleCommand.brake(1));
     stopped.advanceTo(5_000 * MILLISECOND);

@@ -81,7 +81,7 @@ class FormulaTest {
     Trace trace = new Trace();
     trace.state(States.of(0, 5, 0.02, 0.004, 0));
     trace.state(States.of(4_000_000L, 5, 0, 0, 0));
-    trace.impact(5);
+    trace.impact(5, "the ego hit something");
     assertEquals(
         "failed: 'gap > 0 m' is missed by 0 m after 0.00 s", judge("always gap > 0 m", trace));
     assertTrue(judge("always[0,0.01] gap >= 0 m", trace).startsWith("passed"));

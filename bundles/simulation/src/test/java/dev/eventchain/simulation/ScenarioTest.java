@@ -72,15 +72,17 @@ class ScenarioTest {
                   lidar_behind_bumper_m: 1.5
                   lidar_above_road_m: 2
                   lidar_noise_m: 0.02
-                targets:
+                actors:
                   - gap_m: 40
                     speed_kmh: 18
                     lateral_offset_m: -3.5
                     width_m: 2.5
                     height_m: 4
                     length_m: 12
-                    brakes_at_s: 2
-                    deceleration_mps2: 6
+                    maneuvers:
+                      - at_s: 2
+                        speed_kmh: 0
+                        acceleration_mps2: 6
                 accept:
                   maximal_impact_speed_kmh: 18
                   tolerance_ttc_s: 0.2
@@ -88,15 +90,20 @@ class ScenarioTest {
                 """),
             Bench.carla());
     assertEquals(
-        new EgoVehicle(10, 0.1, 0.4, 8, 0.3, 3, 1.5, 2, 0.02, Chassis.USUAL), scenario.ego());
-    assertEquals(List.of(new TargetVehicle(40, 5, -3.5, 2.5, 4, 12, 2, 6)), scenario.targets());
+        new EgoVehicle(10, 0.1, 0.4, 8, 0.3, 3, new Lidar.Settings(1.5, 2, 0.02, 0), Chassis.USUAL),
+        scenario.situation().ego());
+    Actor actor = scenario.situation().actors().get(0);
+    assertEquals(new Actor.Size(12, 2.5, 0, 4), actor.size());
+    assertEquals(40 + 10, actor.rear(2), 1e-9);
+    assertEquals(-3.5, actor.across(2), 1e-9);
+    assertEquals(0, actor.speedAlong(3), 1e-9);
     assertEquals(List.of("AEB-1", "AEB-2"), scenario.requirements());
     assertEquals(7.5, scenario.duration());
     assertEquals(42, scenario.seed());
     Criterion impact = (Criterion) scenario.criteria().get(0);
     assertEquals(5, impact.limit(), 1e-12);
     assertEquals(new Criterion.Tolerances(0.2, 0.4), impact.tolerances());
-    assertEquals("s.yaml:26:3", impact.location().toString());
+    assertEquals("s.yaml:28:3", impact.location().toString());
   }
 
   @Test

@@ -18,7 +18,7 @@ class SteeringTest {
   private static final EgoVehicle USUAL = EgoVehicle.withSpeed(10);
 
   private static EgoVehicle with(double speed, Chassis chassis) {
-    return new EgoVehicle(speed, 0.0, 0.3, 9.0, 0.5, 3.0, 2.4, 2.4, 0.0, chassis);
+    return new EgoVehicle(speed, 0.0, 0.3, 9.0, 0.5, 3.0, Lidar.Settings.USUAL, chassis);
   }
 
   private static Trace.State after(World world, double seconds) {
@@ -66,8 +66,7 @@ class SteeringTest {
 
   @Test
   void evadingAVehicleIsNoImpactAndSteeringIntoOneIs() {
-    World evades =
-        new World(with(10, Chassis.USUAL), List.of(TargetVehicle.passengerCar(30, 0, 0)));
+    World evades = new World(with(10, Chassis.USUAL), List.of(Actor.passengerCar(30, 0, 0)));
     evades.command(0, steer(-0.1));
     evades.advanceTo(SECOND);
     evades.command(SECOND, steer(0.1));
@@ -77,15 +76,13 @@ class SteeringTest {
     assertFalse(evades.impacted());
     assertTrue(evades.moment().end().pose().offset() > 2);
 
-    World beside =
-        new World(with(10, Chassis.USUAL), List.of(TargetVehicle.passengerCar(-2, 10, 3)));
+    World beside = new World(with(10, Chassis.USUAL), List.of(Actor.passengerCar(-2, 10, 3)));
     beside.command(0, steer(-0.1));
     beside.advanceTo(6 * SECOND);
     assertTrue(beside.impacted());
 
     // Its front is behind the ego's, but the bodies are side by side.
-    World behind =
-        new World(with(10, Chassis.USUAL), List.of(TargetVehicle.passengerCar(-5.5, 10, 3)));
+    World behind = new World(with(10, Chassis.USUAL), List.of(Actor.passengerCar(-5.5, 10, 3)));
     behind.command(0, steer(-0.1));
     behind.advanceTo(2 * SECOND);
     assertTrue(behind.impacted());
@@ -129,7 +126,7 @@ class SteeringTest {
 
   @Test
   void whatStandsBehindIsHitBackwards() {
-    TargetVehicle behind = TargetVehicle.passengerCar(-4.5 - 4.5 - 3, 0, 0);
+    Actor behind = Actor.passengerCar(-4.5 - 4.5 - 3, 0, 0);
     World backwards = new World(with(0, Chassis.USUAL), List.of(behind));
     backwards.command(
         0, VehicleCommand.of(Map.of(Actuator.REVERSE, 1.0, Actuator.THROTTLE, 1.0), USUAL));
@@ -148,7 +145,7 @@ class SteeringTest {
   @Test
   void dragSlowsAFastVehicleDown() {
     Chassis drag = new Chassis(2.7, 0.6, 3, 0.001, 0, 0);
-    EgoVehicle ego = new EgoVehicle(40, 0, 0.3, 9, 0, 3, 2.4, 2.4, 0, drag);
+    EgoVehicle ego = new EgoVehicle(40, 0, 0.3, 9, 0, 3, Lidar.Settings.USUAL, drag);
     World world = new World(ego, List.of());
     world.command(0, VehicleCommand.drive(1e-9));
     // v' = -c v^2 has the solution v0 / (1 + c v0 t); the ramp of the pedal takes a moment.
@@ -172,15 +169,12 @@ class SteeringTest {
 
   @Test
   void lidarSeesFromWhereTheEgoStandsAndLooks() {
-    // A box straight ahead of an ego that looks 10 degrees to the left, 20 m away.
-    double heading = StrictMath.toRadians(10);
-    Trace.Pose pose = new Trace.Pose(1.0, heading, 0);
-    EgoVehicle ego = with(10, Chassis.USUAL);
+    // A box straight ahead of an ego that looks 10 degrees to the left, its rear 20 m away.
+    Road.Place ego = new Road.Place(0, 1, StrictMath.toRadians(10));
     double far = 20;
-    double x = far * StrictMath.cos(heading);
-    double y = 1.0 + far * StrictMath.sin(heading);
-    Box box = new Box(x, x + 1, y - 0.5, y + 0.5, 1.5f, 0.8f);
-    byte[] points = new Lidar(ego, 1).scan(List.of(box), pose);
+    Body box = new Body(ego.ahead(far + 0.5), 1, 1, 0, 1.5, 0.8f);
+    Lidar lidar = new Lidar(Lidar.Settings.USUAL, 1);
+    byte[] points = lidar.scan(new RoadScene(Road.STRAIGHT, ego, List.of(box)));
     java.nio.ByteBuffer data =
         java.nio.ByteBuffer.wrap(points).order(java.nio.ByteOrder.LITTLE_ENDIAN);
     int seen = 0;

@@ -26,7 +26,7 @@ class WorldTest {
     world.command(0, VehicleCommand.brake(0.0));
     world.advanceTo(3 * SECOND);
     assertEquals(20, world.egoSpeed());
-    assertEquals(60, world.ego().position(), 1e-9);
+    assertEquals(60, world.station().along(), 1e-9);
   }
 
   @Test
@@ -55,7 +55,7 @@ class WorldTest {
         v * 0.2 + v * 0.3 - 30 * 0.3 * 0.3 * 0.3 / 6 + afterRamp * afterRamp / (2 * 9);
     assertEquals(0, world.egoSpeed());
     assertEquals(0, world.moment().end().deceleration());
-    assertEquals(expected, world.ego().position(), 1e-6);
+    assertEquals(expected, world.station().along(), 1e-6);
   }
 
   @ParameterizedTest
@@ -63,7 +63,7 @@ class WorldTest {
   void resultDoesNotDependOnTheStep(long step) {
     World coarse = braked(4 * SECOND);
     World fine = braked(step);
-    assertEquals(coarse.ego().position(), fine.ego().position(), 1e-9);
+    assertEquals(coarse.station().along(), fine.station().along(), 1e-9);
     assertEquals(coarse.egoSpeed(), fine.egoSpeed(), 1e-9);
     assertTrue(fine.egoSpeed() > 0);
   }
@@ -108,7 +108,7 @@ class WorldTest {
 
   @Test
   void impactIsFoundAtItsInstantWithTheRelativeSpeed() {
-    TargetVehicle slower = TargetVehicle.passengerCar(10, 5, 0);
+    Actor slower = Actor.passengerCar(10, 5, 0);
     World world = new World(EgoVehicle.withSpeed(15), List.of(slower));
     world.advanceTo(3 * SECOND);
     assertTrue(world.impacted());
@@ -119,7 +119,7 @@ class WorldTest {
 
   @Test
   void vehicleInTheNextLaneIsNeitherHitNorApproached() {
-    TargetVehicle beside = TargetVehicle.passengerCar(10, 0, 3.5);
+    Actor beside = Actor.passengerCar(10, 0, 3.5);
     World world = new World(EgoVehicle.withSpeed(15), List.of(beside));
     world.advanceTo(3 * SECOND);
     assertFalse(world.impacted());
@@ -129,18 +129,17 @@ class WorldTest {
 
   @Test
   void targetBrakesToStandstillAndStaysThere() {
-    TargetVehicle target = new TargetVehicle(40, 10, 0, 1.8, 1.5, 4.5, 1, 5);
-    assertEquals(50, target.position(1));
+    SpeedProfile target = new SpeedProfile(10, List.of(new SpeedProfile.Change(1, 0, 5)));
+    assertEquals(10, target.way(1));
     assertEquals(7.5, target.speed(1.5));
-    assertEquals(50 + 10, target.position(3), 1e-12);
-    assertEquals(60, target.position(9), 1e-12);
+    assertEquals(20, target.way(3), 1e-12);
+    assertEquals(20, target.way(9), 1e-12);
     assertEquals(0, target.speed(9));
   }
 
   @Test
   void timeToCollisionIsTheGapOverTheClosingSpeed() {
-    World world =
-        new World(EgoVehicle.withSpeed(20), List.of(TargetVehicle.passengerCar(30, 10, 0)));
+    World world = new World(EgoVehicle.withSpeed(20), List.of(Actor.passengerCar(30, 10, 0)));
     assertEquals(3, world.trace().end().timeToCollision(), 1e-12);
     world.advanceTo(SECOND);
     assertEquals(2, world.trace().end().timeToCollision(), 1e-12);
@@ -161,11 +160,11 @@ class WorldTest {
       double kmh,
       double impact) {
     EgoVehicle ego =
-        new EgoVehicle(kmh / 3.6, delay, buildUp, deceleration, 0, 3, 2.4, 2.4, 0, Chassis.USUAL);
+        new EgoVehicle(
+            kmh / 3.6, delay, buildUp, deceleration, 0, 3, Lidar.Settings.USUAL, Chassis.USUAL);
     DoubleSummaryStatistics impacts = new DoubleSummaryStatistics();
     for (double early = 0.0005; early < 0.05; early += 0.007) {
-      World world =
-          new World(ego, List.of(TargetVehicle.passengerCar((4 + early) * ego.speed(), 0, 0)));
+      World world = new World(ego, List.of(Actor.passengerCar((4 + early) * ego.speed(), 0, 0)));
       drive(world, partial);
       impacts.accept(world.trace().impactSpeed().orElse(0) * 3.6);
     }
@@ -211,17 +210,17 @@ class WorldTest {
     world.command(0, VehicleCommand.drive(0.3));
     world.advanceTo(3 * SECOND);
     assertTrue(world.egoSpeed() > 1, () -> "speed " + world.egoSpeed());
-    double before = world.ego().position();
+    double before = world.station().along();
     assertTrue(before > 1);
     world.command(3 * SECOND, VehicleCommand.brake(1.0));
     world.advanceTo(6 * SECOND);
     assertEquals(0, world.egoSpeed());
-    double stood = world.ego().position();
+    double stood = world.station().along();
     world.advanceTo(7 * SECOND);
-    assertEquals(stood, world.ego().position());
+    assertEquals(stood, world.station().along());
     world.command(7 * SECOND, VehicleCommand.drive(1.0));
     world.advanceTo(9 * SECOND);
-    assertTrue(world.ego().position() > stood + 1);
+    assertTrue(world.station().along() > stood + 1);
   }
 
   @Test
@@ -246,7 +245,7 @@ class WorldTest {
     }
     fine.advanceTo(4 * SECOND);
     coarse.advanceTo(4 * SECOND);
-    assertEquals(coarse.ego().position(), fine.ego().position(), 1e-6);
+    assertEquals(coarse.station().along(), fine.station().along(), 1e-6);
     assertEquals(coarse.egoSpeed(), fine.egoSpeed(), 1e-6);
   }
 }

@@ -339,7 +339,7 @@ class OwnFunctionTest {
         requirements: [RAD-1, RAD-2, RAD-3, RAD-4]
         duration_s: 4
         ego: {speed_kmh: 20}
-        targets:
+        actors:
           - {gap_m: 100, speed_kmh: 20}
         accept:
           formulas:
