@@ -12,7 +12,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.SplittableRandom;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EObject;
 
 /**
@@ -52,13 +54,27 @@ public final class Bench {
    * @param text as it is written
    * @param unit that of the field
    * @param absent what is published while it has no value
+   * @param noise standard deviation of what is published, in the field's unit
    */
-  record Quantity(String text, Term term, Unit unit, double absent) implements Source {
+  record Quantity(String text, Term term, Unit unit, double absent, double noise)
+      implements Source {
 
-    /** The value in the field's unit. */
-    double at(SampledRun moment) {
+    /**
+     * The value in the field's unit.
+     *
+     * @param random where the noise comes from; not asked if there is none
+     */
+    double at(SampledRun moment, SplittableRandom random) {
       double value = term.values().in(moment).applyAsDouble(0);
-      return Double.isNaN(value) ? absent : unit.ofCoherent(value);
+      if (Double.isNaN(value)) {
+        return absent;
+      }
+      return unit.ofCoherent(value) + (noise > 0.0 ? noise * random.nextGaussian() : 0.0);
+    }
+
+    /** The same with noise. */
+    Quantity withNoise(double deviation) {
+      return new Quantity(text, term, unit, absent, deviation);
     }
 
     @Override
@@ -95,18 +111,48 @@ public final class Bench {
    * @param type the full name of the message type
    * @param rate in Hz
    * @param lidar whether its messages are the scans of the roof lidar
+   * @param objects what its messages say of the objects ahead
+   * @param transfer how its messages get to the nodes
    */
   record Provided(
       String topic,
       String type,
       double rate,
       boolean lidar,
+      Optional<ObjectSensor> objects,
       List<Field> fields,
+      Transfer transfer,
       SourceLocation location) {
 
     /** In ns. */
     long period() {
       return Math.round(1e9 / rate);
+    }
+
+    /** The fields of its messages that get values; all those of a lidar do. */
+    Stream<String> paths() {
+      return Stream.concat(
+          fields.stream().map(Field::path),
+          objects.stream().flatMap(it -> it.columns().stream()).map(ObjectSensor.Column::path));
+    }
+  }
+
+  /**
+   * How messages get to the nodes.
+   *
+   * @param latency from the moment that a message is about to that at which it arrives, in ns
+   * @param lost the part of the messages that never arrive, 0 to 1; empty for none
+   */
+  record Transfer(long latency, Optional<Term> lost) {
+
+    /** Whether a message is lost. */
+    boolean loses(SampledRun moment, SplittableRandom random) {
+      return lost.isPresent()
+          && random.nextDouble() < lost.get().values().in(moment).applyAsDouble(0);
+    }
+
+    Set<Signal> signals() {
+      return lost.map(Term::signals).orElse(Set.of());
     }
   }
 
@@ -248,8 +294,11 @@ public final class Bench {
   /** Whether what is sent depends on an input. */
   boolean mayNeed(String input) {
     return provided.values().stream()
-        .flatMap(topic -> topic.fields().stream())
-        .flatMap(field -> field.source().signals().stream())
+        .flatMap(
+            topic ->
+                Stream.concat(
+                    topic.transfer().signals().stream(),
+                    topic.fields().stream().flatMap(field -> field.source().signals().stream())))
         .flatMap(Signal::origins)
         .anyMatch(signal -> signal.name().equals(input));
   }

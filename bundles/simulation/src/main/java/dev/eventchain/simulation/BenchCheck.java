@@ -99,8 +99,11 @@ final class BenchCheck {
         .map(Field::source)
         .filter(Bench.Quantity.class::isInstance)
         .forEach(source -> checkUnit(data, provided.topic(), ((Bench.Quantity) source).unit()));
-    boolean set =
-        provided.fields().stream().map(Field::path).anyMatch(it -> RosNames.overlap(it, path));
+    provided.objects().stream()
+        .flatMap(objects -> objects.columns().stream())
+        .filter(column -> column.path().equals(path))
+        .forEach(column -> checkUnit(data, provided.topic(), column.unit()));
+    boolean set = provided.paths().anyMatch(it -> RosNames.overlap(it, path));
     if (!set) {
       find(
           "bench.field.unset",

@@ -15,12 +15,15 @@ import java.nio.ByteBuffer;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.PriorityQueue;
 import java.util.Set;
+import java.util.SplittableRandom;
 
 /**
  * Connects the nodes with a world in one scenario, as the bench says: publishes what the vehicle
@@ -43,15 +46,21 @@ final class BenchDriver {
     private final MessageValue message;
     private final List<String> stamps = new ArrayList<>();
     private final List<Signal> recorded;
+    private final SplittableRandom random;
     private final long period;
     private long count;
 
     Publisher(
-        Topic topic, Optional<Provided> provided, MessageValue message, List<Signal> recorded) {
+        Topic topic,
+        Optional<Provided> provided,
+        MessageValue message,
+        List<Signal> recorded,
+        long seed) {
       this.topic = topic;
       this.provided = provided;
       this.message = message;
       this.recorded = recorded;
+      this.random = new SplittableRandom(seed + topic.name().hashCode());
       this.period = provided.map(Provided::period).orElse(CLOCK_PERIOD);
       stamps(message.type(), "");
     }
@@ -75,6 +84,17 @@ final class BenchDriver {
     }
   }
 
+  /**
+   * A message that was measured and has not arrived yet.
+   *
+   * @param arrival in ns
+   * @param number in the order in which they were measured
+   * @param publisher index of the topic
+   * @param values what is recorded of it, in coherent units, by the names of the signals
+   */
+  private record Underway(
+      long arrival, long number, int publisher, ByteBuffer bytes, Map<String, Double> values) {}
+
   /** A topic that is received. */
   private record Receiver(
       Topic topic, MessageType type, List<Effect> effects, List<Signal> recorded, long lifetime) {}
@@ -88,6 +108,10 @@ final class BenchDriver {
   private final List<Publisher> publishers = new ArrayList<>();
   private final List<Receiver> receivers = new ArrayList<>();
   private final Map<Actuator, Double> demands = new EnumMap<>(Actuator.class);
+  private final PriorityQueue<Underway> underway =
+      new PriorityQueue<>(
+          Comparator.comparingLong(Underway::arrival).thenComparingLong(Underway::number));
+  private long measured;
 
   /**
    * Offers what is asked for, so that nothing is computed in vain; the clock is always offered.
@@ -103,7 +127,7 @@ final class BenchDriver {
     this.scenario = scenario;
     this.chain = setup.chainSignals();
     this.lidar = new Lidar(scenario.situation().ego().lidar(), scenario.seed());
-    publishers.add(new Publisher(CLOCK, Optional.empty(), message(CLOCK), List.of()));
+    publishers.add(new Publisher(CLOCK, Optional.empty(), message(CLOCK), List.of(), 0));
     Set<String> read = setup.topicsRead();
     bench.provided().values().stream()
         .filter(topic -> read.contains(topic.topic()))
@@ -120,7 +144,8 @@ final class BenchDriver {
     MessageValue message = message(topic);
     checked(topic, () -> constants(provided, message));
     publishers.add(
-        new Publisher(topic, Optional.of(provided), message, recorded(provided.topic())));
+        new Publisher(
+            topic, Optional.of(provided), message, recorded(provided.topic()), scenario.seed()));
   }
 
   private void receive(Consumed consumed) {
@@ -188,6 +213,9 @@ final class BenchDriver {
     if (provided.lidar()) {
       Lidar.describe(message);
     }
+    provided
+        .objects()
+        .ifPresent(it -> it.columns().forEach(each -> message.set(each.path(), List.of())));
     for (Bench.Field field : provided.fields()) {
       message.set(field.path(), field.source().example());
     }
@@ -205,24 +233,41 @@ final class BenchDriver {
 
   /** When the next message is due, in ns; after what was sensed last. */
   long nextDue() {
-    return publishers.stream().mapToLong(Publisher::due).min().orElseThrow();
+    long due = publishers.stream().mapToLong(Publisher::due).min().orElseThrow();
+    return underway.isEmpty() ? due : Math.min(due, underway.peek().arrival());
   }
 
   /** What the sensors see at this moment: a message on each topic where one is due. */
   List<LockstepChannel.Inbound> sense(World world) {
     SampledRun moment = new SampledRun(world.moment());
-    List<LockstepChannel.Inbound> sensed = new ArrayList<>();
     for (int i = 0; i < publishers.size(); i++) {
-      Publisher publisher = publishers.get(i);
-      if (publisher.due() <= world.now()) {
-        publisher.count++;
-        checked(publisher.topic, () -> update(publisher, world, moment));
-        sensed.add(
-            new LockstepChannel.Inbound(i, ByteBuffer.wrap(CdrCodec.encode(publisher.message))));
-        record(publisher.recorded, publisher.message, world.now(), world);
+      if (publishers.get(i).due() <= world.now()) {
+        measure(i, world, moment);
       }
     }
+    List<LockstepChannel.Inbound> sensed = new ArrayList<>();
+    while (!underway.isEmpty() && underway.peek().arrival() <= world.now()) {
+      Underway message = underway.remove();
+      sensed.add(new LockstepChannel.Inbound(message.publisher(), message.bytes()));
+      message.values().forEach((name, it) -> world.trace().sample(name, world.now(), it));
+    }
     return sensed;
+  }
+
+  private void measure(int index, World world, SampledRun moment) {
+    Publisher publisher = publishers.get(index);
+    publisher.count++;
+    checked(publisher.topic, () -> update(publisher, world, moment));
+    Optional<Bench.Transfer> transfer = publisher.provided.map(Provided::transfer);
+    if (transfer.filter(it -> it.loses(moment, publisher.random)).isEmpty()) {
+      underway.add(
+          new Underway(
+              world.now() + transfer.map(Bench.Transfer::latency).orElse(0L),
+              measured++,
+              index,
+              ByteBuffer.wrap(CdrCodec.encode(publisher.message)),
+              values(publisher.recorded, publisher.message)));
+    }
   }
 
   private void update(Publisher publisher, World world, SampledRun moment) {
@@ -235,9 +280,10 @@ final class BenchDriver {
     if (publisher.provided.get().lidar()) {
       lidar.scan(RoadScene.of(world), message);
     }
+    publisher.provided.get().objects().ifPresent(it -> it.fill(world, publisher.random, message));
     for (Bench.Field field : publisher.provided.get().fields()) {
       if (field.source() instanceof Bench.Quantity quantity) {
-        send(message, field, quantity.at(moment));
+        send(message, field, quantity.at(moment, publisher.random));
       } else if (field.source() instanceof Bench.Truth truth) {
         message.set(field.path(), truth.formula().holds(moment));
       }
@@ -271,7 +317,8 @@ final class BenchDriver {
     outbound.message().duplicate().get(bytes);
     MessageValue message = CdrCodec.decode(receiver.type(), bytes);
     expire(receiver, outbound.time(), world);
-    record(receiver.recorded(), message, outbound.time(), world);
+    values(receiver.recorded(), message)
+        .forEach((name, it) -> world.trace().sample(name, outbound.time(), it));
     for (Effect effect : receiver.effects()) {
       demands.put(effect.actuator().get(), effect.demand(number(message, effect.path())));
     }
@@ -291,11 +338,14 @@ final class BenchDriver {
         .forEach(signal -> world.trace().expire(signal.name(), now, receiver.lifetime()));
   }
 
-  private static void record(List<Signal> signals, MessageValue message, long time, World world) {
+  /** The fields of a message that are recorded, in coherent units. */
+  private static Map<String, Double> values(List<Signal> signals, MessageValue message) {
+    Map<String, Double> values = new LinkedHashMap<>();
     for (Signal signal : signals) {
       double value = number(message, BenchSignals.fieldOf(signal));
-      world.trace().sample(signal.name(), time, signal.dimension().coherent(value));
+      values.put(signal.name(), signal.dimension().coherent(value));
     }
+    return values;
   }
 
   /** A field's number; 1 and 0 for what is true or false. */

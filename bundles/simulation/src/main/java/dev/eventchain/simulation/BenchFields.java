@@ -3,7 +3,6 @@ package dev.eventchain.simulation;
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
@@ -11,7 +10,6 @@ import dev.eventchain.messages.FieldType;
 import dev.eventchain.messages.MessageType;
 import dev.eventchain.messages.MessageValue;
 import dev.eventchain.messages.Unit;
-import dev.eventchain.simulation.Bench.Effect;
 import dev.eventchain.simulation.Bench.Field;
 import dev.eventchain.simulation.Bench.Source;
 import java.util.ArrayList;
@@ -23,12 +21,14 @@ import java.util.stream.Stream;
 /** Reads what single fields of a bench's topics are connected with. */
 final class BenchFields {
 
-  private static final String OBSERVED = "observed";
   private static final String VALUE = "value";
   private static final String CONSTANT = "constant";
-  private static final String NO_VALUE = "This is no value that a field can have.";
-  private static final String DRIVES = "drives";
+
+  /** Of what is no text, number, truth value or list. */
+  static final String NO_VALUE = "This is no value that a field can have.";
+
   private static final String UNIT = "unit";
+  private static final String NOISE = "noise";
 
   private final DeclaredSignals declared;
   private final YamlText source;
@@ -91,8 +91,8 @@ final class BenchFields {
     return found.map(it -> new Field(path, it, part.atKey(path)));
   }
 
-  private static Optional<FieldType> type(
-      ObjectReader part, String path, Optional<MessageType> message) {
+  /** The type of a field; that there is none is a finding. */
+  static Optional<FieldType> type(ObjectReader part, String path, Optional<MessageType> message) {
     if (message.isEmpty()) {
       return Optional.empty();
     }
@@ -113,6 +113,7 @@ final class BenchFields {
     }
     double absent = section.number("absent", NumberRange.of(-1e12, 1e12)).orElse(0.0);
     Optional<String> unitText = section.text(UNIT);
+    double noise = section.number(NOISE, NumberRange.of(0, 1e6)).orElse(0.0);
     Optional<Source> found =
         section.has(CONSTANT)
             ? constant(section)
@@ -128,7 +129,10 @@ final class BenchFields {
                             absent,
                             type));
     section.refuseOthers();
-    return found;
+    if (noise > 0.0 && found.isPresent() && !(found.get() instanceof Bench.Quantity)) {
+      section.find("bench.value.range", "Only a quantity can have noise.", section.at(NOISE));
+    }
+    return found.map(source -> source instanceof Bench.Quantity it ? it.withNoise(noise) : source);
   }
 
   private static Optional<Source> constant(ObjectReader section) {
@@ -193,8 +197,7 @@ final class BenchFields {
    *
    * @return what people wrote; empty if neither says any, or what is said is wrong
    */
-  private Optional<String> unit(
-      ObjectReader section, Optional<String> written, String topic, String path) {
+  Optional<String> unit(ObjectReader section, Optional<String> written, String topic, String path) {
     Optional<String> known = declared.unit(topic, path);
     if (written.isPresent() && BenchInputs.unit(section, written.get()).isEmpty()) {
       return Optional.empty();
@@ -267,8 +270,34 @@ final class BenchFields {
         : quantity(section, place, text, (Term) part, unit, absent);
   }
 
-  private static boolean takes(FieldType type, boolean truth) {
+  /** Whether a field can hold what is true or false, or else a number. */
+  static boolean takes(FieldType type, boolean truth) {
     return BenchSignals.isNumberOrTruth(type) && (type.kind() == FieldType.Kind.BOOL) == truth;
+  }
+
+  /**
+   * A part of something, as a quantity without a unit; nothing if it is none.
+   *
+   * @param key where it stands as a formula
+   */
+  Optional<Term> part(ObjectReader section, String key) {
+    Optional<String> text = section.text(key);
+    if (text.isEmpty()) {
+      return Optional.empty();
+    }
+    SourceLocation place = section.at(key);
+    try {
+      FormulaParser.Part part = FormulaParser.parseMoment(source.range(place, text.get()), signals);
+      if (part instanceof Term term
+          && !term.truth()
+          && BenchInputs.fits(term, Unit.parse("1").orElseThrow())) {
+        return Optional.of(term);
+      }
+      section.find("bench.unit", "'" + text.get() + "' is no part, such as 5 %.", place);
+    } catch (DiagnosticException e) {
+      e.diagnostics().forEach(section::find);
+    }
+    return Optional.empty();
   }
 
   private static Optional<Source> quantity(
@@ -294,97 +323,6 @@ final class BenchFields {
               "bench.unit", "'%s' cannot be sent in %s.".formatted(text, unitText.get()), place));
       return Optional.empty();
     }
-    return Optional.of(new Bench.Quantity(text, term, unit.orElse(plain), absent));
-  }
-
-  /** What a field that the vehicle consumes does; nothing if that is wrong. */
-  Optional<Effect> effect(
-      ObjectReader part, String topic, String path, Optional<MessageType> message) {
-    Optional<FieldType> type = type(part, path, message);
-    Optional<JsonNode> value = part.value(path);
-    if (value.isEmpty()) {
-      part.find("bench.value.range", NO_VALUE, part.at(path));
-    }
-    if (value.isEmpty() || (message.isPresent() && type.isEmpty())) {
-      return Optional.empty();
-    }
-    if (!value.get().isObject()) {
-      Optional<String> unit = unit(part, value.get(), topic, path);
-      return part.text(path)
-          .flatMap(name -> effect(part, path, name, unit, type))
-          .map(it -> new Effect(path, it.actuator(), it.unit(), false, part.atKey(path)));
-    }
-    Optional<ObjectReader> section = part.object(path);
-    return section.flatMap(
-        it -> {
-          Optional<String> unit = unit(it, it.text(UNIT), topic, path);
-          boolean required = it.has("required");
-          it.requireTrue("required");
-          String name = it.requiredText(DRIVES);
-          it.refuseOthers();
-          return effect(it, DRIVES, name, unit, type)
-              .map(
-                  effect ->
-                      new Effect(
-                          path, effect.actuator(), effect.unit(), required, part.atKey(path)));
-        });
-  }
-
-  /** The unit of a field; one that nobody understands may be observed, but drives nothing. */
-  private Optional<String> unit(ObjectReader part, JsonNode does, String topic, String path) {
-    return does.asText().equals(OBSERVED)
-        ? declared.unit(topic, path).filter(text -> Unit.parse(text).isPresent())
-        : unit(part, Optional.empty(), topic, path);
-  }
-
-  /** What a field drives, and in which unit. */
-  private record Driven(Optional<Actuator> actuator, String unit) {}
-
-  /** What an effect is about; nothing if it is wrong. */
-  private static Optional<Driven> effect(
-      ObjectReader section,
-      String key,
-      String name,
-      Optional<String> unitText,
-      Optional<FieldType> type) {
-    Optional<Actuator> actuator = Actuator.find(name);
-    if (actuator.isEmpty() && !name.equals(OBSERVED)) {
-      List<String> known = new ArrayList<>(Actuator.ids());
-      known.add(OBSERVED);
-      section.find(
-          Diagnostic.error(
-                  "bench.actuator.unknown", "The vehicle takes no '" + name + "'.", section.at(key))
-              .withHint(NearestName.hint(name, known)));
-      return Optional.empty();
-    }
-    if (actuator.isEmpty()) {
-      return Optional.of(new Driven(actuator, unitText.orElse("1")));
-    }
-    if (type.isPresent() && !takes(type.get(), actuator.get().truth())) {
-      String wanted = actuator.get().truth() ? "true or false" : "a number";
-      section.find(
-          "bench.value.type",
-          "'" + name + "' is " + wanted + ", but the field is " + type.get() + ".",
-          section.at(key));
-      return Optional.empty();
-    }
-    return unitFits(section, key, actuator.get(), unitText)
-        ? Optional.of(new Driven(actuator, unitText.orElse("1")))
-        : Optional.empty();
-  }
-
-  private static boolean unitFits(
-      ObjectReader section, String key, Actuator actuator, Optional<String> unitText) {
-    Unit unit = Unit.parse(unitText.orElse("1")).orElseThrow();
-    Unit.Relation relation = unit.relationTo(actuator.unit());
-    boolean fits = relation == Unit.Relation.SAME || relation == Unit.Relation.CONVERTIBLE;
-    if (!fits) {
-      String found = unitText.map(text -> "in " + text).orElse("without a unit");
-      section.find(
-          "bench.unit",
-          "'%s' is in %s, but the field %s.".formatted(actuator.id(), actuator.unitText(), found),
-          section.at(key));
-    }
-    return fits;
+    return Optional.of(new Bench.Quantity(text, term, unit.orElse(plain), absent, 0.0));
   }
 }

@@ -32,6 +32,10 @@ final class BenchListing {
     bench.signals().inputs().values().forEach(it -> row(it.name(), it.unit(), it.meaning()));
     line("and these sensors:");
     row("lidar", "", "roof lidar, sensor_msgs/msg/PointCloud2");
+    row("objects", "", "list of the objects ahead, with for each of them:");
+    for (ObjectSensor.Property property : ObjectSensor.Property.values()) {
+      row("  " + property.id(), property.unitText(), property.meaning());
+    }
     line("The vehicle takes:");
     for (Actuator actuator : Actuator.values()) {
       row(actuator.id(), actuator.truth() ? "" : actuator.unitText(), actuator.meaning());
@@ -57,6 +61,13 @@ final class BenchListing {
     if (topic.lidar()) {
       row("*", "", "scans of the lidar");
     }
+    topic
+        .objects()
+        .ifPresent(
+            it ->
+                it.columns()
+                    .forEach(
+                        each -> row(each.path(), "", each.property().id() + " of each object")));
     for (Field field : topic.fields()) {
       if (field.source() instanceof Bench.Quantity quantity) {
         row(field.path(), "", quantity.text());

@@ -29,11 +29,14 @@ final class BenchTopics {
   private static final NumberRange RATE = NumberRange.of(0.1, 1000);
   private static final String SENSOR = "sensor";
   private static final String LIDAR = "lidar";
+  private static final String OBJECTS = "objects";
+  private static final NumberRange LATENCY = NumberRange.of(0, 2000);
   private static final String POINT_CLOUD = "sensor_msgs/msg/PointCloud2";
 
   private final DeclaredSignals declared;
   private final Optional<MessageCatalog> catalog;
   private final BenchFields fields;
+  private final BenchEffects effects;
 
   /** Where the name of the topic stands that is read. */
   private SourceLocation place = SourceLocation.NONE;
@@ -54,6 +57,7 @@ final class BenchTopics {
     this.declared = declared;
     this.catalog = catalog;
     this.fields = new BenchFields(declared, inputs, source);
+    this.effects = new BenchEffects(declared, fields);
   }
 
   /** Reads both sections into maps with the topics' full names. */
@@ -100,12 +104,17 @@ final class BenchTopics {
             part ->
                 part.names()
                     .forEach(path -> fields.read(part, topic, path, message).ifPresent(read::add)));
-    if (isEmpty(section) && !section.has(SENSOR)) {
+    Optional<ObjectSensor> objects =
+        section.object(OBJECTS).map(part -> new ObjectsReader(declared, topic, message).read(part));
+    double latency = section.number("latency_ms", LATENCY).orElse(0);
+    Bench.Transfer transfer =
+        new Bench.Transfer(Math.round(latency * 1e6), fields.part(section, "lost"));
+    if (isEmpty(section) && !section.has(SENSOR) && !section.has(OBJECTS)) {
       section.find(
           "bench.key.missing", "No field of " + topic + " has a source.", section.location());
     }
     section.refuseOthers();
-    return new Provided(topic, type, rate, lidar, read, place);
+    return new Provided(topic, type, rate, lidar, objects, read, transfer, place);
   }
 
   private static boolean isEmpty(ObjectReader section) {
@@ -181,7 +190,7 @@ final class BenchTopics {
   private Consumed consumed(ObjectReader section, String topic) {
     String type = type(section, topic, "");
     Optional<MessageType> message = message(section, type);
-    List<Effect> effects = new ArrayList<>();
+    List<Effect> read = new ArrayList<>();
     section
         .object("fields")
         .ifPresent(
@@ -189,9 +198,9 @@ final class BenchTopics {
                 part.names()
                     .forEach(
                         path ->
-                            fields
-                                .effect(part, topic, path, message)
-                                .ifPresent(effect -> add(part, effect, effects))));
+                            effects
+                                .read(part, topic, path, message)
+                                .ifPresent(effect -> add(part, effect, read))));
     boolean observed = section.has("observed");
     section.requireTrue("observed");
     if (isEmpty(section) && !observed) {
@@ -203,11 +212,11 @@ final class BenchTopics {
               .withHint("Write `observed: true` if the vehicle only receives it."));
     }
     section.refuseOthers();
-    return new Consumed(topic, type, effects, place);
+    return new Consumed(topic, type, read, place);
   }
 
-  private void add(ObjectReader part, Effect effect, List<Effect> effects) {
-    effects.add(effect);
+  private void add(ObjectReader part, Effect effect, List<Effect> read) {
+    read.add(effect);
     if (effect.actuator().isEmpty()) {
       return;
     }

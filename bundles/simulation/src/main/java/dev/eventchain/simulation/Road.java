@@ -62,6 +62,16 @@ record Road(double curvature, double laneWidth) {
     return new Station(along, side * (radius - StrictMath.hypot(x, toCentre)));
   }
 
+  /** To the left line of the ego's lane from what is left of its centre line by an offset, in m. */
+  double toTheLeft(double offset) {
+    return laneWidth / 2 - offset;
+  }
+
+  /** The same to the right line. */
+  double toTheRight(double offset) {
+    return laneWidth / 2 + offset;
+  }
+
   /** The direction of the road at a distance along it, in rad. */
   double heading(double along) {
     return along * curvature;

@@ -113,7 +113,8 @@ final class ScenarioJudge {
     return switch (signal.name()) {
       case "brake" -> setup.drives(Actuator.BRAKE, Actuator.ACCELERATION);
       case "throttle" -> setup.drives(Actuator.THROTTLE, Actuator.ACCELERATION);
-      case "steering", "ego.offset", "ego.heading", "ego.yaw_rate" ->
+      case "lane.width" -> false;
+      case "steering", "ego.offset", "ego.heading", "ego.yaw_rate", "lane.left", "lane.right" ->
           setup.drives(Actuator.STEERING, Actuator.STEERING_ANGLE);
       default -> WorldSignals.isKnown(signal.name()) && setup.drives(Actuator.values());
     };

@@ -30,7 +30,8 @@ final class ScenarioRunner {
   Run run(Scenario scenario) {
     BenchDriver driver = new BenchDriver(setup, scenario);
     JsonNode ready = session.configure(setup.configuration(scenario, driver));
-    World world = new World(scenario.situation(), new Trace(scenario.inputs()));
+    Situation situation = scenario.situation();
+    World world = new World(situation, new Trace(scenario.inputs(), situation.road()));
     long end = World.nanoseconds(scenario.duration());
     long stoppedAt = scenario.situation().ego().speed() > 0 ? Long.MAX_VALUE : end;
     long started = System.nanoTime();

@@ -68,6 +68,7 @@ final class Trace {
   record Sample(long time, double value) {}
 
   private final Map<String, Script> inputs;
+  private final Road road;
   private final List<State> states = new ArrayList<>();
   private final Map<String, List<Sample>> samples = new HashMap<>();
   private final List<Command> commands = new ArrayList<>();
@@ -78,7 +79,7 @@ final class Trace {
 
   /** A trace without inputs. */
   Trace() {
-    this(Map.of());
+    this(Map.of(), Road.STRAIGHT);
   }
 
   /**
@@ -86,13 +87,19 @@ final class Trace {
    *
    * @param inputs what people do in the scenario, by the names of the bench's inputs
    */
-  Trace(Map<String, Script> inputs) {
+  Trace(Map<String, Script> inputs, Road road) {
     this.inputs = Map.copyOf(inputs);
+    this.road = road;
+  }
+
+  /** The road that it happened on. */
+  Road road() {
+    return road;
   }
 
   /** A trace of a single moment, with the last command before it. */
   Trace moment(State state) {
-    Trace moment = new Trace(inputs);
+    Trace moment = new Trace(inputs, road);
     moment.state(state);
     if (!commands.isEmpty()) {
       moment.commands.add(commands.get(commands.size() - 1));
@@ -112,7 +119,7 @@ final class Trace {
 
   /** The same as if some signals of topics had never come. */
   Trace without(Set<String> signals) {
-    Trace other = new Trace(inputs);
+    Trace other = new Trace(inputs, road);
     other.states.addAll(states);
     other.commands.addAll(commands);
     other.samples.putAll(samples);

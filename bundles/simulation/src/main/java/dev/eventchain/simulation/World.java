@@ -75,6 +75,11 @@ final class World {
     return situation.road();
   }
 
+  /** All others, also those that are gone. */
+  List<Actor> allActors() {
+    return situation.actors();
+  }
+
   /** All others, but for those that drove into the ego's rear. */
   List<Actor> actors() {
     List<Actor> actors = situation.actors();

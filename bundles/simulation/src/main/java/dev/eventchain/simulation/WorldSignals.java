@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.BiFunction;
 import java.util.function.Function;
 import java.util.function.Predicate;
 import java.util.function.ToDoubleFunction;
@@ -32,6 +33,10 @@ final class WorldSignals implements Signal.Source {
         "1",
         "heading as quaternion, w",
         ofPose(pose -> StrictMath.cos(pose.heading() / 2)));
+    addLane("lane.left", "m", "front bumper's middle to the left line", Road::toTheLeft);
+    addLane("lane.right", "m", "front bumper's middle to the right line", Road::toTheRight);
+    addLane("lane.width", "m", "from line to line", (road, offset) -> road.laneWidth());
+    addLane("lane.curvature", "1/m", "of the road, to the left", (road, it) -> road.curvature());
     addTruth("lead.present", "whether a vehicle is in the path", s -> Double.isFinite(s.gap()));
     addAhead("gap", "m", "bumper to bumper", Trace.State::gap);
     addAhead("lead.speed", "m/s", "speed of the nearest in the path", Trace.State::leadSpeed);
@@ -58,6 +63,18 @@ final class WorldSignals implements Signal.Source {
       String name, String unit, String meaning, ToDoubleFunction<Trace.State> value) {
     SIGNALS.put(
         name, new Signal(name, unit, false, meaning, ofStates(value), WorldSignals::nothingAhead));
+  }
+
+  private static void addLane(
+      String name, String unit, String meaning, BiFunction<Road, Double, Double> value) {
+    add(
+        name,
+        unit,
+        meaning,
+        trace ->
+            trace.states().stream()
+                .mapToDouble(state -> value.apply(trace.road(), state.pose().offset()))
+                .toArray());
   }
 
   private static void addCommand(

@@ -45,6 +45,8 @@ class BenchTest {
               field("range", "m"),
               field("range_rate", "km/h"),
               field("quality", "")),
+          signal("/radar/objects", "demo_msgs/msg/ObjectList", Direction.PROVIDED),
+          signal("/camera/left", "std_msgs/msg/Float32", Direction.PROVIDED),
           signal("/radar/roof", "sensor_msgs/msg/PointCloud2", Direction.PROVIDED),
           signal("/lamp", "std_msgs/msg/Bool", Direction.CONSUMED),
           signal(
@@ -146,6 +148,10 @@ class BenchTest {
         "unknown-base",
         "no-such-sensor",
         "nothing-sent",
+        "objects-of-nothing",
+        "objects-without-fields",
+        "object-property",
+        "lost-messages",
         "no-such-actuator",
         "nothing-taken",
         "input-with-both");
