@@ -189,7 +189,10 @@ final class SimulationReport {
             .filter(criterion -> criterion.tested() && !criterion.passed())
             .map(criterion -> "not met: %s (%s)".formatted(criterion.text(), criterion.measured()))
             .findFirst()
-            .orElse("%d criteria hold".formatted(criteria.size()));
+            .orElse(
+                criteria.size() == 1
+                    ? "1 criterion holds"
+                    : "%d criteria hold".formatted(criteria.size()));
     return verdict
         .latency()
         .map(latency -> words + format(", latency up to %.0f ms", latency.maximum()))

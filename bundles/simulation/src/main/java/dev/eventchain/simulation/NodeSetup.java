@@ -125,9 +125,15 @@ final class NodeSetup {
     return bench().provided().keySet().stream().filter(read::contains).findFirst().orElse("");
   }
 
-  /** The first topic by which a node commands the vehicle; empty if none does. */
+  /**
+   * The first topic by which a node commands the vehicle, or else the first that the vehicle only
+   * receives, such as a lamp; empty if there is none.
+   */
   String exit() {
-    return commands().stream().filter(topicsWritten()::contains).findFirst().orElse("");
+    return Stream.concat(commands().stream(), bench().consumed().keySet().stream())
+        .filter(topicsWritten()::contains)
+        .findFirst()
+        .orElse("");
   }
 
   /**
