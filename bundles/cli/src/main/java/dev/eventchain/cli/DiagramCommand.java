@@ -90,7 +90,14 @@ final class DiagramCommand extends ProjectCommand {
   }
 
   private Outcome makeModel(Project project, Path results) {
-    return execute(project, results, Stage.DESIGN, Stage.MODEL, false, new LlmOptions(), List.of());
+    return execute(
+        project,
+        results,
+        Stage.DESIGN,
+        Stage.MODEL,
+        false,
+        new LlmOptions(),
+        new ScenarioOptions());
   }
 
   private Set<Kind> kindsOr(Kind... otherwise) {

@@ -74,7 +74,7 @@ final class GenerateCommand extends ProjectCommand {
         Stage.GENERATE,
         true,
         new LlmOptions(),
-        List.of());
+        new ScenarioOptions());
   }
 
   private Outcome generateText() {

@@ -132,7 +132,7 @@ abstract class ProjectCommand implements Callable<Integer> {
       Stage last,
       boolean again,
       LlmOptions llm,
-      List<String> scenarios) {
+      ScenarioOptions scenarios) {
     return execute(project, outputOf(project), first, last, again, llm, scenarios);
   }
 
@@ -144,7 +144,7 @@ abstract class ProjectCommand implements Callable<Integer> {
       Stage last,
       boolean again,
       LlmOptions llm,
-      List<String> scenarios) {
+      ScenarioOptions scenarios) {
     RunOptions options =
         new RunOptions(
             results,
@@ -154,7 +154,8 @@ abstract class ProjectCommand implements Callable<Integer> {
             Optional.ofNullable(llm.llm),
             llm.record,
             overwrite,
-            scenarios,
+            scenarios.scenarios,
+            scenarios.mcap,
             reporting.suppressions(project.suppressions(), console.today()),
             timeLimit());
     return Outcome.of(
@@ -163,7 +164,12 @@ abstract class ProjectCommand implements Callable<Integer> {
 
   /** As above, from a project's folder, for a run that may be to reach a verdict. */
   final Outcome execute(
-      Path folder, Stage first, Stage last, boolean again, LlmOptions llm, List<String> scenarios) {
+      Path folder,
+      Stage first,
+      Stage last,
+      boolean again,
+      LlmOptions llm,
+      ScenarioOptions scenarios) {
     try {
       return execute(Project.open(folder), first, last, again, llm, scenarios);
     } catch (DiagnosticException e) {
@@ -223,6 +229,7 @@ abstract class ProjectCommand implements Callable<Integer> {
       console.out().println((judged ? result.verdict() + ": " : "") + result.summary());
     }
     result.report().ifPresent(report -> console.out().println("Report: " + report));
+    result.recordings().forEach(file -> console.out().println("Recording: " + file));
   }
 
   private static String word(RunResult.ScenarioLine line) {

@@ -2,7 +2,6 @@ package dev.eventchain.cli;
 
 import dev.eventchain.pipeline.Stage;
 import java.nio.file.Path;
-import java.util.List;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -35,11 +34,7 @@ final class RunCommand extends ProjectCommand {
   @Option(names = "--again", description = "Run stages even where nothing has changed.")
   private boolean again;
 
-  @Option(
-      names = "--scenario",
-      paramLabel = "NAME",
-      description = "Simulate this scenario only; may be repeated.")
-  private List<String> scenarios = List.of();
+  @Mixin private ScenarioOptions scenarios;
 
   @Mixin private LlmOptions llm;
 
@@ -52,6 +47,10 @@ final class RunCommand extends ProjectCommand {
     if (from.compareTo(to) > 0) {
       throw wrongUsage(
           "the stage " + from.id() + " (--from) comes after the stage " + to.id() + " (--to)");
+    }
+    if (scenarios.mcap
+        && (from.compareTo(Stage.SIMULATE) > 0 || to.compareTo(Stage.SIMULATE) < 0)) {
+      throw wrongUsage("--mcap records a simulation, and the stage simulate is not run");
     }
     return execute(folder, from, to, again, llm, scenarios);
   }

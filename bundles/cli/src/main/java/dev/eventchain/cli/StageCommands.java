@@ -2,10 +2,8 @@ package dev.eventchain.cli;
 
 import dev.eventchain.pipeline.Stage;
 import java.nio.file.Path;
-import java.util.List;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
 /** The commands that run a single stage, always anew. */
@@ -29,7 +27,7 @@ final class StageCommands {
 
     @Override
     Outcome work() {
-      return execute(folder, stage, stage, true, llm, List.of());
+      return execute(folder, stage, stage, true, llm, new ScenarioOptions());
     }
   }
 
@@ -82,11 +80,7 @@ final class StageCommands {
     @Parameters(paramLabel = "DIR", description = "The project's folder.")
     private Path folder;
 
-    @Option(
-        names = "--scenario",
-        paramLabel = "NAME",
-        description = "Simulate this scenario only; may be repeated.")
-    private List<String> scenarios = List.of();
+    @Mixin private ScenarioOptions scenarios;
 
     Simulate(Console console) {
       super(console);

@@ -76,6 +76,6 @@ final class ValidateCommand extends ProjectCommand {
   private Outcome validate(Project project) {
     boolean ready = project.isReadyToValidate(outputOf(project));
     Stage first = ready ? Stage.VALIDATE : Stage.DESIGN;
-    return execute(project, first, Stage.VALIDATE, ready, llm, List.of());
+    return execute(project, first, Stage.VALIDATE, ready, llm, new ScenarioOptions());
   }
 }

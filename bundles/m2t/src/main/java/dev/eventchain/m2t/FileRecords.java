@@ -9,7 +9,10 @@ import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
 import dev.eventchain.diagnostics.Sha256;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.Map;
 import java.util.Optional;
@@ -25,6 +28,7 @@ import java.util.TreeSet;
 final class FileRecords {
   private static final String RECORDS = OutputPath.RESERVED + "/files.json";
   private static final String JOURNAL = OutputPath.RESERVED + "/files.journal";
+  private static final int PIECE = 1 << 16;
   private static final JsonFactory JSON = new JsonFactory();
 
   private final OutputStorage storage;
@@ -68,7 +72,11 @@ final class FileRecords {
 
   /** Whether the content of a file is one that we gave it, apart from protected areas. */
   boolean isOurs(String path, byte[] content) {
-    String hash = fingerprint(content);
+    return isOurs(path, fingerprint(content));
+  }
+
+  /** As above, of a content of this fingerprint. */
+  boolean isOurs(String path, String hash) {
     return hash.equals(hashes.get(path)) || journal.getOrDefault(path, Set.of()).contains(hash);
   }
 
@@ -154,5 +162,18 @@ final class FileRecords {
   /** What the records keep of a content: a hash of what is outside of its protected areas. */
   static String fingerprint(byte[] content) {
     return new Sha256().add(ProtectedAreas.withoutAreas(content)).hex();
+  }
+
+  /** As above, of a large file, which has no protected areas. */
+  static String fingerprint(Path file) throws IOException {
+    Sha256 hash = new Sha256();
+    try (InputStream input = Files.newInputStream(file)) {
+      for (byte[] piece = input.readNBytes(PIECE);
+          piece.length > 0;
+          piece = input.readNBytes(PIECE)) {
+        hash.add(piece);
+      }
+    }
+    return hash.hex();
   }
 }

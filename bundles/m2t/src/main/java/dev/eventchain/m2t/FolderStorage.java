@@ -22,6 +22,7 @@ import java.util.Set;
  */
 final class FolderStorage implements OutputStorage {
   private static final String NEW_FILE = "new-file";
+  private static final String LARGE_FILES = "new-files";
 
   private final Path shownBase;
   private final Path base;
@@ -50,6 +51,7 @@ final class FolderStorage implements OutputStorage {
     FolderLock lock = FolderLock.acquire(records.resolve("lock"));
     try {
       Files.deleteIfExists(records.resolve(NEW_FILE));
+      empty(records.resolve(LARGE_FILES));
       return new FolderStorage(folder, base, records, lock);
     } catch (IOException e) {
       lock.release();
@@ -79,6 +81,37 @@ final class FolderStorage implements OutputStorage {
       Files.deleteIfExists(fresh);
       throw e;
     }
+  }
+
+  /** What a killed run has left. A link is not followed. */
+  private static void empty(Path folder) throws IOException {
+    if (!Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)) {
+      Files.deleteIfExists(folder);
+      return;
+    }
+    try (DirectoryStream<Path> files = Files.newDirectoryStream(folder)) {
+      for (Path file : files) {
+        Files.delete(file);
+      }
+    }
+    Files.delete(folder);
+  }
+
+  @Override
+  public Path scratch() throws IOException {
+    return Files.createDirectories(records.resolve(LARGE_FILES));
+  }
+
+  @Override
+  public void move(Path finished, String path) throws IOException {
+    Path file = place(path);
+    Files.createDirectories(parentOf(file));
+    Files.move(finished, file, StandardCopyOption.ATOMIC_MOVE, StandardCopyOption.REPLACE_EXISTING);
+  }
+
+  @Override
+  public Optional<Path> find(String path) throws IOException {
+    return Optional.of(place(path)).filter(Files::isRegularFile);
   }
 
   @Override

@@ -86,7 +86,7 @@ final class GeneratedFiles {
             ? Optional.of(StandardCharsets.UTF_8)
             : FileCharsets.named(tag.charset().get(), tag.charsetPlace(), run);
     if (path.refused()) {
-      var refused = OutputFolder.refused(tag.name(), path);
+      var refused = OutputFindings.refused(tag.name(), path);
       run.error(refused.id(), tag.place(), refused.message(), refused.hint());
       return;
     }

@@ -1,5 +1,6 @@
 package dev.eventchain.m2t;
 
+import java.nio.file.Path;
 import java.util.Map;
 import java.util.Optional;
 
@@ -26,6 +27,21 @@ record MemoryStorage(Map<String, byte[]> files) implements OutputStorage {
   @Override
   public void delete(String path) {
     files.remove(path);
+  }
+
+  @Override
+  public Path scratch() {
+    throw new UnsupportedOperationException("large files are on a disk");
+  }
+
+  @Override
+  public void move(Path finished, String path) {
+    throw new UnsupportedOperationException("large files are on a disk");
+  }
+
+  @Override
+  public Optional<Path> find(String path) {
+    return Optional.empty();
   }
 
   @Override

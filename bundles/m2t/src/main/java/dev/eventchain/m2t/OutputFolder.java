@@ -3,7 +3,6 @@ package dev.eventchain.m2t;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.diagnostics.SourceText;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -64,11 +63,13 @@ public final class OutputFolder implements AutoCloseable {
 
   private final OutputStorage storage;
   private final FileRecords records;
+  private final OutputFindings findings;
   private boolean closed;
 
   private OutputFolder(OutputStorage storage, FileRecords records) {
     this.storage = storage;
     this.records = records;
+    this.findings = new OutputFindings(storage);
   }
 
   /**
@@ -82,14 +83,14 @@ public final class OutputFolder implements AutoCloseable {
       FolderStorage storage = FolderStorage.open(base);
       return new OutputFolder(storage, new FileRecords(storage));
     } catch (FolderLock.HeldException e) {
-      throw failure(
+      throw OutputFindings.failure(
           Diagnostic.error(
                   "output.locked",
                   "The output folder is in use by " + e.getMessage() + ".",
                   SourceLocation.of(base))
               .withHint("Wait for the other run to end, or choose another folder with -o."));
     } catch (IOException e) {
-      throw unwritable(base.toString(), e);
+      throw OutputFindings.unwritable(base.toString(), e);
     }
   }
 
@@ -103,7 +104,7 @@ public final class OutputFolder implements AutoCloseable {
       MemoryStorage storage = new MemoryStorage(files);
       return new OutputFolder(storage, new FileRecords(storage));
     } catch (IOException e) {
-      throw unwritable("memory", e);
+      throw OutputFindings.unwritable("memory", e);
     }
   }
 
@@ -120,14 +121,14 @@ public final class OutputFolder implements AutoCloseable {
   public synchronized Written write(String name, byte[] content, OnEdit onEdit) {
     OutputPath path = OutputPath.of(name);
     if (path.refused()) {
-      return new Written(Outcome.REFUSED, Optional.of(refusedHere(name, path)));
+      return new Written(Outcome.REFUSED, Optional.of(findings.refusedHere(name, path)));
     }
     try {
       return put(path.value(), content, onEdit);
     } catch (FolderStorage.LinkLeavesFolderException e) {
-      return new Written(Outcome.REFUSED, Optional.of(linkRefused(path.value(), e)));
+      return new Written(Outcome.REFUSED, Optional.of(findings.linkRefused(path.value(), e)));
     } catch (IOException e) {
-      throw unwritable(storage.shown(path.value()), e);
+      throw OutputFindings.unwritable(storage.shown(path.value()), e);
     }
   }
 
@@ -143,9 +144,9 @@ public final class OutputFolder implements AutoCloseable {
         && !records.isOurs(path, present.get())
         && !addsLostAreas(path, present.get(), content)) {
       if (onEdit == OnEdit.KEEP) {
-        return new Written(Outcome.KEPT, Optional.of(kept(path)));
+        return new Written(Outcome.KEPT, Optional.of(findings.kept(path)));
       }
-      finding = Optional.of(overwritten(path));
+      finding = Optional.of(findings.overwritten(path));
     }
     records.announce(path, fingerprint);
     storage.replace(path, content);
@@ -175,7 +176,7 @@ public final class OutputFolder implements AutoCloseable {
     } catch (FolderStorage.LinkLeavesFolderException e) {
       return Optional.empty();
     } catch (IOException e) {
-      throw unwritable(storage.shown(path.value()), e);
+      throw OutputFindings.unwritable(storage.shown(path.value()), e);
     }
   }
 
@@ -196,7 +197,9 @@ public final class OutputFolder implements AutoCloseable {
    *     we wrote it or does not exist
    */
   public synchronized Optional<Diagnostic> accept(String name) {
-    return isEdited(name) ? Optional.of(kept(OutputPath.of(name).value())) : Optional.empty();
+    return isEdited(name)
+        ? Optional.of(findings.kept(OutputPath.of(name).value()))
+        : Optional.empty();
   }
 
   /**
@@ -213,14 +216,14 @@ public final class OutputFolder implements AutoCloseable {
     Set<String> current = new TreeSet<>();
     produced.forEach(name -> current.add(OutputPath.of(name).value()));
     String prefix = folder.isEmpty() || folder.endsWith("/") ? folder : folder + "/";
-    List<Diagnostic> findings = new ArrayList<>();
+    List<Diagnostic> left = new ArrayList<>();
     for (String path : records.files()) {
       boolean below = path.equals(folder) || path.startsWith(prefix);
       if (below && !current.contains(path)) {
-        removeUnlessKept(path).ifPresent(findings::add);
+        removeUnlessKept(path).ifPresent(left::add);
       }
     }
-    return findings;
+    return left;
   }
 
   private Optional<Diagnostic> removeUnlessKept(String path) {
@@ -230,13 +233,72 @@ public final class OutputFolder implements AutoCloseable {
           content.isPresent()
               && (!records.isOurs(path, content.get()) || ProtectedAreas.anyIn(content.get()));
       if (keeps) {
-        return Optional.of(abandoned(path));
+        return Optional.of(findings.abandoned(path));
       }
       storage.delete(path);
       records.remove(path);
       return Optional.empty();
     } catch (IOException e) {
-      throw unwritable(storage.shown(path), e);
+      throw OutputFindings.unwritable(storage.shown(path), e);
+    }
+  }
+
+  /**
+   * A folder for files that are too large for {@link #write}, until {@link #move} puts them in
+   * place. What is left in it is gone when the output folder is opened again.
+   */
+  public synchronized Path scratch() {
+    try {
+      return storage.scratch();
+    } catch (IOException e) {
+      throw OutputFindings.unwritable(storage.shown(OutputPath.RESERVED), e);
+    }
+  }
+
+  /**
+   * Puts a finished file of {@link #scratch} in place, whatever is there, as a result of the run.
+   *
+   * @return the warning {@code eventchain.file.edited} if it replaces what we did not write there
+   */
+  public synchronized Written move(Path finished, String name) {
+    OutputPath path = OutputPath.of(name);
+    if (path.refused()) {
+      return new Written(Outcome.REFUSED, Optional.of(findings.refusedHere(name, path)));
+    }
+    try {
+      Optional<Path> present = storage.find(path.value());
+      boolean foreign =
+          present.isPresent()
+              && !records.isOurs(path.value(), FileRecords.fingerprint(present.get()));
+      String fingerprint = FileRecords.fingerprint(finished);
+      records.announce(path.value(), fingerprint);
+      storage.move(finished, path.value());
+      records.put(path.value(), fingerprint);
+      return new Written(
+          Outcome.WRITTEN,
+          foreign ? Optional.of(findings.overwritten(path.value())) : Optional.empty());
+    } catch (FolderStorage.LinkLeavesFolderException e) {
+      return new Written(Outcome.REFUSED, Optional.of(findings.linkRefused(path.value(), e)));
+    } catch (IOException e) {
+      throw OutputFindings.unwritable(storage.shown(path.value()), e);
+    }
+  }
+
+  /**
+   * Removes results that earlier runs wrote and that no longer hold.
+   *
+   * @param folder the name of the folder that they are in, or of a single one
+   */
+  public synchronized void removeAll(String folder) {
+    for (String path : records.files()) {
+      if (path.equals(folder) || path.startsWith(folder + "/")) {
+        try {
+          storage.delete(path);
+          records.remove(path);
+        } catch (IOException e) {
+          throw OutputFindings.unwritable(storage.shown(path), e);
+        }
+      }
     }
   }
 
@@ -277,18 +339,18 @@ public final class OutputFolder implements AutoCloseable {
   public synchronized Optional<Diagnostic> remove(String name) {
     OutputPath path = OutputPath.of(name);
     if (path.refused()) {
-      return Optional.of(refusedHere(name, path));
+      return Optional.of(findings.refusedHere(name, path));
     }
     Optional<Diagnostic> finding =
-        isEdited(name) ? Optional.of(removed(path.value())) : Optional.empty();
+        isEdited(name) ? Optional.of(findings.removed(path.value())) : Optional.empty();
     try {
       storage.delete(path.value());
       records.remove(path.value());
       return finding;
     } catch (FolderStorage.LinkLeavesFolderException e) {
-      return Optional.of(linkRefused(path.value(), e));
+      return Optional.of(findings.linkRefused(path.value(), e));
     } catch (IOException e) {
-      throw unwritable(storage.shown(path.value()), e);
+      throw OutputFindings.unwritable(storage.shown(path.value()), e);
     }
   }
 
@@ -322,67 +384,7 @@ public final class OutputFolder implements AutoCloseable {
         storage.close();
       }
     } catch (IOException e) {
-      throw unwritable(storage.shown(OutputPath.RESERVED), e);
+      throw OutputFindings.unwritable(storage.shown(OutputPath.RESERVED), e);
     }
-  }
-
-  private Diagnostic kept(String path) {
-    return edited(path, "differs from what was written, and was kept.")
-        .withHint("Delete the file to have it written again.");
-  }
-
-  private Diagnostic overwritten(String path) {
-    return edited(path, "differed from what was written, and was replaced.");
-  }
-
-  private Diagnostic removed(String path) {
-    return edited(path, "differed from what was written, and was removed.");
-  }
-
-  private Diagnostic abandoned(String path) {
-    return edited(path, "is no longer produced but may hold a person's work, and was kept.")
-        .withHint("Delete the file if it is not needed.");
-  }
-
-  private Diagnostic edited(String path, String what) {
-    return Diagnostic.warning(
-        "eventchain.file.edited",
-        "The file '" + path + "' " + what,
-        SourceLocation.of(storage.shown(path)));
-  }
-
-  /** The finding for a name that cannot be a file's in any output folder. */
-  static Diagnostic refused(String name, OutputPath path) {
-    return Diagnostic.error(
-            "output.path.refused",
-            "The file name '" + OutputPath.shown(name) + "' " + path.problem() + ".",
-            SourceLocation.NONE)
-        .withHint("Files are named relative to the output folder and stay below it.");
-  }
-
-  /** As {@link #refused}, at the folder that the file was to be in. */
-  private Diagnostic refusedHere(String name, OutputPath path) {
-    return refused(name, path).withLocation(SourceLocation.of(storage.shown("")));
-  }
-
-  private Diagnostic linkRefused(String name, IOException e) {
-    return Diagnostic.error(
-            "output.path.refused",
-            "The file '" + OutputPath.shown(name) + "' was not written: " + e.getMessage() + ".",
-            SourceLocation.of(storage.shown(name)))
-        .withHint("Replace the link by a folder.");
-  }
-
-  private static DiagnosticException unwritable(String place, IOException e) {
-    return failure(
-        Diagnostic.error(
-                "output.unwritable",
-                "The output cannot be written: " + SourceText.reason(e) + ".",
-                SourceLocation.of(place.replace('\\', '/')))
-            .withHint("Check permissions and free space, or choose another folder with -o."));
-  }
-
-  private static DiagnosticException failure(Diagnostic diagnostic) {
-    return new DiagnosticException(DiagnosticException.Reason.INPUT, diagnostic);
   }
 }

@@ -1,6 +1,7 @@
 package dev.eventchain.m2t;
 
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.Optional;
 
 /** Where an {@link OutputFolder} keeps bytes. Names are normalised {@link OutputPath}s. */
@@ -16,6 +17,18 @@ interface OutputStorage {
 
   /** Removes a file if it exists, and the folders that this leaves empty. */
   void delete(String path) throws IOException;
+
+  /**
+   * A folder for files that are too large to be given as bytes. It is empty when the storage is
+   * opened.
+   */
+  Path scratch() throws IOException;
+
+  /** Puts a file of {@link #scratch} in place at once, as {@link #replace} does. */
+  void move(Path finished, String path) throws IOException;
+
+  /** The file itself, to be read in pieces; nothing when there is none. */
+  Optional<Path> find(String path) throws IOException;
 
   /** The name to show for a file. */
   String shown(String path);

@@ -149,6 +149,32 @@ public final class MessageCatalog {
     return Optional.of(type(fullName, new LinkedHashSet<>()));
   }
 
+  /**
+   * The definition of a type and of those that it uses, as recordings hold it: each of the others
+   * comes after a line of 80 equals signs and one with {@code MSG:} and its name.
+   */
+  public synchronized String text(MessageType type) {
+    StringBuilder text = new StringBuilder(ownText(type));
+    Set<MessageType> used = new LinkedHashSet<>();
+    addUsed(type, used);
+    for (MessageType other : used) {
+      String name = other.name().replace("/msg/", "/");
+      text.append(SEPARATOR).append(HEADING).append(name).append('\n').append(ownText(other));
+    }
+    return text.toString();
+  }
+
+  private String ownText(MessageType type) {
+    String text = source(type.name()).text().replace("\r\n", "\n");
+    return text.isEmpty() || text.endsWith("\n") ? text : text + "\n";
+  }
+
+  private static void addUsed(MessageType type, Set<MessageType> used) {
+    for (MessageType.Field field : type.fields()) {
+      field.type().message().filter(used::add).ifPresent(inner -> addUsed(inner, used));
+    }
+  }
+
   private MessageType type(String name, Set<String> users) {
     MessageType known = types.get(name);
     if (known == null) {
@@ -159,14 +185,16 @@ public final class MessageCatalog {
   }
 
   private Definition definition(String name) {
-    Path file = files.get(name);
-    SourceText source =
-        file == null ? SourceText.of(name, standard.get(name)) : SourceText.read(file);
-    Definition definition = MessageParser.parse(name, source);
+    Definition definition = MessageParser.parse(name, source(name));
     if (!definition.problems().isEmpty()) {
       throw new DiagnosticException(DiagnosticException.Reason.INPUT, definition.problems());
     }
     return definition;
+  }
+
+  private SourceText source(String name) {
+    Path file = files.get(name);
+    return file == null ? SourceText.of(name, standard.get(name)) : SourceText.read(file);
   }
 
   private MessageType link(Definition definition, Set<String> users) {

@@ -105,7 +105,10 @@ public final class Pipeline {
     if (!run.options().runs(Stage.SIMULATE) && !run.options().readsOnly()) {
       restoreVerdict();
     }
-    RunResult result = new Conclusion(run, outcomes, failure, progress).conclude();
+    RunResult result =
+        new Conclusion(run, outcomes, failure, progress)
+            .conclude()
+            .withRecordings(run.recordings());
     if (result.report().isEmpty()) {
       standing.putReportBack();
     }
@@ -214,7 +217,9 @@ public final class Pipeline {
   }
 
   private boolean mayBeSkipped(Stage stage) {
-    return WORK.get(stage).skippable() && !run.options().again() && !isPartial(stage);
+    boolean records = stage == Stage.SIMULATE && run.options().mcap();
+    boolean asked = run.options().again() || records || isPartial(stage);
+    return WORK.get(stage).skippable() && !asked;
   }
 
   /** Whether a stage simulates only some scenarios: then it writes no results. */

@@ -39,6 +39,7 @@ final class RunContext {
   private final List<Diagnostic> findings = new ArrayList<>();
   private PythonEnvironment python;
   private final Snapshots snapshots = new Snapshots(this);
+  private final List<Path> recordings = new ArrayList<>();
   private final List<String> strangers = new ArrayList<>();
   private boolean recordsAreLost;
 
@@ -321,6 +322,16 @@ final class RunContext {
             .withHint("Run '" + command("--overwrite") + "' to have them written again.");
     strangers.clear();
     return Optional.of(kept);
+  }
+
+  /** Remembers a recording, to name it when the run ends. */
+  void recorded(Path recording) {
+    recordings.add(recording);
+  }
+
+  /** The recordings of this run. */
+  List<Path> recordings() {
+    return List.copyOf(recordings);
   }
 
   /** Adds a finding to the stage that runs. */

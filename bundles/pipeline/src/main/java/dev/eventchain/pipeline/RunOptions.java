@@ -18,6 +18,7 @@ import java.util.Optional;
  * @param record whether answers from elsewhere are kept as recordings of the project
  * @param overwrite whether files that a person has edited in the output folder are replaced
  * @param scenarios the names of the scenarios to simulate; empty: all
+ * @param mcap whether the messages of the scenarios are recorded, too
  * @param suppressions the findings that do not count
  * @param timeLimit the processor time that a constraint may take on the whole model
  */
@@ -30,6 +31,7 @@ public record RunOptions(
     boolean record,
     boolean overwrite,
     List<String> scenarios,
+    boolean mcap,
     Suppressions suppressions,
     Duration timeLimit) {
 

@@ -19,6 +19,7 @@ import java.util.Optional;
  * @param coverage what was checked
  * @param report the report, when one was written
  * @param failure why the run could not go on, when it could not
+ * @param recordings the messages of scenarios, where they were recorded
  */
 public record RunResult(
     Verdict verdict,
@@ -28,7 +29,28 @@ public record RunResult(
     List<Suppressed> suppressed,
     Coverage coverage,
     Optional<Path> report,
-    Optional<DiagnosticException.Reason> failure) {
+    Optional<DiagnosticException.Reason> failure,
+    List<Path> recordings) {
+
+  /** Without recordings. */
+  RunResult(
+      Verdict verdict,
+      String summary,
+      List<ScenarioLine> scenarios,
+      List<Diagnostic> diagnostics,
+      List<Suppressed> suppressed,
+      Coverage coverage,
+      Optional<Path> report,
+      Optional<DiagnosticException.Reason> failure) {
+    this(
+        verdict, summary, scenarios, diagnostics, suppressed, coverage, report, failure, List.of());
+  }
+
+  /** The same with recordings. */
+  RunResult withRecordings(List<Path> files) {
+    return new RunResult(
+        verdict, summary, scenarios, diagnostics, suppressed, coverage, report, failure, files);
+  }
 
   /** What a run comes to. */
   public enum Verdict {

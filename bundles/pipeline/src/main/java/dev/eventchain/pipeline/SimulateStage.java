@@ -31,11 +31,13 @@ import org.eclipse.emf.ecore.EObject;
 final class SimulateStage implements StageWork {
 
   static final String MEASUREMENTS = "measurements.json";
+  static final String MEASUREMENTS_TABLE = "measurements.csv";
   static final String VERDICT = "verdict.json";
   static final String MEASURED_MODEL = "chain.measured.xmi";
 
   /** The results of all scenarios; those of some must not take their place. */
-  private static final List<String> RESULTS = List.of(MEASUREMENTS, VERDICT, MEASURED_MODEL);
+  private static final List<String> RESULTS =
+      List.of(MEASUREMENTS, MEASUREMENTS_TABLE, VERDICT, MEASURED_MODEL);
 
   @Override
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
@@ -63,7 +65,7 @@ final class SimulateStage implements StageWork {
     Function<EObject, SourceLocation> locator = new Origins()::locate;
     Coverage ecore = Coverage.NONE;
     if (!run.options().isPartial()) {
-      run.writeResult(MEASUREMENTS, result.toJson());
+      writeMeasurements(run, chain, result);
       run.writeResult(MEASURED_MODEL, XmiStore.toBytes(measured));
       RunContext.LoadedChain reread = run.loadChain(run.file(MEASURED_MODEL));
       measured = reread.chain();
@@ -83,6 +85,11 @@ final class SimulateStage implements StageWork {
     Coverage coverage = Constraints.coverage(List.of(measuredFile(run)), validation).and(ecore);
     ObjectNode report = report(run, result, validation, outcomes, evidence);
     return new StageResult(details(result), results(run), found, report, coverage);
+  }
+
+  private static void writeMeasurements(RunContext run, EventChain chain, SimulationResult result) {
+    run.writeResult(MEASUREMENTS, result.toJson());
+    run.writeResult(MEASUREMENTS_TABLE, result.toCsv(chain));
   }
 
   private static List<String> results(RunContext run) {
@@ -208,7 +215,8 @@ final class SimulateStage implements StageWork {
   private static SimulationResult simulate(
       RunContext run, EventChain chain, List<Scenario> scenarios) {
     GeneratedPackage generated = GeneratedPackage.required(run);
-    SimulationRequest request = request(run, chain, generated, scenarios);
+    Recordings recordings = new Recordings(run, scenarios);
+    SimulationRequest request = recordings.begin(request(run, chain, generated, scenarios));
     AtomicInteger done = new AtomicInteger();
     try {
       return Simulation.run(
@@ -228,6 +236,8 @@ final class SimulateStage implements StageWork {
           DiagnosticException.Reason.FINDINGS,
           Diagnostic.error(
               "simulation.interrupted", "The simulation was interrupted.", SourceLocation.NONE));
+    } finally {
+      recordings.keep();
     }
   }
 

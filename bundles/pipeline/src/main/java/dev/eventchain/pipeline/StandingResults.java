@@ -16,7 +16,11 @@ final class StandingResults {
 
   /** What states a verdict, or belongs to one, besides the verdict itself. */
   private static final List<String> OTHERS =
-      List.of(SimulateStage.MEASUREMENTS, SimulateStage.MEASURED_MODEL, Conclusion.REPORT);
+      List.of(
+          SimulateStage.MEASUREMENTS,
+          SimulateStage.MEASUREMENTS_TABLE,
+          SimulateStage.MEASURED_MODEL,
+          Conclusion.REPORT);
 
   private final RunContext run;
   private final StageMemory memory;

@@ -91,6 +91,7 @@ class ReadOnceTest {
             false,
             false,
             List.of(),
+            false,
             new Suppressions(List.of(), LocalDate.of(2027, 1, 1)),
             Duration.ofMinutes(1));
     return Pipeline.run(

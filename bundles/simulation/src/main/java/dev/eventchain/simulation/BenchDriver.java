@@ -170,6 +170,7 @@ final class BenchDriver {
     chain.topics().stream()
         .filter(topic -> setup.topicsWritten().contains(topic.name()))
         .forEach(this::observe);
+    setup.topicsToRecord().forEach(this::observe);
   }
 
   private void observe(Topic topic) {
@@ -229,6 +230,15 @@ final class BenchDriver {
   /** The topics it receives; the index of a message's topic is the position here. */
   List<Topic> received() {
     return receivers.stream().map(Receiver::topic).toList();
+  }
+
+  /** The frame that the lidar's messages name; empty if there are none. */
+  String lidarFrame() {
+    return publishers.stream()
+        .filter(it -> it.provided.filter(Provided::lidar).isPresent())
+        .map(it -> it.message.get("header.frame_id").toString())
+        .findFirst()
+        .orElse("");
   }
 
   /** When the next message is due, in ns; after what was sensed last. */
@@ -313,6 +323,9 @@ final class BenchDriver {
   /** Takes what the nodes published: the vehicle follows it from when it was published on. */
   void take(LockstepSession.Outbound outbound, World world) {
     Receiver receiver = receivers.get(outbound.topic());
+    if (receiver.effects().isEmpty() && receiver.recorded().isEmpty()) {
+      return;
+    }
     byte[] bytes = new byte[outbound.message().remaining()];
     outbound.message().duplicate().get(bytes);
     MessageValue message = CdrCodec.decode(receiver.type(), bytes);

@@ -217,9 +217,13 @@ final class MeasurementsWriter {
   /** Four decimals; what is no number becomes null. */
   private void number(double value) throws IOException {
     if (Double.isFinite(value)) {
-      json.writeNumber(Math.rint(value * 1e4) / 1e4);
+      json.writeNumber(rounded(value));
     } else {
       json.writeNull();
     }
+  }
+
+  static double rounded(double value) {
+    return Math.rint(value * 1e4) / 1e4;
   }
 }

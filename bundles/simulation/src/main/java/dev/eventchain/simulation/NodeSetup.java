@@ -16,6 +16,7 @@ import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.TreeSet;
@@ -107,6 +108,27 @@ final class NodeSetup {
         .filter(topic -> side.apply(topic).stream().anyMatch(this::isSimulated))
         .map(TopicIndex.Topic::name)
         .collect(Collectors.toCollection(TreeSet::new));
+  }
+
+  /** Where recordings go; nowhere if nobody wants any. */
+  Optional<Path> recordings() {
+    return request.recordings();
+  }
+
+  /** All topics that nodes write, if they are recorded. */
+  List<BenchDriver.Topic> topicsToRecord() {
+    return recordings().isEmpty()
+        ? List.of()
+        : topics.topics().stream().flatMap(topic -> written(topic).stream()).toList();
+  }
+
+  private Optional<BenchDriver.Topic> written(TopicIndex.Topic topic) {
+    return topic.publishers().stream()
+        .filter(this::isSimulated)
+        .flatMap(endpoint -> endpoint.data().stream())
+        .flatMap(data -> Optional.ofNullable(data.getMessageType()).stream())
+        .findFirst()
+        .map(type -> new BenchDriver.Topic(topic.name(), RosNames.fullMessageType(type)));
   }
 
   /** What the simulated components write, for reports. */

@@ -5,6 +5,7 @@ import dev.eventchain.metamodel.eventchain.EventChain;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
 
@@ -24,6 +25,9 @@ import java.util.function.Predicate;
  * @param limits what the nodes and their components may use
  * @param accepted whether people have decided to live with a finding: a component that did not work
  *     keeps criteria from being judged only if they have not
+ * @param recordings an existing folder that gets the messages of each scenario, in {@code
+ *     NAME.mcap} once the scenario has ended, also by a failure of a node; empty: nothing is
+ *     recorded
  */
 public record SimulationRequest(
     EventChain chain,
@@ -35,7 +39,8 @@ public record SimulationRequest(
     int processes,
     Set<String> generated,
     Limits limits,
-    Predicate<Diagnostic> accepted) {
+    Predicate<Diagnostic> accepted,
+    Optional<Path> recordings) {
 
   /**
    * What foreign code may use before it counts as hanging. Processor time does not depend on what
@@ -81,31 +86,41 @@ public record SimulationRequest(
         2,
         Set.of(),
         Limits.DEFAULT,
-        finding -> false);
+        finding -> false,
+        Optional.empty());
   }
 
   /** The same on another number of processes. */
   public SimulationRequest withProcesses(int number) {
-    return with(number, generated, limits, accepted);
+    return with(number, generated, limits, accepted, recordings);
   }
 
   /** The same with other components that count as generated. */
   public SimulationRequest withGenerated(Set<String> names) {
-    return with(processes, names, limits, accepted);
+    return with(processes, names, limits, accepted, recordings);
   }
 
   /** The same with other limits. */
   public SimulationRequest withLimits(Limits other) {
-    return with(processes, generated, other, accepted);
+    return with(processes, generated, other, accepted, recordings);
   }
 
   /** The same with other findings that people accept. */
   public SimulationRequest withAccepted(Predicate<Diagnostic> other) {
-    return with(processes, generated, limits, other);
+    return with(processes, generated, limits, other, recordings);
+  }
+
+  /** The same with recordings in a folder, which exists. */
+  public SimulationRequest withRecordings(Path folder) {
+    return with(processes, generated, limits, accepted, Optional.of(folder));
   }
 
   private SimulationRequest with(
-      int number, Set<String> names, Limits newLimits, Predicate<Diagnostic> newAccepted) {
+      int number,
+      Set<String> names,
+      Limits newLimits,
+      Predicate<Diagnostic> newAccepted,
+      Optional<Path> newRecordings) {
     return new SimulationRequest(
         chain,
         packageFolder,
@@ -116,6 +131,7 @@ public record SimulationRequest(
         number,
         names,
         newLimits,
-        newAccepted);
+        newAccepted,
+        newRecordings);
   }
 }

@@ -69,4 +69,14 @@ public record SimulationResult(
   public byte[] toJson() {
     return MeasurementsWriter.write(this);
   }
+
+  /**
+   * The content of {@code measurements.csv}: RFC 4180 in UTF-8, a row for each number that was
+   * measured in simulated time, so that equal runs make equal files.
+   *
+   * @param chain the chain that was simulated
+   */
+  public byte[] toCsv(EventChain chain) {
+    return MeasurementsTable.write(this, chain);
+  }
 }

@@ -56,6 +56,7 @@ class RunTest {
             "ros2/aeb/aeb/components/ObjectDetection.py",
             "report.html",
             "measurements.json",
+            "measurements.csv",
             "verdict.json",
             "chain.measured.xmi",
             "COLCON_IGNORE")) {
@@ -68,7 +69,13 @@ class RunTest {
     Path other = folder.resolve("elsewhere");
     new Program().run("run", project, "-o", other).expect(0);
     for (String name :
-        List.of("chain.json", "chain.xmi", "generated.ocl", "verdict.json", "chain.measured.xmi")) {
+        List.of(
+            "chain.json",
+            "chain.xmi",
+            "generated.ocl",
+            "verdict.json",
+            "measurements.csv",
+            "chain.measured.xmi")) {
       assertArrayEquals(
           Files.readAllBytes(project.resolve("out").resolve(name)),
           Files.readAllBytes(other.resolve(name)),

@@ -325,7 +325,7 @@ class StaleResultsTest {
   private void assertNothingPasses() throws IOException {
     assertTrue(verdict().contains("\"passed\" : false,"), verdict());
     assertFalse(verdict().contains("true"), verdict());
-    for (String name : List.of("measurements.json", "chain.measured.xmi")) {
+    for (String name : List.of("measurements.json", "measurements.csv", "chain.measured.xmi")) {
       assertFalse(Files.exists(out(name)), name);
     }
     if (Files.exists(out("report.html"))) {

@@ -1,0 +1,77 @@
+package dev.eventchain.m2t;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import java.io.IOException;
+
+/** What an output folder says of its files. */
+final class OutputFindings {
+
+  private final OutputStorage storage;
+
+  OutputFindings(OutputStorage storage) {
+    this.storage = storage;
+  }
+
+  Diagnostic kept(String path) {
+    return edited(path, "differs from what was written, and was kept.")
+        .withHint("Delete the file to have it written again.");
+  }
+
+  Diagnostic overwritten(String path) {
+    return edited(path, "differed from what was written, and was replaced.");
+  }
+
+  Diagnostic removed(String path) {
+    return edited(path, "differed from what was written, and was removed.");
+  }
+
+  Diagnostic abandoned(String path) {
+    return edited(path, "is no longer produced but may hold a person's work, and was kept.")
+        .withHint("Delete the file if it is not needed.");
+  }
+
+  private Diagnostic edited(String path, String what) {
+    return Diagnostic.warning(
+        "eventchain.file.edited",
+        "The file '" + path + "' " + what,
+        SourceLocation.of(storage.shown(path)));
+  }
+
+  /** The finding for a name that cannot be a file's in any output folder. */
+  static Diagnostic refused(String name, OutputPath path) {
+    return Diagnostic.error(
+            "output.path.refused",
+            "The file name '" + OutputPath.shown(name) + "' " + path.problem() + ".",
+            SourceLocation.NONE)
+        .withHint("Files are named relative to the output folder and stay below it.");
+  }
+
+  /** As {@link #refused}, at the folder that the file was to be in. */
+  Diagnostic refusedHere(String name, OutputPath path) {
+    return refused(name, path).withLocation(SourceLocation.of(storage.shown("")));
+  }
+
+  Diagnostic linkRefused(String name, IOException e) {
+    return Diagnostic.error(
+            "output.path.refused",
+            "The file '" + OutputPath.shown(name) + "' was not written: " + e.getMessage() + ".",
+            SourceLocation.of(storage.shown(name)))
+        .withHint("Replace the link by a folder.");
+  }
+
+  static DiagnosticException unwritable(String place, IOException e) {
+    return failure(
+        Diagnostic.error(
+                "output.unwritable",
+                "The output cannot be written: " + SourceText.reason(e) + ".",
+                SourceLocation.of(place.replace('\\', '/')))
+            .withHint("Check permissions and free space, or choose another folder with -o."));
+  }
+
+  static DiagnosticException failure(Diagnostic diagnostic) {
+    return new DiagnosticException(DiagnosticException.Reason.INPUT, diagnostic);
+  }
+}
