@@ -23,6 +23,11 @@ import java.util.Optional;
 /** A simulation's result as the report and {@code verdict.json} show it. */
 final class SimulationReport {
 
+  /** Four decimals show everything that can be seen, and keep the page small. */
+  private static final double FINEST = 1e4;
+
+  private static final double CENTIMETRES = 1e2;
+
   private SimulationReport() {}
 
   /** What the simulation adds to the report. */
@@ -135,6 +140,7 @@ final class SimulationReport {
     figures(json, verdict);
     statistics(json, "latency", verdict.latency());
     series(json.putObject("series"), verdict);
+    scene(json.putObject("scene"), verdict.series().scene());
     return json;
   }
 
@@ -215,19 +221,45 @@ final class SimulationReport {
     }
   }
 
+  /** Where everything was, for the view from above; in centimetres, which is finer than a pixel. */
+  private static void scene(ObjectNode json, ScenarioVerdict.Scene scene) {
+    json.put("curvature", scene.curvature()).put("lane_width", scene.laneWidth());
+    json.put("wall_distance", scene.wallDistance());
+    mover(json.putObject("ego"), scene.ego());
+    ArrayNode others = json.putArray("others");
+    scene.others().forEach(other -> mover(others.addObject(), other));
+    ArrayNode scans = json.putArray("scans");
+    for (ScenarioVerdict.Scan scan : scene.scans()) {
+      ObjectNode points = scans.addObject().put("time", scan.time());
+      column(points.putArray("x"), scan.x(), CENTIMETRES);
+      column(points.putArray("y"), scan.y(), CENTIMETRES);
+    }
+  }
+
+  private static void mover(ObjectNode json, ScenarioVerdict.Mover mover) {
+    json.put("name", mover.name()).put("length", mover.length()).put("width", mover.width());
+    column(json.putArray("x"), mover.x(), CENTIMETRES);
+    column(json.putArray("y"), mover.y(), CENTIMETRES);
+    column(json.putArray("heading"), mover.heading(), FINEST);
+  }
+
   private static void column(ArrayNode json, List<Double> values) {
+    column(json, values, FINEST);
+  }
+
+  /** Rounded to such parts of one. */
+  private static void column(ArrayNode json, List<Double> values, double parts) {
     for (double value : values) {
       if (Double.isFinite(value)) {
-        json.add(rounded(value));
+        json.add(Math.round(value * parts) / parts);
       } else {
         json.addNull();
       }
     }
   }
 
-  /** Four decimals show everything that can be seen, and keep the page small. */
   private static double rounded(double value) {
-    return Math.round(value * 1e4) / 1e4;
+    return Math.round(value * FINEST) / FINEST;
   }
 
   private static void statistics(

@@ -39,6 +39,9 @@ final class BenchDriver {
   private static final long SECOND = 1_000_000_000L;
   private static final long CLOCK_PERIOD = SECOND / 20;
 
+  /** How often people are shown what the lidar sees, in ns. */
+  private static final long OUTLINE = SECOND * 2 / 5;
+
   /** A topic that is published, the message that is filled again and again, and when it is due. */
   private static final class Publisher {
     private final Topic topic;
@@ -288,7 +291,11 @@ final class BenchDriver {
     }
     publisher.stamps.forEach(path -> stamp(message, path, world.now()));
     if (publisher.provided.get().lidar()) {
-      lidar.scan(RoadScene.of(world), message);
+      RoadScene scene = RoadScene.of(world);
+      lidar.scan(scene, message);
+      if (world.now() % OUTLINE == 0) {
+        world.trace().scan(lidar.outline(scene, World.seconds(world.now())));
+      }
     }
     publisher.provided.get().objects().ifPresent(it -> it.fill(world, publisher.random, message));
     for (Bench.Field field : publisher.provided.get().fields()) {

@@ -53,6 +53,10 @@ final class Lidar {
   private static final double STEP = 0.5;
   private static final int AZIMUTHS = (int) (2 * HALF_VIEW / STEP) + 1;
   private static final int RAYS = ELEVATIONS.length * AZIMUTHS;
+
+  /** Directions from one of an outline to the next. */
+  private static final int OUTLINE = 4;
+
   private static final float ROAD_INTENSITY = 0.2f;
   private static final float WALL_INTENSITY = 0.4f;
 
@@ -148,6 +152,30 @@ final class Lidar {
       see(body, place);
     }
     return returned();
+  }
+
+  /** The nearest echo but for the road's in every fourth direction of the last scan, for people. */
+  ScenarioVerdict.Scan outline(RoadScene scene, double time) {
+    Road.Place place = scene.ego().ahead(-settings.behindBumper());
+    List<Double> x = new ArrayList<>();
+    List<Double> y = new ArrayList<>();
+    for (int azimuth = 0; azimuth < AZIMUTHS; azimuth += OUTLINE) {
+      float nearest = Float.POSITIVE_INFINITY;
+      for (int ray = azimuth; ray < RAYS; ray += AZIMUTHS) {
+        if (intensity[ray] != ROAD_INTENSITY && range[ray] <= RANGE) {
+          double flat = StrictMath.hypot(DIRECTION_X[ray], DIRECTION_Y[ray]);
+          nearest = (float) Math.min(nearest, range[ray] * flat);
+        }
+      }
+      if (nearest <= RANGE) {
+        double turned = StrictMath.toRadians(azimuth * STEP - HALF_VIEW);
+        Road.Place echo =
+            new Road.Place(place.x(), place.y(), place.heading() + turned).ahead(nearest);
+        x.add(echo.x());
+        y.add(echo.y());
+      }
+    }
+    return new ScenarioVerdict.Scan(time, x, y);
   }
 
   /** Road and walls, which look the same from every place in the middle of a straight lane. */

@@ -49,7 +49,7 @@ final class ScenarioJudge {
         WhatHappened.figures(trace, signals),
         latency(run.log(), setup),
         setup.latencyConstraints().stream().map(each -> latency(run.log(), each)).toList(),
-        WhatHappened.series(trace, signals));
+        WhatHappened.series(scenario.situation(), trace, signals));
   }
 
   /** What holds for every scenario holds for software that commands the vehicle. */

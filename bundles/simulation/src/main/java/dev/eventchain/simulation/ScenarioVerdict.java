@@ -129,13 +129,81 @@ public record ScenarioVerdict(
    *
    * @param time since the start, in s
    * @param curves one for each quantity
+   * @param scene where everything was
    */
-  public record Series(List<Double> time, List<Curve> curves) {
+  public record Series(List<Double> time, List<Curve> curves, Scene scene) {
 
     /** Copies the lists. */
     public Series {
       time = List.copyOf(time);
       curves = List.copyOf(curves);
+    }
+  }
+
+  /**
+   * The road from above, in m and rad, in the plane in which the road starts along x at the ego's
+   * front bumper.
+   *
+   * @param curvature of the road, in 1/m, to the left is positive
+   * @param laneWidth in m
+   * @param wallDistance of the walls from the centre of the ego's lane, in m
+   * @param ego the vehicle with the software
+   * @param others all others, but for what is above the road
+   * @param scans what the lidar saw, if the software has one; not each of its scans
+   */
+  public record Scene(
+      double curvature,
+      double laneWidth,
+      double wallDistance,
+      Mover ego,
+      List<Mover> others,
+      List<Scan> scans) {
+
+    /** Copies the lists. */
+    public Scene {
+      others = List.copyOf(others);
+      scans = List.copyOf(scans);
+    }
+  }
+
+  /**
+   * Where a box was.
+   *
+   * @param name who it is
+   * @param length in m
+   * @param width in m
+   * @param x of its middle, one for each time of the series, or one for all; not a number where it
+   *     is gone
+   * @param y as x
+   * @param heading as x
+   */
+  public record Mover(
+      String name,
+      double length,
+      double width,
+      List<Double> x,
+      List<Double> y,
+      List<Double> heading) {
+
+    /** Copies the lists. */
+    public Mover {
+      x = List.copyOf(x);
+      y = List.copyOf(y);
+      heading = List.copyOf(heading);
+    }
+  }
+
+  /**
+   * The nearest echoes of a scan, but for those of the road.
+   *
+   * @param time since the start, in s
+   */
+  public record Scan(double time, List<Double> x, List<Double> y) {
+
+    /** Copies the lists. */
+    public Scan {
+      x = List.copyOf(x);
+      y = List.copyOf(y);
     }
   }
 

@@ -73,6 +73,7 @@ final class Trace {
   private final Map<String, List<Sample>> samples = new HashMap<>();
   private final List<Command> commands = new ArrayList<>();
   private final List<Contact> fromBehind = new ArrayList<>();
+  private final List<ScenarioVerdict.Scan> scans = new ArrayList<>();
   private OptionalDouble impactSpeed = OptionalDouble.empty();
   private String impact = "";
   private String ignored = "";
@@ -152,6 +153,15 @@ final class Trace {
    */
   List<Sample> samples(String signal) {
     return samples.getOrDefault(signal, List.of());
+  }
+
+  /** What the lidar saw, for people. */
+  void scan(ScenarioVerdict.Scan scan) {
+    scans.add(scan);
+  }
+
+  List<ScenarioVerdict.Scan> scans() {
+    return Collections.unmodifiableList(scans);
   }
 
   void state(State state) {

@@ -49,7 +49,8 @@ final class WhatHappened {
     }
   }
 
-  static Series series(Trace trace, List<Signal> signals) {
+  /** What happened, and where everything was. */
+  static Series series(Situation situation, Trace trace, List<Signal> signals) {
     List<Trace.State> states = trace.states();
     List<Integer> kept = new ArrayList<>();
     for (int i = 0; i < states.size(); i++) {
@@ -70,6 +71,7 @@ final class WhatHappened {
                       kept.stream().map(i -> signal.inUnit(values[i])).toList());
                 })
             .toList();
-    return new Series(times, curves);
+    List<Trace.State> shown = kept.stream().map(states::get).toList();
+    return new Series(times, curves, SceneFromAbove.of(situation, trace, shown));
   }
 }

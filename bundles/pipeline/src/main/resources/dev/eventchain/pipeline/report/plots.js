@@ -293,7 +293,10 @@ function plotsOf(scenario) {
     return { element: html("p", { class: "none plots" }, "No series was recorded."), draw() {} };
   }
   let picture = null;
+  let above = null;
   let index = instantOfInterest(samples, scenario);
+  const scene = sceneOf(scenario, samples);
+  const road = html("div");
   const holder = html("div");
   const range = html("input", {
     type: "range", min: 0, max: samples.time.length - 1, step: 1, value: index, "aria-label": "Time of the readings",
@@ -303,17 +306,25 @@ function plotsOf(scenario) {
     range.value = String(index);
     range.setAttribute("aria-valuetext", spokenInstant(samples, index));
     picture?.move(index);
+    above?.move(index);
   };
-  range.addEventListener("input", () => show(Number(range.value)));
+  const play = playButton(samples, () => index, show);
+  const pick = (next) => {
+    play.stop();
+    show(next);
+  };
+  range.addEventListener("input", () => pick(Number(range.value)));
   const draw = () => {
     const width = Math.round(holder.clientWidth) || PLOT.fallback;
     if (picture?.width === width) {
       return;
     }
     picture = { ...drawPicture(samples, scenario, width), width };
+    above = scene ? drawScene(scene, samples, width) : null;
+    road.replaceChildren(...(above ? [above.picture] : []));
     const follow = (event) => {
       const box = picture.picture.getBoundingClientRect();
-      show(nearest(samples.time, picture.toTime(((event.clientX - box.left) / box.width) * width)));
+      pick(nearest(samples.time, picture.toTime(((event.clientX - box.left) / box.width) * width)));
     };
     picture.picture.addEventListener("pointermove", follow);
     picture.picture.addEventListener("pointerdown", follow);
@@ -321,7 +332,8 @@ function plotsOf(scenario) {
     show(index);
   };
   new ResizeObserver(() => holder.clientWidth > 0 && draw()).observe(holder);
-  const element = html("figure", { class: "plots" }, holder, range, captionOf(samples, scenario));
+  const controls = html("div", { class: "controls" }, play.button, range);
+  const element = html("figure", { class: "plots" }, road, controls, holder, captionOf(samples, scenario));
   return { element, draw };
 }
 
