@@ -4,7 +4,6 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.CdrCodec;
-import dev.eventchain.messages.FieldType;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.messages.MessageType;
 import dev.eventchain.messages.MessageValue;
@@ -23,7 +22,6 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.PriorityQueue;
 import java.util.Set;
-import java.util.SplittableRandom;
 
 /**
  * Connects the nodes with a world in one scenario, as the bench says: publishes what the vehicle
@@ -35,57 +33,6 @@ final class BenchDriver {
   record Topic(String name, String type) {}
 
   private static final Topic CLOCK = new Topic("/clock", "rosgraph_msgs/msg/Clock");
-  private static final String HEADER = "std_msgs/msg/Header";
-  private static final long SECOND = 1_000_000_000L;
-  private static final long CLOCK_PERIOD = SECOND / 20;
-
-  /** How often people are shown what the lidar sees, in ns. */
-  private static final long OUTLINE = SECOND * 2 / 5;
-
-  /** A topic that is published, the message that is filled again and again, and when it is due. */
-  private static final class Publisher {
-    private final Topic topic;
-    private final Optional<Provided> provided;
-    private final MessageValue message;
-    private final List<String> stamps = new ArrayList<>();
-    private final List<Signal> recorded;
-    private final SplittableRandom random;
-    private final long period;
-    private long count;
-
-    Publisher(
-        Topic topic,
-        Optional<Provided> provided,
-        MessageValue message,
-        List<Signal> recorded,
-        long seed) {
-      this.topic = topic;
-      this.provided = provided;
-      this.message = message;
-      this.recorded = recorded;
-      this.random = new SplittableRandom(seed + topic.name().hashCode());
-      this.period = provided.map(Provided::period).orElse(CLOCK_PERIOD);
-      stamps(message.type(), "");
-    }
-
-    /** Each header that the message has, whatever other messages it is in. */
-    private void stamps(MessageType type, String prefix) {
-      for (MessageType.Field field : type.fields()) {
-        if (field.type().shape() == FieldType.Shape.SINGLE && field.type().message().isPresent()) {
-          MessageType inner = field.type().message().get();
-          if (inner.name().equals(HEADER)) {
-            stamps.add(prefix + field.name() + ".stamp");
-          } else {
-            stamps(inner, prefix + field.name() + ".");
-          }
-        }
-      }
-    }
-
-    long due() {
-      return count * period;
-    }
-  }
 
   /**
    * A message that was measured and has not arrived yet.
@@ -227,7 +174,7 @@ final class BenchDriver {
 
   /** The topics it publishes; the index of a message's topic is the position here. */
   List<Topic> published() {
-    return publishers.stream().map(it -> it.topic).toList();
+    return publishers.stream().map(Publisher::topic).toList();
   }
 
   /** The topics it receives; the index of a message's topic is the position here. */
@@ -238,8 +185,8 @@ final class BenchDriver {
   /** The frame that the lidar's messages name; empty if there are none. */
   String lidarFrame() {
     return publishers.stream()
-        .filter(it -> it.provided.filter(Provided::lidar).isPresent())
-        .map(it -> it.message.get("header.frame_id").toString())
+        .filter(Publisher::isLidar)
+        .map(it -> it.message().get("header.frame_id").toString())
         .findFirst()
         .orElse("");
   }
@@ -269,62 +216,16 @@ final class BenchDriver {
 
   private void measure(int index, World world, SampledRun moment) {
     Publisher publisher = publishers.get(index);
-    publisher.count++;
-    checked(publisher.topic, () -> update(publisher, world, moment));
-    Optional<Bench.Transfer> transfer = publisher.provided.map(Provided::transfer);
-    if (transfer.filter(it -> it.loses(moment, publisher.random)).isEmpty()) {
+    checked(publisher.topic(), () -> publisher.fill(world, moment, lidar));
+    if (publisher.arrives(moment)) {
       underway.add(
           new Underway(
-              world.now() + transfer.map(Bench.Transfer::latency).orElse(0L),
+              world.now() + publisher.latency(),
               measured++,
               index,
-              ByteBuffer.wrap(CdrCodec.encode(publisher.message)),
-              values(publisher.recorded, publisher.message)));
+              ByteBuffer.wrap(CdrCodec.encode(publisher.message())),
+              values(publisher.recorded(), publisher.message())));
     }
-  }
-
-  private void update(Publisher publisher, World world, SampledRun moment) {
-    MessageValue message = publisher.message;
-    if (publisher.provided.isEmpty()) {
-      stamp(message, "clock", world.now());
-      return;
-    }
-    publisher.stamps.forEach(path -> stamp(message, path, world.now()));
-    if (publisher.provided.get().lidar()) {
-      RoadScene scene = RoadScene.of(world);
-      lidar.scan(scene, message);
-      if (world.now() % OUTLINE == 0) {
-        world.trace().scan(lidar.outline(scene, World.seconds(world.now())));
-      }
-    }
-    publisher.provided.get().objects().ifPresent(it -> it.fill(world, publisher.random, message));
-    for (Bench.Field field : publisher.provided.get().fields()) {
-      if (field.source() instanceof Bench.Quantity quantity) {
-        send(message, field, quantity.at(moment, publisher.random));
-      } else if (field.source() instanceof Bench.Truth truth) {
-        message.set(field.path(), truth.formula().holds(moment));
-      }
-    }
-  }
-
-  /** A number that its field cannot hold ends the simulation: something else would be sent. */
-  private static void send(MessageValue message, Bench.Field field, double value) {
-    boolean whole =
-        !(message.get(field.path()) instanceof Float
-            || message.get(field.path()) instanceof Double);
-    try {
-      message.set(field.path(), whole && Double.isFinite(value) ? Math.rint(value) : value);
-    } catch (IllegalArgumentException e) {
-      throw new DiagnosticException(
-          DiagnosticException.Reason.INPUT,
-          Diagnostic.error("bench.value.range", e.getMessage(), field.location())
-              .withHint("Limit it: `min(gap, 200 m)`, or give it another unit."));
-    }
-  }
-
-  private static void stamp(MessageValue message, String field, long now) {
-    message.set(field + ".sec", (int) (now / SECOND));
-    message.set(field + ".nanosec", now % SECOND);
   }
 
   /** Takes what the nodes published: the vehicle follows it from when it was published on. */
