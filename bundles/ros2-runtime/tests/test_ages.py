@@ -91,7 +91,7 @@ def test_one_message_and_then_silence_gives_no_thousand_commands(brake: dict[str
         assert commands(host, 1000 * PERIOD, (0, float32(0.5))) == [FULL] * 5
         code, errors = host.close()
     assert code == 0
-    assert errors.splitlines() == ["[WARN] [0.300000000] [Braking_Decision]: too old: ttc"], "it is said once"
+    assert errors.splitlines() == ["[WARN] [0.300000000] [braking_decision]: too old: ttc"], "it is said once"
 
 
 def test_a_new_message_ends_it_and_the_next_silence_is_said_again(brake: dict[str, Any]) -> None:

@@ -1,5 +1,6 @@
 package dev.eventchain.messages;
 
+import java.util.Locale;
 import java.util.regex.Pattern;
 
 /**
@@ -33,10 +34,22 @@ public final class RosNames {
   }
 
   /**
+   * The name that the node of a component has in ROS 2: in snake_case, {@code TTC_Calculation} is
+   * {@code ttc_calculation} and {@code ObjectDetection} is {@code object_detection}.
+   */
+  public static String nodeName(String component) {
+    return component
+        .replaceAll("([a-z0-9])([A-Z])", "$1_$2")
+        .replaceAll("([A-Z])([A-Z][a-z])", "$1_$2")
+        .toLowerCase(Locale.ROOT)
+        .replaceAll("_+", "_");
+  }
+
+  /**
    * The full name of a topic as a node in the root namespace calls it: {@code a/x} is {@code /a/x},
    * and {@code ~/x} is {@code /node/x}. A full name is its own.
    *
-   * @param node the name of the node
+   * @param node the name of the node in ROS 2, see {@link #nodeName}
    */
   public static String resolve(String topic, String node) {
     if (topic.startsWith("/")) {

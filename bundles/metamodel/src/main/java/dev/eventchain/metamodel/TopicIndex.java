@@ -76,7 +76,7 @@ public final class TopicIndex {
    */
   public static Optional<String> nameOf(Data data, SoftwareNode node) {
     String name = data.getTopicName();
-    String owner = node.getName() == null ? "" : node.getName();
+    String owner = node.getName() == null ? "" : RosNames.nodeName(node.getName());
     return name == null || name.isEmpty()
         ? Optional.empty()
         : Optional.of(RosNames.resolve(name, owner));

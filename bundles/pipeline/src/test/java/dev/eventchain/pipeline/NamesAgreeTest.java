@@ -27,6 +27,7 @@ import dev.eventchain.ocl.OclRules;
 import dev.eventchain.ocl.OclValidator;
 import dev.eventchain.python.PythonEnvironment;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -270,6 +271,47 @@ class NamesAgreeTest {
     return check(chain).stream().map(Diagnostic::rule).toList();
   }
 
+  /** The templates' rule is the same text as that of OCL, which is evaluated. */
+  @Test
+  void nodesAreCalledTheSame() throws IOException {
+    Random random = new Random(11);
+    EventChain chain = FACTORY.createEventChain();
+    List<String> names = new ArrayList<>(List.of("TTC_Calculation", "ObjectDetection", "ABCd2Ef"));
+    for (int i = 0; i < NAMES; i++) {
+      StringBuilder name = new StringBuilder("x");
+      random.ints(random.nextInt(9), 0, 8).forEach(at -> name.append("aBcD_2_E".charAt(at)));
+      names.add(name.toString());
+    }
+    for (String name : names) {
+      SoftwareNode node = FACTORY.createSoftwareNode();
+      node.setName(name);
+      node.setDescription("/" + RosNames.nodeName(name) + "/x");
+      Data data = FACTORY.createData();
+      data.setTopicName("~/x");
+      chain.getData().add(data);
+      node.getOutput().add(data);
+      chain.getSoftware().add(node);
+    }
+    String rule =
+        """
+        context SoftwareNode
+          inv Tell: self.output->forAll(d | d.topicOf(self) = self.description)
+        """;
+    assertEquals(
+        List.of(),
+        check(chain, rule).stream().filter(f -> f.rule().equals("SoftwareNode::Tell")).toList());
+    assertEquals("ttc_calculation", RosNames.nodeName("TTC_Calculation"));
+    assertEquals("object_detection", RosNames.nodeName("ObjectDetection"));
+    for (String file : List.of("metamodel/eventchain.ocl", "templates/python/names.mtl")) {
+      String text = Files.readString(Path.of("../..", file)).replaceAll("\\s+", "");
+      assertTrue(
+          text.contains(
+              ".replaceAll('([a-z0-9])([A-Z])','$1_$2').replaceAll('([A-Z])([A-Z][a-z])','$1_$2')"
+                  + ".toLowerCase().replaceAll('_+','_')"),
+          file);
+    }
+  }
+
   /** Components write and read topics and fields of which many mean the same, or nearly. */
   @Test
   void rulesAndIndexSeeTheSameFlow() {
@@ -308,7 +350,7 @@ class NamesAgreeTest {
     EventChain chain = FACTORY.createEventChain();
     for (int i = 0; i < 6; i++) {
       SoftwareNode node = FACTORY.createSoftwareNode();
-      node.setName("n" + i);
+      node.setName("N" + i);
       chain.getSoftware().add(node);
       for (int j = random.nextInt(3); j >= 0; j--) {
         node.getInput().add(data(chain, random));

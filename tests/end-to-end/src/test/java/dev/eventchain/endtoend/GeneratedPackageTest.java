@@ -66,7 +66,7 @@ class GeneratedPackageTest {
                 "-m", "pytest", "-p", "no:cacheprovider", "-p", "eventchain_ros2.pytest_plugin"));
     words.add("--messages=" + project.resolve("software-base/msg"));
     String output = python(words);
-    assertTrue(output.contains("test_objectdetection_node.py"), output);
+    assertTrue(output.contains("test_object_detection_node.py"), output);
     assertTrue(output.matches("(?s).*\\b51 passed.*"), output);
   }
 
@@ -105,7 +105,7 @@ class GeneratedPackageTest {
   void generatingAgainTouchesNothing() throws IOException {
     Map<Path, FileTime> before = times();
     assertFalse(before.isEmpty());
-    new Program().run("generate", project).expect(0).says("24 files");
+    new Program().run("generate", project).expect(0).says("27 files");
     assertEquals(before, times());
   }
 

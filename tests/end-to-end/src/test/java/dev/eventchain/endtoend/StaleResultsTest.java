@@ -129,7 +129,7 @@ class StaleResultsTest {
     run("simulate").expect(0);
     assertArrayEquals(report, Files.readAllBytes(out("report.html")));
     append("out/ros2/aeb/setup.py", "# Edited.");
-    run("generate --overwrite").expect(0).says("24 files");
+    run("generate --overwrite").expect(0).says("27 files");
     assertArrayEquals(verdict, Files.readAllBytes(out("verdict.json")));
     assertArrayEquals(report, Files.readAllBytes(out("report.html")));
   }

@@ -6,10 +6,10 @@ from setuptools import setup
 
 PACKAGE = "chain_x"
 NODES = [
-    "a___node",
+    "a__node",
     "class__node",
     "line_break_node",
-    "gr__e___file___x___node",
+    "gr_e_file_x__node",
     "__node",
     "std_msgs_node",
 ]

@@ -6,7 +6,7 @@ from setuptools import setup
 
 PACKAGE = "fusion"
 NODES = [
-    "laserscan_node",
+    "laser_scan_node",
     "sink_node",
 ]
 

@@ -78,7 +78,7 @@ class Left_node:
         )
         self.writer__left = DataWriter(
             participant,
-            Topic(participant, "rt/Left/left", messages.std_msgs__Float32),
+            Topic(participant, "rt/left/left", messages.std_msgs__Float32),
             qos=Qos(
                 Policy.Reliability.Reliable(max_blocking_time=duration(infinite=True)),
                 Policy.Durability.Volatile,

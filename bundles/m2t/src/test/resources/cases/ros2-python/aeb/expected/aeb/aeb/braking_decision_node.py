@@ -25,7 +25,7 @@ class Braking_Decision_node(rclpy.node.Node):
     """Runs the component Braking_Decision."""
 
     def __init__(self, **options: Any) -> None:
-        super().__init__("Braking_Decision", **options)
+        super().__init__("braking_decision", **options)
         self.declare_parameter(
             "frequency",
             20.0,
@@ -87,7 +87,7 @@ class Braking_Decision_node(rclpy.node.Node):
         self.arrived["ttc"] = now
 
     def too_old(self) -> list[str]:
-        """The inputs that came too long ago."""
+        """Name the inputs that came too long ago."""
         now = self.get_clock().now().nanoseconds
         ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
         return [key for key, age in ages.items() if not 0 <= age <= MAXIMUM_AGE[key]]

@@ -26,7 +26,7 @@ class Carla_Vehicle_Control_node(rclpy.node.Node):
     """Runs the component Carla_Vehicle_Control."""
 
     def __init__(self, **options: Any) -> None:
-        super().__init__("Carla_Vehicle_Control", **options)
+        super().__init__("carla_vehicle_control", **options)
         self.declare_parameter(
             "frequency",
             20.0,
@@ -88,7 +88,7 @@ class Carla_Vehicle_Control_node(rclpy.node.Node):
         self.arrived["brake_force"] = now
 
     def too_old(self) -> list[str]:
-        """The inputs that came too long ago."""
+        """Name the inputs that came too long ago."""
         now = self.get_clock().now().nanoseconds
         ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
         return [key for key, age in ages.items() if not 0 <= age <= MAXIMUM_AGE[key]]

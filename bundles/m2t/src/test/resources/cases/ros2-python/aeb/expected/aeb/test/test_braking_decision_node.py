@@ -24,7 +24,7 @@ NodeClass = Callable[..., Any]
 
 
 def message_on_aeb_ttc() -> Any:
-    """A message on a topic that the node subscribes to."""
+    """Make a message on a topic that the node subscribes to."""
     message = std_msgs.msg.Float32()
     message.data = 1.5
     return message
@@ -36,7 +36,7 @@ def plain(value: Any) -> Any:
 
 
 def values_on_vehicle_brake_force(message: std_msgs.msg.Float32) -> list[Any]:
-    """What a message carries that the node publishes."""
+    """Read what a message carries that the node publishes."""
     return [
         plain(message.data),
     ]
@@ -94,7 +94,7 @@ class StandIn:
 
 
 def frequency(value: object) -> list[rclpy.parameter.Parameter]:
-    """The argument that overrides the node's frequency."""
+    """Make the argument that overrides the node's frequency."""
     return [rclpy.parameter.Parameter("frequency", value=value)]
 
 

@@ -26,7 +26,7 @@ NodeClass = Callable[..., Any]
 
 
 def message_on_scan() -> Any:
-    """A message on a topic that the node subscribes to."""
+    """Make a message on a topic that the node subscribes to."""
     message = sensor_msgs.msg.LaserScan()
     message.ranges = [1.5, 2.5]
     message.header.stamp.sec = 2
@@ -34,7 +34,7 @@ def message_on_scan() -> Any:
 
 
 def message_on_carla_ego_vehicle_vehicle_status() -> Any:
-    """A message on a topic that the node subscribes to."""
+    """Make a message on a topic that the node subscribes to."""
     message = carla_msgs.msg.CarlaEgoVehicleStatus()
     message.velocity = 3.5
     return message
@@ -46,7 +46,7 @@ def plain(value: Any) -> Any:
 
 
 def values_on_aeb_ttc(message: std_msgs.msg.Float32) -> list[Any]:
-    """What a message carries that the node publishes."""
+    """Read what a message carries that the node publishes."""
     return [
         plain(message.data),
     ]
@@ -117,7 +117,7 @@ class StandIn:
 
 
 def frequency(value: object) -> list[rclpy.parameter.Parameter]:
-    """The argument that overrides the node's frequency."""
+    """Make the argument that overrides the node's frequency."""
     return [rclpy.parameter.Parameter("frequency", value=value)]
 
 

@@ -114,7 +114,7 @@ class World:
 
 @pytest.fixture
 def world() -> Iterator[World]:
-    """The surroundings of the nodes under test."""
+    """Make the surroundings of the nodes under test."""
     rclpy.init(domain_id=DOMAIN)
     surroundings = World()
     yield surroundings

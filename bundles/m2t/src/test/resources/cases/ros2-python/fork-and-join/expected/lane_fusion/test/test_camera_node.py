@@ -26,7 +26,7 @@ NodeClass = Callable[..., Any]
 
 
 def message_on_road() -> Any:
-    """A message on a topic that the node subscribes to."""
+    """Make a message on a topic that the node subscribes to."""
     message = sensor_msgs.msg.Range()
     message.range = 1.5
     return message
@@ -38,14 +38,14 @@ def plain(value: Any) -> Any:
 
 
 def values_on_camera_brightness(message: std_msgs.msg.Float64) -> list[Any]:
-    """What a message carries that the node publishes."""
+    """Read what a message carries that the node publishes."""
     return [
         plain(message.data),
     ]
 
 
 def values_on_camera_exposures(message: sensor_msgs.msg.JointState) -> list[Any]:
-    """What a message carries that the node publishes."""
+    """Read what a message carries that the node publishes."""
     return [
         plain(message.position),
     ]
@@ -113,12 +113,12 @@ class StandIn:
 
 
 def frequency(value: object) -> list[rclpy.parameter.Parameter]:
-    """The argument that overrides the node's frequency."""
+    """Make the argument that overrides the node's frequency."""
     return [rclpy.parameter.Parameter("frequency", value=value)]
 
 
 def stamp(message: Any) -> rclpy.time.Time:
-    """The time in the header of a message."""
+    """Read the time in the header of a message."""
     return rclpy.time.Time.from_msg(message.header.stamp)
 
 

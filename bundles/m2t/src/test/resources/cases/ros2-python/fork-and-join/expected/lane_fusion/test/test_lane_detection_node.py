@@ -25,7 +25,7 @@ NodeClass = Callable[..., Any]
 
 
 def message_on_camera_brightness() -> Any:
-    """A message on a topic that the node subscribes to."""
+    """Make a message on a topic that the node subscribes to."""
     message = std_msgs.msg.Float64()
     message.data = 1.5
     return message
@@ -39,7 +39,7 @@ def plain(value: Any) -> Any:
 def values_on_lane_offset(
     message: geometry_msgs.msg.PoseWithCovarianceStamped,
 ) -> list[Any]:
-    """What a message carries that the node publishes."""
+    """Read what a message carries that the node publishes."""
     return [
         plain(message.pose.pose.position.y),
     ]
@@ -97,7 +97,7 @@ class StandIn:
 
 
 def frequency(value: object) -> list[rclpy.parameter.Parameter]:
-    """The argument that overrides the node's frequency."""
+    """Make the argument that overrides the node's frequency."""
     return [rclpy.parameter.Parameter("frequency", value=value)]
 
 

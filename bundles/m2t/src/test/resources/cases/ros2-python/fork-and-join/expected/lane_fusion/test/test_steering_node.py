@@ -28,7 +28,7 @@ NodeClass = Callable[..., Any]
 
 
 def message_on_lane_offset() -> Any:
-    """A message on a topic that the node subscribes to."""
+    """Make a message on a topic that the node subscribes to."""
     message = geometry_msgs.msg.PoseWithCovarianceStamped()
     message.pose.pose.position.y = 1.5
     message.pose.covariance = [2.5] * 36
@@ -36,14 +36,14 @@ def message_on_lane_offset() -> Any:
 
 
 def message_on_vehicles() -> Any:
-    """A message on a topic that the node subscribes to."""
+    """Make a message on a topic that the node subscribes to."""
     message = std_msgs.msg.Int32MultiArray()
     message.data = [3, 4]
     return message
 
 
 def message_on_vehicles_urgent() -> Any:
-    """A message on a topic that the node subscribes to."""
+    """Make a message on a topic that the node subscribes to."""
     message = std_msgs.msg.Bool()
     return message
 
@@ -54,14 +54,14 @@ def plain(value: Any) -> Any:
 
 
 def values_on_steering_angle(message: std_msgs.msg.Float32) -> list[Any]:
-    """What a message carries that the node publishes."""
+    """Read what a message carries that the node publishes."""
     return [
         plain(message.data),
     ]
 
 
 def values_on_steering_state(message: sensor_msgs.msg.Joy) -> list[Any]:
-    """What a message carries that the node publishes."""
+    """Read what a message carries that the node publishes."""
     return [
         plain(message.header.frame_id),
     ]
@@ -153,12 +153,12 @@ class StandIn:
 
 
 def frequency(value: object) -> list[rclpy.parameter.Parameter]:
-    """The argument that overrides the node's frequency."""
+    """Make the argument that overrides the node's frequency."""
     return [rclpy.parameter.Parameter("frequency", value=value)]
 
 
 def stamp(message: Any) -> rclpy.time.Time:
-    """The time in the header of a message."""
+    """Read the time in the header of a message."""
     return rclpy.time.Time.from_msg(message.header.stamp)
 
 

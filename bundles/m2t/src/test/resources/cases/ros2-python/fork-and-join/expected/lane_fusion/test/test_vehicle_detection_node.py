@@ -27,7 +27,7 @@ NodeClass = Callable[..., Any]
 
 
 def message_on_camera_exposures() -> Any:
-    """A message on a topic that the node subscribes to."""
+    """Make a message on a topic that the node subscribes to."""
     message = sensor_msgs.msg.JointState()
     fill(message, "position[1]", 1.5)
     return message
@@ -48,7 +48,7 @@ def fill(message: Any, path: str, value: Any) -> None:
 
 
 def item(message: Any, part: str, filling: Any = None) -> Any:
-    """A field of a message, or an item of it, after as many others as it takes."""
+    """Read a field of a message, or an item of it, after as many others as it takes."""
     name, _, index = part.partition("[")
     if not index:
         return getattr(message, name)
@@ -60,7 +60,7 @@ def item(message: Any, part: str, filling: Any = None) -> Any:
 
 
 def element(message: Any, name: str) -> Any:
-    """A new message of the type that a sequence holds."""
+    """Make a new message of the type that a sequence holds."""
     kind = message.get_fields_and_field_types()[name]
     package, kind = kind.removeprefix("sequence<").rstrip("0123456789, >").split("/")
     return getattr(importlib.import_module(package + ".msg"), kind)()
@@ -72,14 +72,14 @@ def plain(value: Any) -> Any:
 
 
 def values_on_vehicles(message: std_msgs.msg.Int32MultiArray) -> list[Any]:
-    """What a message carries that the node publishes."""
+    """Read what a message carries that the node publishes."""
     return [
         plain(message.data),
     ]
 
 
 def values_on_vehicles_urgent(message: std_msgs.msg.Bool) -> list[Any]:
-    """What a message carries that the node publishes."""
+    """Read what a message carries that the node publishes."""
     return [
         plain(message.data),
     ]
@@ -148,7 +148,7 @@ class StandIn:
 
 
 def frequency(value: object) -> list[rclpy.parameter.Parameter]:
-    """The argument that overrides the node's frequency."""
+    """Make the argument that overrides the node's frequency."""
     return [rclpy.parameter.Parameter("frequency", value=value)]
 
 

@@ -23,7 +23,8 @@ MAXIMUM_AGE = {
 
 
 class class__node(rclpy.node.Node):
-    """Runs the component class_.
+    """
+    Runs the component class_.
 
     ?seen? as it is
     """
@@ -107,7 +108,7 @@ class class__node(rclpy.node.Node):
         self.received["_2fast"] = message
 
     def too_old(self) -> list[str]:
-        """The inputs that came too long ago."""
+        """Name the inputs that came too long ago."""
         now = self.get_clock().now().nanoseconds
         ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
         return [key for key, age in ages.items() if not 0 <= age <= MAXIMUM_AGE[key]]

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 PACKAGE = "chain_x"
 NODES = [
     (
-        "a___node",
+        "a__node",
         "a___node",
     ),
     (
@@ -28,7 +28,7 @@ NODES = [
         "line_break_node",
     ),
     (
-        "gr__e___file___x___node",
+        "gr_e_file_x__node",
         "Gr__e___file___x___node",
     ),
     (

@@ -25,13 +25,13 @@ NodeClass = Callable[..., Any]
 
 
 def message_on____1() -> Any:
-    """A message on a topic that the node subscribes to."""
+    """Make a message on a topic that the node subscribes to."""
     message = std_msgs.msg._()
     return message
 
 
 def message_on____2() -> Any:
-    """A message on a topic that the node subscribes to."""
+    """Make a message on a topic that the node subscribes to."""
     message = std_msgs.msg._()
     return message
 
@@ -42,7 +42,7 @@ def plain(value: Any) -> Any:
 
 
 def values_on__(message: _.msg._) -> list[Any]:
-    """What a message carries that the node publishes."""
+    """Read what a message carries that the node publishes."""
     return [
         plain(message._),
     ]
@@ -111,7 +111,7 @@ class StandIn:
 
 
 def frequency(value: object) -> list[rclpy.parameter.Parameter]:
-    """The argument that overrides the node's frequency."""
+    """Make the argument that overrides the node's frequency."""
     return [rclpy.parameter.Parameter("frequency", value=value)]
 
 

@@ -24,7 +24,7 @@ NodeClass = Callable[..., Any]
 
 
 def message_on_x() -> Any:
-    """A message on a topic that the node subscribes to."""
+    """Make a message on a topic that the node subscribes to."""
     message = std_msgs.msg.String()
     return message
 
@@ -35,7 +35,7 @@ def plain(value: Any) -> Any:
 
 
 def values_on_y(message: std_msgs.msg.String) -> list[Any]:
-    """What a message carries that the node publishes."""
+    """Read what a message carries that the node publishes."""
     return [
         plain(message.data),
     ]
@@ -93,7 +93,7 @@ class StandIn:
 
 
 def frequency(value: object) -> list[rclpy.parameter.Parameter]:
-    """The argument that overrides the node's frequency."""
+    """Make the argument that overrides the node's frequency."""
     return [rclpy.parameter.Parameter("frequency", value=value)]
 
 

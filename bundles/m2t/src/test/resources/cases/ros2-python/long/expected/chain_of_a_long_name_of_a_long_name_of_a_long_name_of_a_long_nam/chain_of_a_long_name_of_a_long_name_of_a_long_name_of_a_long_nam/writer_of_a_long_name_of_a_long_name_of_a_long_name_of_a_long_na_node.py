@@ -30,7 +30,7 @@ class Writer_of_a_long_name_of_a_long_name_of_a_long_name_of_a_long_na_node(rclp
 
     def __init__(self, **options: Any) -> None:
         super().__init__(
-            "Writer_of_a_long_name_of_a_long_name_of_a_long_name_of_a_long_na",
+            "writer_of_a_long_name_of_a_long_name_of_a_long_name_of_a_long_na",
             **options,
         )
         self.declare_parameter(
@@ -91,7 +91,7 @@ class Writer_of_a_long_name_of_a_long_name_of_a_long_name_of_a_long_na_node(rclp
         self.arrived["output_of_a_long_name_of_a_long_name_of_a_long_name_of_a_long_na"] = now
 
     def too_old(self) -> list[str]:
-        """The inputs that came too long ago."""
+        """Name the inputs that came too long ago."""
         now = self.get_clock().now().nanoseconds
         ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
         return [key for key, age in ages.items() if not 0 <= age <= MAXIMUM_AGE[key]]

@@ -40,7 +40,7 @@ TOPIC_6 = "/other_of_a_long_name_of_a_long_name_of_a_long_name_of_a_long_name_of
 
 
 def message_on_long_name_of_a_long_name_of_a_long_name__1() -> Any:
-    """A message on a topic that the node subscribes to."""
+    """Make a message on a topic that the node subscribes to."""
     message = ReportOfALongNameOfALongNameOfALongNameOfALongNameOfALongNameOfA()
     fill(
         message,
@@ -58,20 +58,20 @@ def message_on_long_name_of_a_long_name_of_a_long_name__1() -> Any:
 
 
 def message_on_long_name_of_a_long_name_of_a_long_name__2() -> Any:
-    """A message on a topic that the node subscribes to."""
+    """Make a message on a topic that the node subscribes to."""
     message = ReportOfALongNameOfALongNameOfALongNameOfALongNameOfALongNameOfA()
     return message
 
 
 def message_on_longx__3() -> Any:
-    """A message on a topic that the node subscribes to."""
+    """Make a message on a topic that the node subscribes to."""
     message = std_msgs.msg.Float32()
     message.data = 4.5
     return message
 
 
 def at(message: Any, path: str) -> Any:
-    """A field of a message by its path."""
+    """Read a field of a message by its path."""
     for part in path.split("."):
         message = item(message, part)
     return message
@@ -92,7 +92,7 @@ def fill(message: Any, path: str, value: Any) -> None:
 
 
 def item(message: Any, part: str, filling: Any = None) -> Any:
-    """A field of a message, or an item of it, after as many others as it takes."""
+    """Read a field of a message, or an item of it, after as many others as it takes."""
     name, _, index = part.partition("[")
     if not index:
         return getattr(message, name)
@@ -104,7 +104,7 @@ def item(message: Any, part: str, filling: Any = None) -> Any:
 
 
 def element(message: Any, name: str) -> Any:
-    """A new message of the type that a sequence holds."""
+    """Make a new message of the type that a sequence holds."""
     kind = message.get_fields_and_field_types()[name]
     package, kind = kind.removeprefix("sequence<").rstrip("0123456789, >").split("/")
     return getattr(importlib.import_module(package + ".msg"), kind)()
@@ -118,7 +118,7 @@ def plain(value: Any) -> Any:
 def values_on_name_of_a_long_name_of_a_long_name_out__1(
     message: ReportOfALongNameOfALongNameOfALongNameOfALongNameOfALongNameOfA,
 ) -> list[Any]:
-    """What a message carries that the node publishes."""
+    """Read what a message carries that the node publishes."""
     return [
         plain(
             at(
@@ -138,7 +138,7 @@ def values_on_name_of_a_long_name_of_a_long_name_out__1(
 
 
 def values_on_longx_out__2(message: std_msgs.msg.Float32) -> list[Any]:
-    """What a message carries that the node publishes."""
+    """Read what a message carries that the node publishes."""
     return [
         plain(message.data),
     ]
@@ -147,7 +147,7 @@ def values_on_longx_out__2(message: std_msgs.msg.Float32) -> list[Any]:
 def values_on_name_of_a_long_name_of_a_long_name_out__3(
     message: ReportOfALongNameOfALongNameOfALongNameOfALongNameOfALongNameOfA,
 ) -> list[Any]:
-    """What a message carries that the node publishes."""
+    """Read what a message carries that the node publishes."""
     return [
         plain(
             message.inner_of_a_long_name_of_a_long_name_of_a_long_name_of_a_long_nam,
@@ -263,12 +263,12 @@ class StandIn:
 
 
 def frequency(value: object) -> list[rclpy.parameter.Parameter]:
-    """The argument that overrides the node's frequency."""
+    """Make the argument that overrides the node's frequency."""
     return [rclpy.parameter.Parameter("frequency", value=value)]
 
 
 def stamp(message: Any) -> rclpy.time.Time:
-    """The time in the header of a message."""
+    """Read the time in the header of a message."""
     return rclpy.time.Time.from_msg(message.header.stamp)
 
 

@@ -31,7 +31,7 @@ TOPIC_1 = (
 
 
 def message_on_name_of_a_long_name_of_a_long_name_out__1() -> Any:
-    """A message on a topic that the node subscribes to."""
+    """Make a message on a topic that the node subscribes to."""
     message = ReportOfALongNameOfALongNameOfALongNameOfALongNameOfALongNameOfA()
     fill(
         message,
@@ -57,7 +57,7 @@ def fill(message: Any, path: str, value: Any) -> None:
 
 
 def item(message: Any, part: str, filling: Any = None) -> Any:
-    """A field of a message, or an item of it, after as many others as it takes."""
+    """Read a field of a message, or an item of it, after as many others as it takes."""
     name, _, index = part.partition("[")
     if not index:
         return getattr(message, name)
@@ -69,7 +69,7 @@ def item(message: Any, part: str, filling: Any = None) -> Any:
 
 
 def element(message: Any, name: str) -> Any:
-    """A new message of the type that a sequence holds."""
+    """Make a new message of the type that a sequence holds."""
     kind = message.get_fields_and_field_types()[name]
     package, kind = kind.removeprefix("sequence<").rstrip("0123456789, >").split("/")
     return getattr(importlib.import_module(package + ".msg"), kind)()
@@ -120,7 +120,7 @@ class StandIn:
 
 
 def frequency(value: object) -> list[rclpy.parameter.Parameter]:
-    """The argument that overrides the node's frequency."""
+    """Make the argument that overrides the node's frequency."""
     return [rclpy.parameter.Parameter("frequency", value=value)]
 
 

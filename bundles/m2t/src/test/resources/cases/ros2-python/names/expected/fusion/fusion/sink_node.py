@@ -25,7 +25,7 @@ class Sink_node(rclpy.node.Node):
     """Runs the component Sink."""
 
     def __init__(self, **options: Any) -> None:
-        super().__init__("Sink", **options)
+        super().__init__("sink", **options)
         self.declare_parameter(
             "frequency",
             None,  # the model states no value
@@ -77,7 +77,7 @@ class Sink_node(rclpy.node.Node):
         self.arrived["forward"] = now
 
     def too_old(self) -> list[str]:
-        """The inputs that came too long ago."""
+        """Name the inputs that came too long ago."""
         now = self.get_clock().now().nanoseconds
         ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
         return [key for key, age in ages.items() if not 0 <= age <= MAXIMUM_AGE[key]]

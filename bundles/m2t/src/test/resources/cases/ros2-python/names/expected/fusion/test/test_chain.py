@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 PACKAGE = "fusion"
 NODES = [
     (
-        "laserscan_node",
+        "laser_scan_node",
         "LaserScan_node",
     ),
     (

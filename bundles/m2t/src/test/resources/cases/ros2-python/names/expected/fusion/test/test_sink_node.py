@@ -24,7 +24,7 @@ NodeClass = Callable[..., Any]
 
 
 def message_on_command() -> Any:
-    """A message on a topic that the node subscribes to."""
+    """Make a message on a topic that the node subscribes to."""
     message = geometry_msgs.msg.TwistStamped()
     message.twist.linear.x = 1.5
     return message
@@ -75,7 +75,7 @@ class StandIn:
 
 
 def frequency(value: object) -> list[rclpy.parameter.Parameter]:
-    """The argument that overrides the node's frequency."""
+    """Make the argument that overrides the node's frequency."""
     return [rclpy.parameter.Parameter("frequency", value=value)]
 
 

@@ -108,7 +108,7 @@ class options_node(rclpy.node.Node):
         self.arrived["best"] = now
 
     def too_old(self) -> list[str]:
-        """The inputs that came too long ago."""
+        """Name the inputs that came too long ago."""
         now = self.get_clock().now().nanoseconds
         ages = {name: (now - arrived) / 1e6 for name, arrived in self.arrived.items()}
         return [key for key, age in ages.items() if not 0 <= age <= MAXIMUM_AGE[key]]

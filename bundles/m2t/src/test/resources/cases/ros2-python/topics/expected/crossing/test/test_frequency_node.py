@@ -24,49 +24,49 @@ NodeClass = Callable[..., Any]
 
 
 def message_on_a_b__1() -> Any:
-    """A message on a topic that the node subscribes to."""
+    """Make a message on a topic that the node subscribes to."""
     message = std_msgs.msg.Float32()
     message.data = 1.5
     return message
 
 
 def message_on_a_b__2() -> Any:
-    """A message on a topic that the node subscribes to."""
+    """Make a message on a topic that the node subscribes to."""
     message = std_msgs.msg.Float32()
     message.data = 2.5
     return message
 
 
 def message_on_a_b_2__3() -> Any:
-    """A message on a topic that the node subscribes to."""
+    """Make a message on a topic that the node subscribes to."""
     message = std_msgs.msg.Float32()
     message.data = 3.5
     return message
 
 
 def message_on_a_b_2__4() -> Any:
-    """A message on a topic that the node subscribes to."""
+    """Make a message on a topic that the node subscribes to."""
     message = std_msgs.msg.Float32()
     message.data = 4.5
     return message
 
 
 def message_on__in() -> Any:
-    """A message on a topic that the node subscribes to."""
+    """Make a message on a topic that the node subscribes to."""
     message = std_msgs.msg.Float32()
     message.data = 5.5
     return message
 
 
 def message_on_level() -> Any:
-    """A message on a topic that the node subscribes to."""
+    """Make a message on a topic that the node subscribes to."""
     message = std_msgs.msg.Float32()
     message.data = 6.5
     return message
 
 
 def message_on_valid() -> Any:
-    """A message on a topic that the node subscribes to."""
+    """Make a message on a topic that the node subscribes to."""
     message = std_msgs.msg.Bool()
     message.data = True
     return message
@@ -78,28 +78,28 @@ def plain(value: Any) -> Any:
 
 
 def values_on_level(message: std_msgs.msg.Float32) -> list[Any]:
-    """What a message carries that the node publishes."""
+    """Read what a message carries that the node publishes."""
     return [
         plain(message.data),
     ]
 
 
 def values_on_valid(message: std_msgs.msg.Bool) -> list[Any]:
-    """What a message carries that the node publishes."""
+    """Read what a message carries that the node publishes."""
     return [
         plain(message.data),
     ]
 
 
 def values_on__out(message: std_msgs.msg.Float32) -> list[Any]:
-    """What a message carries that the node publishes."""
+    """Read what a message carries that the node publishes."""
     return [
         plain(message.data),
     ]
 
 
 def values_on_best(message: std_msgs.msg.Float32) -> list[Any]:
-    """What a message carries that the node publishes."""
+    """Read what a message carries that the node publishes."""
     return [
         plain(message.data),
     ]
@@ -253,7 +253,7 @@ class StandIn:
 
 
 def frequency(value: object) -> list[rclpy.parameter.Parameter]:
-    """The argument that overrides the node's frequency."""
+    """Make the argument that overrides the node's frequency."""
     return [rclpy.parameter.Parameter("frequency", value=value)]
 
 

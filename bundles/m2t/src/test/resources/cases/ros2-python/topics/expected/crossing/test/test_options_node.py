@@ -26,7 +26,7 @@ NodeClass = Callable[..., Any]
 
 
 def message_on_best() -> Any:
-    """A message on a topic that the node subscribes to."""
+    """Make a message on a topic that the node subscribes to."""
     message = std_msgs.msg.Float32()
     message.data = 1.5
     return message
@@ -38,21 +38,21 @@ def plain(value: Any) -> Any:
 
 
 def values_on_done(message: std_msgs.msg.Bool) -> list[Any]:
-    """What a message carries that the node publishes."""
+    """Read what a message carries that the node publishes."""
     return [
         plain(message.data),
     ]
 
 
 def values_on_distance(message: sensor_msgs.msg.Range) -> list[Any]:
-    """What a message carries that the node publishes."""
+    """Read what a message carries that the node publishes."""
     return [
         plain(message.range),
     ]
 
 
 def values_on_heard(message: sensor_msgs.msg.Temperature) -> list[Any]:
-    """What a message carries that the node publishes."""
+    """Read what a message carries that the node publishes."""
     return [
         plain(message.header.stamp.sec),
     ]
@@ -130,12 +130,12 @@ class StandIn:
 
 
 def frequency(value: object) -> list[rclpy.parameter.Parameter]:
-    """The argument that overrides the node's frequency."""
+    """Make the argument that overrides the node's frequency."""
     return [rclpy.parameter.Parameter("frequency", value=value)]
 
 
 def stamp(message: Any) -> rclpy.time.Time:
-    """The time in the header of a message."""
+    """Read the time in the header of a message."""
     return rclpy.time.Time.from_msg(message.header.stamp)
 
 

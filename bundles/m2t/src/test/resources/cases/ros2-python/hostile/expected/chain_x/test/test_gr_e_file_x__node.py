@@ -14,7 +14,7 @@ import rclpy.qos
 import std_msgs.msg
 
 from chain_x import (
-    gr__e___file___x___node as node_module,
+    gr_e_file_x__node as node_module,
 )
 
 if TYPE_CHECKING:
@@ -29,7 +29,7 @@ def plain(value: Any) -> Any:
 
 
 def values_on_x(message: std_msgs.msg.String) -> list[Any]:
-    """What a message carries that the node publishes."""
+    """Read what a message carries that the node publishes."""
     return [
         plain(message.data),
     ]
@@ -73,7 +73,7 @@ class StandIn:
 
 
 def frequency(value: object) -> list[rclpy.parameter.Parameter]:
-    """The argument that overrides the node's frequency."""
+    """Make the argument that overrides the node's frequency."""
     return [rclpy.parameter.Parameter("frequency", value=value)]
 
 

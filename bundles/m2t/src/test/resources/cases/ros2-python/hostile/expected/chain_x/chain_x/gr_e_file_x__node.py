@@ -20,7 +20,7 @@ class Gr__e___file___x___node(rclpy.node.Node):
     """Runs the component Gr__e___file___x__."""
 
     def __init__(self, **options: Any) -> None:
-        super().__init__("Gr__e___file___x__", **options)
+        super().__init__("gr_e_file_x_", **options)
         self.declare_parameter(
             "frequency",
             None,  # the model states no value

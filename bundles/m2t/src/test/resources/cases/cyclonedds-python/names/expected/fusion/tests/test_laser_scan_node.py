@@ -9,7 +9,7 @@ from typing import Any
 from peers import participant, reader_for, wait_for_values, wait_until, writer_for
 
 from fusion import messages
-from fusion.laserscan_node import LaserScan_node
+from fusion.laser_scan_node import LaserScan_node
 
 
 class StandIn:
