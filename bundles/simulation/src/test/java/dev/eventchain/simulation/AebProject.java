@@ -1,17 +1,28 @@
 package dev.eventchain.simulation;
 
+import static dev.eventchain.diagnostics.SourceLocation.NONE;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.m2t.TemplateModule;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.metamodel.Signal;
 import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
 import dev.eventchain.python.PythonEnvironment;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EPackage;
@@ -24,7 +35,21 @@ final class AebProject {
 
   private static final Path RESOURCES = Path.of("src/test/resources");
   static final Path EXAMPLE = Path.of("../../examples/aeb");
-  static final Bench BENCH = Bench.carla();
+  static final Bench BENCH =
+      Bench.read(Optional.empty(), declared(), MessageCatalog.of(List.of(messages())));
+
+  private static final Set<String> SCENARIOS =
+      Set.of(
+          "braking-vehicle",
+          "empty-road",
+          "next-lane",
+          "receding-vehicle",
+          "same-speed-vehicle",
+          "slow-approach",
+          "slower-vehicle",
+          "stopped-vehicle-20",
+          "stopped-vehicle-50",
+          "stopped-vehicle-60");
 
   private final Path folder;
   private final EventChain chain;
@@ -43,6 +68,38 @@ final class AebProject {
     }
     copyComponents(RESOURCES.resolve("aeb/components"));
     copyComponents(EXAMPLE.resolve("software-base/components"));
+  }
+
+  private static Path messages() {
+    return EXAMPLE.resolve("software-base/msg");
+  }
+
+  /** The topics that formulas of the example's scenarios read, with their units. */
+  private static List<Signal> declared() {
+    List<Signal> signals = new ArrayList<>();
+    SourceText text = SourceText.read(EXAMPLE.resolve("software-base/signals.json"));
+    try {
+      for (JsonNode topic : new ObjectMapper().readTree(text.text())) {
+        List<Signal.Field> fields = new ArrayList<>();
+        for (JsonNode field : topic.get("Message Definition")) {
+          String unit = field.path("Unit").asText("");
+          String type = field.get("Type").asText();
+          fields.add(new Signal.Field(field.get("Field").asText(), type, unit, NONE));
+        }
+        String direction = topic.get("direction").asText().toUpperCase(Locale.ROOT);
+        signals.add(
+            new Signal(
+                topic.get("Topic Name").asText(),
+                topic.get("Message Type").asText(),
+                Signal.Direction.valueOf(direction),
+                Optional.empty(),
+                fields,
+                NONE));
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    return signals;
   }
 
   /** The project with the nodes of another chain of the same components. */
@@ -102,8 +159,11 @@ final class AebProject {
     return this;
   }
 
+  /** Some of the example's: enough for what is tested here, and not too many to be simulated. */
   static List<Scenario> scenarios() {
-    return Scenario.readFolder(EXAMPLE.resolve("scenarios"), BENCH, warning -> {});
+    return Scenario.readFolder(EXAMPLE.resolve("scenarios"), BENCH, warning -> {}).stream()
+        .filter(each -> SCENARIOS.contains(each.name()))
+        .toList();
   }
 
   static Scenario scenario(String name) {
@@ -111,9 +171,8 @@ final class AebProject {
   }
 
   SimulationRequest request(List<Scenario> scenarios) {
-    List<Path> messages = List.of(EXAMPLE.resolve("software-base/msg"));
     return SimulationRequest.of(
-        chain, folder.resolve("aeb"), manifest(), messages, BENCH, scenarios);
+        chain, folder.resolve("aeb"), manifest(), List.of(messages()), BENCH, scenarios);
   }
 
   NodeManifest manifest() {

@@ -70,7 +70,7 @@ class CycloneDdsTest {
     new Program()
         .run("run", dds, "--from", "generate")
         .expect(0)
-        .says("PASSED: 10 of 10 scenarios passed");
+        .says("PASSED: 32 of 32 scenarios passed");
     generated = dds.resolve("out/cyclonedds/aeb");
   }
 

@@ -1,0 +1,169 @@
+package dev.eventchain.endtoend;
+
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.metamodel.XmiStore;
+import dev.eventchain.metamodel.eventchain.ComponentOrigin;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import dev.eventchain.modeler.SoftwareBase;
+import dev.eventchain.python.PythonEnvironment;
+import dev.eventchain.simulation.Bench;
+import dev.eventchain.simulation.NodeManifest;
+import dev.eventchain.simulation.Scenario;
+import dev.eventchain.simulation.ScenarioVerdict;
+import dev.eventchain.simulation.Simulation;
+import dev.eventchain.simulation.SimulationRequest;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.CompletableFuture;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+
+/**
+ * Simulates an example whose components change from scenario to scenario. A scenario reads them
+ * anew, so one simulation does for many mutants, and nothing is generated or started for each.
+ */
+final class MutantRun {
+
+  private static final int PROCESSES = 2;
+
+  private final Path folder;
+  private final Path generated;
+  private final EventChain chain;
+  private final Bench bench;
+  private final List<Path> messages;
+  private final List<Scenario> scenarios;
+
+  /** A scenario and what is changed in it; without a mutant it is the original. */
+  record Trial(Optional<Mutant> mutant, Scenario scenario) {
+
+    @Override
+    public String toString() {
+      return mutant.map(Mutant::toString).orElse("the original") + " in " + scenario.name();
+    }
+  }
+
+  private MutantRun(Path folder, Path project) throws IOException {
+    this.folder = folder;
+    Path out = project.resolve("out");
+    this.generated = manifest(out.resolve("ros2")).getParent();
+    this.chain =
+        (EventChain)
+            new XmiStore(out).load(out.resolve("chain.xmi")).resource().getContents().get(0);
+    this.messages = List.of(project.resolve("software-base/msg"));
+    this.bench =
+        Bench.read(
+            Optional.of(project.resolve(Bench.FILE)).filter(Files::exists),
+            SoftwareBase.read(project.resolve("software-base")).signals().orElse(List.of()),
+            MessageCatalog.of(messages));
+    this.scenarios = Scenario.readFolder(project.resolve("scenarios"), bench, warning -> {});
+  }
+
+  /** Generates an example in a folder. */
+  static MutantRun of(String example, Path folder) throws IOException {
+    Path project = folder.resolve(example);
+    Program.copy(Program.ROOT.resolve("examples").resolve(example), project);
+    new Program().run("run", project, "--to", "generate").expect(0);
+    return new MutantRun(folder, project);
+  }
+
+  private static Path manifest(Path ros2) throws IOException {
+    try (Stream<Path> files = Files.walk(ros2)) {
+      return files.filter(file -> file.endsWith(NodeManifest.FILE)).findFirst().orElseThrow();
+    }
+  }
+
+  List<Scenario> scenarios() {
+    return scenarios;
+  }
+
+  Trial trial(Mutant mutant) {
+    Optional<Scenario> scenario =
+        scenarios.stream().filter(each -> each.name().equals(mutant.scenario())).findFirst();
+    return new Trial(Optional.of(mutant), scenario.orElseThrow());
+  }
+
+  /** The verdicts, in the order of the trials. */
+  List<ScenarioVerdict> simulate(List<Trial> trials) throws IOException {
+    List<CompletableFuture<List<ScenarioVerdict>>> parts = new ArrayList<>();
+    for (int i = 0; i < PROCESSES; i++) {
+      int turn = i;
+      List<Trial> part =
+          IntStream.range(0, trials.size())
+              .filter(index -> index % PROCESSES == turn)
+              .mapToObj(trials::get)
+              .toList();
+      Path copy = folder.resolve("package" + turn);
+      Program.copy(generated, copy);
+      parts.add(CompletableFuture.supplyAsync(() -> simulate(part, copy)));
+    }
+    List<List<ScenarioVerdict>> verdicts = parts.stream().map(CompletableFuture::join).toList();
+    return IntStream.range(0, trials.size())
+        .mapToObj(index -> verdicts.get(index % PROCESSES).get(index / PROCESSES))
+        .toList();
+  }
+
+  /** With one process a scenario begins when the one before has been reported. */
+  private List<ScenarioVerdict> simulate(List<Trial> trials, Path copy) {
+    List<Scenario> wanted = trials.stream().map(Trial::scenario).toList();
+    SimulationRequest request =
+        SimulationRequest.of(
+                chain,
+                copy,
+                NodeManifest.read(SourceText.read(copy.resolve(NodeManifest.FILE))),
+                messages,
+                bench,
+                wanted)
+            .withProcesses(1)
+            .withGenerated(written());
+    int[] next = {0};
+    change(trials.get(0), copy);
+    try {
+      return Simulation.run(
+              request,
+              PythonEnvironment.ensure(line -> {}),
+              name -> {
+                if (++next[0] < trials.size()) {
+                  change(trials.get(next[0]), copy);
+                }
+              })
+          .verdicts();
+    } catch (DiagnosticException e) {
+      throw new AssertionError(trials.get(next[0]) + " does not run: " + e.diagnostics(), e);
+    } catch (InterruptedException e) {
+      throw new IllegalStateException(e);
+    }
+  }
+
+  private Set<String> written() {
+    return chain.getSoftware().stream()
+        .filter(node -> node.getOrigin() == ComponentOrigin.GENERATED)
+        .map(SoftwareNode::getName)
+        .collect(Collectors.toSet());
+  }
+
+  /** Puts the original components into a copy of the package, and what the trial changes. */
+  private void change(Trial trial, Path copy) {
+    Path components = copy.resolve(chain.getName()).resolve("components");
+    try (Stream<Path> files =
+        Files.list(generated.resolve(chain.getName()).resolve("components"))) {
+      for (Path file : files.filter(Files::isRegularFile).toList()) {
+        Path target = components.resolve(file.getFileName().toString());
+        Files.copy(file, target, StandardCopyOption.REPLACE_EXISTING);
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    trial.mutant().ifPresent(mutant -> mutant.putInto(components));
+  }
+}

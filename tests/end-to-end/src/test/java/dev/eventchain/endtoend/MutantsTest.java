@@ -1,0 +1,70 @@
+package dev.eventchain.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.simulation.Scenario;
+import dev.eventchain.simulation.ScenarioVerdict;
+import dev.eventchain.simulation.ScenarioVerdict.CriterionResult;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/**
+ * The scenarios of the examples fail components that somebody responsible for safety would fail,
+ * and for the right reason: by the criterion that is about what is wrong with them.
+ */
+class MutantsTest {
+
+  private static final Path MUTANTS = Path.of("src/test/resources/mutants");
+
+  @TempDir Path folder;
+
+  @ParameterizedTest
+  @CsvSource("aeb, 100")
+  void scenariosFailEachMutantByItsCriterion(String example, int fewest) throws Exception {
+    List<Mutant> mutants = Mutant.read(MUTANTS.resolve(example + ".yaml"));
+    Set<String> ids = mutants.stream().map(Mutant::id).collect(Collectors.toSet());
+    assertEquals(mutants.size(), ids.size(), "two have the same id");
+    MutantRun run = MutantRun.of(example, folder);
+    List<MutantRun.Trial> trials = new ArrayList<>();
+    for (Scenario scenario : run.scenarios()) {
+      trials.add(new MutantRun.Trial(Optional.empty(), scenario));
+    }
+    mutants.forEach(each -> trials.add(run.trial(each)));
+    List<ScenarioVerdict> verdicts = run.simulate(trials);
+    Set<String> wrong = new LinkedHashSet<>();
+    for (int i = 0; i < trials.size(); i++) {
+      complaint(trials.get(i), verdicts.get(i)).ifPresent(wrong::add);
+    }
+    assertEquals(Set.of(), wrong, () -> String.join("\n", wrong));
+    long caught = mutants.stream().filter(each -> each.equivalent().isEmpty()).count();
+    assertTrue(caught >= fewest, () -> caught + " mutants are too few to speak of");
+  }
+
+  private static Optional<String> complaint(MutantRun.Trial trial, ScenarioVerdict verdict) {
+    if (!verdict.worked()) {
+      return Optional.of(trial + " does not work at all");
+    }
+    boolean original = trial.mutant().filter(each -> each.equivalent().isEmpty()).isEmpty();
+    if (original) {
+      return verdict.passed()
+          ? Optional.empty()
+          : Optional.of(trial + " fails: " + verdict.diagnostics());
+    }
+    String criterion = trial.mutant().get().criterion();
+    List<CriterionResult> failed =
+        verdict.criteria().stream().filter(each -> each.tested() && !each.passed()).toList();
+    return failed.stream().anyMatch(each -> each.text().startsWith(criterion))
+        ? Optional.empty()
+        : Optional.of(
+            trial + " is not failed by '" + criterion + "' but by " + verdict.diagnostics());
+  }
+}
