@@ -40,7 +40,7 @@ class OwnTemplateTest {
   @Test
   void nobodyButTheTemplatesKnowsWhatTheyCallThings() throws IOException {
     use("templates/ros2-python/main.mtl");
-    change("identifier().toLowerCase().concat('_node')", "identifier().concat('_module')");
+    change("node.rosName().concat('_node')", "node.rosName().concat('_module')");
     change("name.identifier().concat('_node')", "name.identifier().concat('Node')");
     change(".concat('.components.')", ".concat('.parts.')");
     change("'chain'.concat(name) endif", "name endif.concat('_x')");
