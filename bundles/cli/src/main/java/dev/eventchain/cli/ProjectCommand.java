@@ -156,6 +156,7 @@ abstract class ProjectCommand implements Callable<Integer> {
             overwrite,
             scenarios.scenarios,
             scenarios.mcap,
+            Optional.ofNullable(scenarios.compare),
             reporting.suppressions(project.suppressions(), console.today()),
             timeLimit());
     return Outcome.of(

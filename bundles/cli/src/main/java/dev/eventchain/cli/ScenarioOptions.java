@@ -1,5 +1,6 @@
 package dev.eventchain.cli;
 
+import java.nio.file.Path;
 import java.util.List;
 import picocli.CommandLine.Option;
 
@@ -20,4 +21,13 @@ final class ScenarioOptions {
         "simulated second with a lidar. Scenarios are simulated even where nothing has changed."
       })
   boolean mcap;
+
+  @Option(
+      names = "--compare",
+      paramLabel = "FILE",
+      description = {
+        "Show beside each scenario in the report what another run measured: its",
+        "measurements.json, or the folder of its results."
+      })
+  Path compare;
 }

@@ -52,8 +52,9 @@ public final class Pipeline {
    * @throws DiagnosticException INPUT if the output folder cannot be written or is in use
    */
   public static RunResult run(Project project, RunOptions options, Progress progress) {
+    EarlierRun before = EarlierRun.read(options.compare());
     try (OutputFolder output = outputFor(options)) {
-      RunContext context = new RunContext(project, options, output, progress);
+      RunContext context = new RunContext(project, options, output, progress, before);
       StageMemory memory = new StageMemory(output, options.output());
       if (!options.readsOnly()) {
         boolean restored = !output.hasRecords() && memory.restoreRecords();

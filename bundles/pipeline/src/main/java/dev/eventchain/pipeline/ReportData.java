@@ -51,7 +51,7 @@ final class ReportData {
     data.set("validation", validation());
     diagnostics(found);
     JsonNode simulated = report(Stage.SIMULATE);
-    data.set("scenarios", arrayOf(simulated, "scenarios"));
+    data.set("scenarios", run.before().beside(arrayOf(simulated, "scenarios")));
     data.set("nodes", arrayOf(simulated, "nodes"));
     data.set("requirements", new Traceability(run, model, outcomes).table());
     return data;

@@ -36,6 +36,7 @@ final class RunContext {
   private final RunOptions options;
   private final OutputFolder output;
   private final Progress progress;
+  private final EarlierRun before;
   private final List<Diagnostic> findings = new ArrayList<>();
   private PythonEnvironment python;
   private final Snapshots snapshots = new Snapshots(this);
@@ -51,11 +52,22 @@ final class RunContext {
    */
   record LoadedChain(EventChain chain, Origins origins, EcoreChecks ecore) {}
 
-  RunContext(Project project, RunOptions options, OutputFolder output, Progress progress) {
+  RunContext(
+      Project project,
+      RunOptions options,
+      OutputFolder output,
+      Progress progress,
+      EarlierRun before) {
     this.project = project;
     this.options = options;
     this.output = output;
     this.progress = progress;
+    this.before = before;
+  }
+
+  /** What the report compares with. */
+  EarlierRun before() {
+    return before;
   }
 
   Project project() {

@@ -19,6 +19,8 @@ import java.util.Optional;
  * @param overwrite whether files that a person has edited in the output folder are replaced
  * @param scenarios the names of the scenarios to simulate; empty: all
  * @param mcap whether the messages of the scenarios are recorded, too
+ * @param compare what another run measured, which the report shows beside what this one does: its
+ *     {@code measurements.json}, or the folder of it
  * @param suppressions the findings that do not count
  * @param timeLimit the processor time that a constraint may take on the whole model
  */
@@ -32,6 +34,7 @@ public record RunOptions(
     boolean overwrite,
     List<String> scenarios,
     boolean mcap,
+    Optional<Path> compare,
     Suppressions suppressions,
     Duration timeLimit) {
 

@@ -92,6 +92,7 @@ class ReadOnceTest {
             false,
             List.of(),
             false,
+            Optional.empty(),
             new Suppressions(List.of(), LocalDate.of(2027, 1, 1)),
             Duration.ofMinutes(1));
     return Pipeline.run(

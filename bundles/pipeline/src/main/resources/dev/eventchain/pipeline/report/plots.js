@@ -12,7 +12,8 @@ function panelsOf(scenario) {
     const unit = text(signal.unit) === "1" ? "" : text(signal.unit);
     const limits = records(scenario.criteria).flatMap((criterion) => records(criterion.limits))
       .filter((limit) => text(limit.signal) === name).map((limit) => number(limit.value)).filter((value) => value !== null);
-    return { name, unit, values: Array.isArray(signal.values) ? signal.values.map(number) : [], limits: [...new Set(limits)], absent: text(signal.absent) };
+    const earlier = records(record(record(scenario.before).series).signals).find((each) => text(each.name) === name);
+    return { name, unit, before: earlier && Array.isArray(earlier.values) ? earlier.values.map(number) : null, values: Array.isArray(signal.values) ? signal.values.map(number) : [], limits: [...new Set(limits)], absent: text(signal.absent) };
   });
 }
 
@@ -25,8 +26,9 @@ function samplesOf(scenario) {
     return { ...panel, values, ceiling: ceilingOf(values, panel.limits), digits: digitsOf(values) };
   });
   // What never changes has no plot; it comes last, so that the plots stand together.
+  const before = record(record(scenario.before).series).time;
   const steady = panels.filter((panel) => isSteady(panel.values));
-  return { time: kept.map((index) => times[index]), panels: [...panels.filter((panel) => !isSteady(panel.values)), ...steady] };
+  return { time: kept.map((index) => times[index]), before: Array.isArray(before) ? before.map((time) => number(time) ?? 0) : null, panels: [...panels.filter((panel) => !isSteady(panel.values)), ...steady] };
 }
 
 /** Whether a series has one value only, or none. */
@@ -174,7 +176,7 @@ function drawPanel(panel, samples, top, frame) {
   drawScale(group, scale, toY, frame, top);
   const point = svg("circle", { class: "point", r: 3.5 });
   const cursor = svg("line", { class: "cursor", y1: top + PLOT.title, y2: base });
-  group.append(drawCurve(samples, values, toY, frame, top), ...drawThresholds(panel, scale, toY, frame),
+  group.append(drawCurve(samples, values, panel.before, toY, frame, top), ...drawThresholds(panel, scale, toY, frame),
     ...drawEvents(frame, top + PLOT.title, base), cursor, point);
   return {
     group,
@@ -209,9 +211,14 @@ function drawScale(group, scale, toY, frame, top) {
 }
 
 /** The curve, cut off at the edges of its panel. */
-function drawCurve(samples, values, toY, frame, top) {
+function drawCurve(samples, values, before, toY, frame, top) {
   const [x, y, width, height] = [frame.left, top + PLOT.title - 1, frame.right - frame.left, PLOT.height + 2];
   const cut = svg("svg", { x, y, width, height, viewBox: `${x} ${y} ${width} ${height}`, overflow: "hidden" });
+  if (before !== null && samples.before !== null) {
+    for (const points of stretches(samples.before, before.slice(0, samples.before.length), frame.toX, toY)) {
+      cut.append(svg("path", { class: "before", d: pathOf(points) }));
+    }
+  }
   for (const points of stretches(samples.time, values, frame.toX, toY)) {
     cut.append(svg("path", { class: "curve", d: pathOf(points) }));
   }
@@ -349,6 +356,7 @@ function captionOf(samples, scenario) {
   return html("figcaption", null,
     events.length > 0 ? `Line: ${events.join(", ")}. ` : "",
     samples.panels.some((panel) => panel.limits.length > 0) ? "Dashed: limits of the criteria. " : "",
+    samples.before !== null ? "Grey: the run that this one is compared with. " : "",
     cut.length > 0 ? `Cut off at the top: ${cut.join(", ")}. ` : "",
     "The value above each plot belongs to the time of the cursor.");
 }

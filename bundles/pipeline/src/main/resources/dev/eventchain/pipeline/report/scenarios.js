@@ -19,12 +19,22 @@ function scenarioTab(scenario) {
       html("span", { class: "name" }, titleOf(scenario)), html("span", { class: "facts" }, scenarioFacts(scenario))));
 }
 
-function criterionItem(criterion) {
+/** What another run had of a criterion, where that differs. */
+function beforeOf(criterion, before) {
+  const earlier = records(record(before).criteria).find((each) => text(each.text) === text(criterion.text));
+  if (!earlier) {
+    return records(record(before).criteria).length > 0 ? html("span", { class: "margin" }, "not there before") : null;
+  }
+  const same = text(earlier.measured) === text(criterion.measured) && outcomeOf(earlier).word === outcomeOf(criterion).word;
+  return same ? null : html("span", { class: "margin" }, `before: ${outcomeOf(earlier).word}, ${text(earlier.measured)}`);
+}
+
+function criterionItem(criterion, before) {
   const { tone, word } = outcomeOf(criterion);
   const said = { passed: "met: ", failed: "not met: " }[word] ?? word + ": ";
   const measured = (tone === "warn" ? word + ": " : "") + text(criterion.measured);
   return html("li", null, sign(tone), html("span", null, unseen(said), text(criterion.text)),
-    html("span", { class: "measured" + (tone === "good" ? "" : " " + tone) }, measured, marginOf(record(criterion.margin))));
+    html("span", { class: "measured" + (tone === "good" ? "" : " " + tone) }, measured, marginOf(record(criterion.margin)), beforeOf(criterion, before)));
 }
 
 /** How far it is from the other verdict, in its own unit, and when. */
@@ -64,7 +74,7 @@ function scenarioCard(scenario) {
   const card = html("article", { class: "card", id, role: "tabpanel", "aria-labelledby": id + "-tab" },
     html("header", null, html("h3", null, titleOf(scenario)), status(tone, word[0].toUpperCase() + word.slice(1))),
     html("p", { class: "about" }, about.flatMap((part, index) => (index > 0 ? [" \u00b7 ", part] : [part]))),
-    html("ul", { class: "criteria", "aria-label": "Criteria" }, records(scenario.criteria).map(criterionItem)),
+    html("ul", { class: "criteria", "aria-label": "Criteria" }, records(scenario.criteria).map((criterion) => criterionItem(criterion, scenario.before))),
     figures("figures", [
       ["Latency of the chain", number(measured.median) === null ? null : latency(measured.median), `median, at most ${latency(measured.maximum)}`],
     ]),
