@@ -54,7 +54,7 @@ class RealAnswersTest {
   }
 
   private static AgentResult design(ScriptedModel model) {
-    Path project = AebWorkflow.PROJECT;
+    Path project = ExampleWorkflow.AEB.project();
     return new DesignAgent(AgentContext.of(model))
         .design(
             "Autonomous Emergency Braking",

@@ -42,7 +42,7 @@ final class RecordingsUpdate {
 
   private static boolean isDone(Path handoff, Path fresh, Consumer<ChatModel> workflow) {
     try {
-      workflow.accept(ChatModels.open("handoff:" + handoff, AebWorkflow.MODEL, fresh, true));
+      workflow.accept(ChatModels.open("handoff:" + handoff, ExampleWorkflow.MODEL, fresh, true));
       return true;
     } catch (DiagnosticException e) {
       if (e.reason() != Reason.WAITING) {

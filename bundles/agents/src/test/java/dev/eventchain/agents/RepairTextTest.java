@@ -46,7 +46,7 @@ class RepairTextTest {
     Requirements requirements = Requirements.read(SourceText.read(BASE.resolve("requirements.md")));
     SoftwareBase base = SoftwareBase.read(BASE);
     MessageCatalog messages =
-        MessageCatalog.of(List.of(AebWorkflow.PROJECT.resolve("software-base/msg")));
+        MessageCatalog.of(List.of(ExampleWorkflow.AEB.project().resolve("software-base/msg")));
     eachFault("design", ".json", text -> DesignAgent.check(text, requirements, base, messages));
   }
 

@@ -19,47 +19,63 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
-/** The tasks of the AEB example with the inputs that the example's project gives them. */
-final class AebWorkflow {
-  static final Path PROJECT = Path.of("../../examples/aeb");
-  static final Path RECORDINGS = PROJECT.resolve("recordings");
+/**
+ * The tasks of an example with the inputs that its project gives them.
+ *
+ * @param folder of the example
+ * @param name in its configuration
+ * @param title in its configuration
+ * @param frequency in its configuration, in Hz
+ */
+record ExampleWorkflow(String folder, String name, String title, double frequency) {
+
   static final String MODEL = "authored";
 
-  private static final String TITLE = "Autonomous Emergency Braking";
-  private static final String NAME = "aeb";
-  private static final double FREQUENCY = 20.0;
+  static final ExampleWorkflow AEB =
+      new ExampleWorkflow("aeb", "aeb", "Autonomous Emergency Braking", 20.0);
+  static final ExampleWorkflow ACC =
+      new ExampleWorkflow("acc", "acc", "Adaptive Cruise Control", 50.0);
+  static final ExampleWorkflow LANE_DEPARTURE =
+      new ExampleWorkflow("lane-departure", "lane_departure", "Lane Departure Warning", 25.0);
 
-  private AebWorkflow() {}
+  Path project() {
+    return Path.of("../../examples").resolve(folder);
+  }
+
+  Path recordings() {
+    return project().resolve("recordings");
+  }
 
   /** Does every task and returns the results by the files they become. */
-  static Map<String, AgentResult> run(ChatModel model) {
+  Map<String, AgentResult> run(ChatModel model) {
     Requirements requirements = read("requirements.md");
     Requirements rules = read("design-rules.md");
-    SoftwareBase base = SoftwareBase.read(PROJECT.resolve("software-base"));
-    MessageCatalog messages = MessageCatalog.of(List.of(PROJECT.resolve("software-base/msg")));
+    SoftwareBase base = SoftwareBase.read(project().resolve("software-base"));
+    MessageCatalog messages = MessageCatalog.of(List.of(project().resolve("software-base/msg")));
     AgentContext context = AgentContext.of(model);
     Map<String, AgentResult> results = new LinkedHashMap<>();
 
     AgentResult design =
         new DesignAgent(context)
-            .design(TITLE, FREQUENCY, requirements, Optional.of(rules), base, messages);
+            .design(title, frequency, requirements, Optional.of(rules), base, messages);
     results.put("chain.json", design);
     SourceText description = SourceText.of("chain.json", design.text());
     EventChain chain =
-        EventChainReader.read(description, NAME, requirements, OptionalDouble.of(FREQUENCY)).root();
+        EventChainReader.read(description, name, requirements, OptionalDouble.of(frequency)).root();
     EventChainReader.markExisting(chain, base);
 
     ComponentProbe probe = new ComponentProbe(PythonEnvironment.ensure(message -> {}));
     ImplementAgent implement = new ImplementAgent(context, probe);
     for (SoftwareNode missing : base.missing(chain)) {
-      String name = missing.getName();
+      String component = missing.getName();
       results.put(
-          "components/" + name + ".py", implement.implement(description, name, requirements));
+          "components/" + component + ".py",
+          implement.implement(description, component, requirements));
     }
     String metamodel = XmiStore.eventchainEcore();
     results.put(
         "instance.json",
-        new ModelAgent(context).model(metamodel, description, NAME, requirements, base));
+        new ModelAgent(context).model(metamodel, description, name, requirements, base));
     results.put(
         "generated.ocl",
         new ConstrainAgent(context)
@@ -67,7 +83,7 @@ final class AebWorkflow {
     return results;
   }
 
-  private static Requirements read(String file) {
-    return Requirements.read(SourceText.read(PROJECT.resolve(file)));
+  private Requirements read(String file) {
+    return Requirements.read(SourceText.read(project().resolve(file)));
   }
 }
