@@ -69,6 +69,17 @@ final class InputAges {
         });
   }
 
+  /**
+   * Whether the model says how old what a component reads of a topic may be, and what is published
+   * for each output then: that a topic falls silent is one of the cases that it is made for.
+   */
+  private static boolean isPlannedFor(SoftwareNode node, String topic) {
+    return node.getOutput().stream().allMatch(output -> output.getSafeValue() != null)
+        && node.getInput().stream()
+            .filter(input -> TopicIndex.nameOf(input, node).filter(topic::equals).isPresent())
+            .allMatch(Data::isSetMaximumAge);
+  }
+
   /** In ms; 0 for none. */
   private double limit(Data input, String topic) {
     return input.isSetMaximumAge() ? input.getMaximumAge() : setup.usualAge(topic);
@@ -132,20 +143,24 @@ final class InputAges {
   }
 
   private static Diagnostic finding(SoftwareNode node, String topic, double limit, Worst worst) {
-    return Diagnostic.warning(
-            "simulation.input.too-old",
-            String.format(
-                Locale.ROOT,
-                "Scenario %s: %s was %.0f ms old when '%s' was due after %.2f s; at most %.0f ms are"
-                    + " allowed. In all scenarios, that was so %d times.",
-                worst.scenario(),
-                topic,
-                worst.age(),
-                node.getName(),
-                World.seconds(worst.time()),
-                limit,
-                worst.times()),
-            SourceLocation.NONE.withElement(node.getName()))
+    SourceLocation place = SourceLocation.NONE.withElement(node.getName());
+    String text =
+        String.format(
+            Locale.ROOT,
+            "Scenario %s: %s was %.0f ms old when '%s' was due after %.2f s; at most %.0f ms are"
+                + " allowed. In all scenarios, that was so %d times.",
+            worst.scenario(),
+            topic,
+            worst.age(),
+            node.getName(),
+            World.seconds(worst.time()),
+            limit,
+            worst.times());
+    if (isPlannedFor(node, topic)) {
+      return Diagnostic.info("simulation.input.too-old", text, place)
+          .withHint("The safe values of the model were published instead.");
+    }
+    return Diagnostic.warning("simulation.input.too-old", text, place)
         .withHint(
             "Write the topic more often, allow a greater maximumAge, or state safe values for what the"
                 + " component writes.");

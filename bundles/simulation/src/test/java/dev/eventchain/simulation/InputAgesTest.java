@@ -70,4 +70,27 @@ class InputAgesTest {
 
     assertEquals(0.25, most(result, "brake"), "the road is empty, the component never brakes");
   }
+
+  @Test
+  void silenceThatTheModelHasAgesAndSafeValuesForIsNoWarning() throws Exception {
+    SimulationResult result =
+        simulate(
+            chain -> {
+              chain.getSoftware().get(1).getInput().forEach(data -> data.setMaximumAge(300));
+              chain.getSoftware().get(1).getOutput().forEach(data -> data.setSafeValue("1000.0"));
+            });
+
+    Diagnostic first = tooOld(result).get(0);
+    assertEquals(Severity.INFO, first.severity());
+    assertEquals("The safe values of the model were published instead.", first.hint());
+  }
+
+  @Test
+  void silenceThatOnlyTheUsualAgeIsThereForIsAWarningInSpiteOfSafeValues() throws Exception {
+    SimulationResult result =
+        simulate(
+            chain -> chain.getSoftware().get(1).getOutput().forEach(d -> d.setSafeValue("1000.0")));
+
+    assertEquals(Severity.WARNING, tooOld(result).get(0).severity());
+  }
 }
