@@ -65,8 +65,19 @@ final class InputAges {
           runs.stream()
               .flatMap(run -> tooOld(run, node, topic, limit).stream())
               .reduce(Worst::with)
-              .ifPresent(worst -> found.add(finding(node, topic, limit, worst)));
+              .ifPresent(
+                  worst -> {
+                    boolean rare = 2L * worst.times() < activations(node);
+                    found.add(finding(node, topic, limit, worst, rare));
+                  });
         });
+  }
+
+  /** How often a component was due in all scenarios. */
+  private long activations(SoftwareNode node) {
+    return runs.stream()
+        .mapToLong(run -> run.log().nodes().getOrDefault(node.getName(), List.of()).size())
+        .sum();
   }
 
   /**
@@ -142,7 +153,8 @@ final class InputAges {
     return found;
   }
 
-  private static Diagnostic finding(SoftwareNode node, String topic, double limit, Worst worst) {
+  private static Diagnostic finding(
+      SoftwareNode node, String topic, double limit, Worst worst, boolean rare) {
     SourceLocation place = SourceLocation.NONE.withElement(node.getName());
     String text =
         String.format(
@@ -156,7 +168,7 @@ final class InputAges {
             World.seconds(worst.time()),
             limit,
             worst.times());
-    if (isPlannedFor(node, topic)) {
+    if (rare && isPlannedFor(node, topic)) {
       return Diagnostic.info("simulation.input.too-old", text, place)
           .withHint("The safe values of the model were published instead.");
     }
