@@ -28,7 +28,7 @@ class MutantsTest {
   @TempDir Path folder;
 
   @ParameterizedTest
-  @CsvSource({"aeb, 100", "lane-departure, 30"})
+  @CsvSource({"acc, 60", "aeb, 100", "lane-departure, 30"})
   void scenariosFailEachMutantByItsCriterion(String example, int fewest) throws Exception {
     List<Mutant> mutants = Mutant.read(MUTANTS.resolve(example + ".yaml"));
     Set<String> ids = mutants.stream().map(Mutant::id).collect(Collectors.toSet());
