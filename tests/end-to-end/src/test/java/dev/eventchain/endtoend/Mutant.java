@@ -8,7 +8,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
-import java.util.regex.Matcher;
+import java.util.Optional;
+import java.util.Set;
 import java.util.regex.Pattern;
 import org.yaml.snakeyaml.LoaderOptions;
 import org.yaml.snakeyaml.Yaml;
@@ -19,8 +20,8 @@ import org.yaml.snakeyaml.constructor.SafeConstructor;
  *
  * @param id what tests call it
  * @param does how it behaves, in words
- * @param component the name of the component
- * @param changes the texts that are replaced, each of which stands exactly once in the component
+ * @param component the name of the component, the one that is changed unless a change names another
+ * @param changes the texts that are replaced, each of which stands exactly once in its component
  * @param scenario the one that fails it
  * @param criterion how the text of the criterion begins that fails it; empty if it is equivalent
  * @param equivalent why no requirement tells it from the original; empty if one does
@@ -34,10 +35,20 @@ record Mutant(
     String criterion,
     String equivalent) {
 
-  /** A text and what takes its place. */
-  record Change(String replace, String by) {}
+  private static final Set<String> KEYS =
+      Set.of("id", "does", "component", "change", "scenario", "criterion", "equivalent");
 
-  /** Those of a file. */
+  private static final Set<String> CHANGE_KEYS = Set.of("component", "replace", "by");
+
+  /** A text of a component, and what takes its place. */
+  record Change(String component, String replace, String by) {}
+
+  /**
+   * Those of a file.
+   *
+   * @throws IllegalArgumentException if an entry does not say what fails it, or why nothing does,
+   *     or says both, or has a key that is not known
+   */
   static List<Mutant> read(Path file) throws IOException {
     Map<?, ?> content =
         new Yaml(new SafeConstructor(new LoaderOptions())).load(Files.readString(file));
@@ -45,18 +56,42 @@ record Mutant(
   }
 
   private static Mutant of(Map<?, ?> entry) {
+    refuseOthers(entry, KEYS);
+    String criterion = optional(entry, "criterion").orElse("");
+    String equivalent = optional(entry, "equivalent").orElse("");
+    // An empty beginning of a text would fit each criterion that fails.
+    if (criterion.isBlank() == equivalent.isBlank()) {
+      throw new IllegalArgumentException("either a criterion or why it is equivalent: " + entry);
+    }
+    String component = text(entry, "component");
+    List<Change> changes =
+        ((List<?>) entry.get("change"))
+            .stream().map(each -> change((Map<?, ?>) each, component)).toList();
     return new Mutant(
         text(entry, "id"),
         text(entry, "does"),
-        text(entry, "component"),
-        ((List<?>) entry.get("change"))
-            .stream()
-                .map(each -> (Map<?, ?>) each)
-                .map(each -> new Change(text(each, "replace"), text(each, "by")))
-                .toList(),
+        component,
+        changes,
         text(entry, "scenario"),
-        entry.containsKey("criterion") ? text(entry, "criterion") : "",
-        entry.containsKey("equivalent") ? text(entry, "equivalent") : "");
+        criterion,
+        equivalent);
+  }
+
+  /** A change of another component than the mutant's says so. */
+  private static Change change(Map<?, ?> entry, String component) {
+    refuseOthers(entry, CHANGE_KEYS);
+    return new Change(
+        optional(entry, "component").orElse(component), text(entry, "replace"), text(entry, "by"));
+  }
+
+  private static void refuseOthers(Map<?, ?> entry, Set<String> keys) {
+    if (!keys.containsAll(entry.keySet())) {
+      throw new IllegalArgumentException("one of the keys is not known: " + entry);
+    }
+  }
+
+  private static Optional<String> optional(Map<?, ?> entry, String key) {
+    return entry.containsKey(key) ? Optional.of(text(entry, key)) : Optional.empty();
   }
 
   private static String text(Map<?, ?> entry, String key) {
@@ -66,18 +101,15 @@ record Mutant(
     return text;
   }
 
-  /** Changes the component in a folder of components. */
+  /** Changes what it changes in a folder of components. */
   void putInto(Path components) {
     try {
-      Path file = components.resolve(component + ".py");
-      String text = Files.readString(file);
       for (Change change : changes) {
+        Path file = components.resolve(change.component() + ".py");
+        String text = Files.readString(file);
         assertEquals(1, text.split(Pattern.quote(change.replace()), -1).length - 1, this::toString);
-        text =
-            text.replaceFirst(
-                Pattern.quote(change.replace()), Matcher.quoteReplacement(change.by()));
+        Files.writeString(file, text.replace(change.replace(), change.by()));
       }
-      Files.writeString(file, text);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
