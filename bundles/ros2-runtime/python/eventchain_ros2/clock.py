@@ -111,10 +111,11 @@ class Time:
 
     def to_msg(self) -> Any:
         """As `builtin_interfaces/msg/Time`."""
-        from builtin_interfaces.msg import Time as TimeMessage
+        import builtin_interfaces.msg  # type: ignore[import-not-found]
 
+        # `from ... import` would ask the module for submodules, each time.
         seconds, nanoseconds = self.seconds_nanoseconds()
-        return TimeMessage(sec=seconds, nanosec=nanoseconds)
+        return builtin_interfaces.msg.Time(sec=seconds, nanosec=nanoseconds)
 
     @classmethod
     def from_msg(cls, message: Any, clock_type: ClockType = ClockType.ROS_TIME) -> Time:

@@ -70,7 +70,9 @@ CHANGES = (
     *(("os.truncate", 1, 9), ("os.utime", 1, 3)),
 )
 READS = frozenset({"os.listdir", "os.scandir", "os.listxattr", "os.getxattr"})
-FREQUENT = frozenset({"builtins.id", "object.__getattr__", "compile", "exec", "marshal.loads", "sys._getframe"})
+FREQUENT = frozenset(
+    {"builtins.id", "array.__new__", "object.__getattr__", "compile", "exec", "marshal.loads", "sys._getframe"}
+)
 WRITING = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
 HARMLESS = "/dev/null"
 # The commands of fcntl(2) that choose who gets the signals of a file, and which: F_SETOWN, F_SETSIG, F_SETOWN_EX.

@@ -34,15 +34,15 @@ def keys_hint(outputs: list[Output]) -> str:
 
 def check(values: Any, outputs: list[Output]) -> list[Problem]:
     """What is wrong with the value that `execute` returned."""
-    expected = keys_hint(outputs)
     if type(values) is not dict:
+        expected = keys_hint(outputs)
         return [Problem("component.result.type", f"returned {type(values).__name__}, not dict", expected)]
     names = [output.name for output in outputs]
     missing = [name for name in names if name not in values]
     extra = [str(key) for key in values if key not in names]
     if missing or extra:
         parts = [f"{word} {', '.join(keys)}" for word, keys in (("without", missing), ("with", extra)) if keys]
-        return [Problem("component.result.keys", f"returned a dict {' and '.join(parts)}", expected)]
+        return [Problem("component.result.keys", f"returned a dict {' and '.join(parts)}", keys_hint(outputs))]
     return [problem for output in outputs for problem in _check_output(output, values[output.name])]
 
 

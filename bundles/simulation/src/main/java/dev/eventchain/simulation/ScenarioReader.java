@@ -128,7 +128,8 @@ final class ScenarioReader {
         number(section, "lidar_behind_bumper_m", usual.behindBumper(), 0, 10),
         number(section, "lidar_above_road_m", usual.aboveRoad(), 0.5, 5),
         number(section, "lidar_noise_m", usual.noise(), 0, 1),
-        number(section, "lidar_dropout_percent", usual.dropout(), 0, 100) / 100);
+        number(section, "lidar_dropout_percent", usual.dropout(), 0, 100) / 100,
+        number(section, "lidar_azimuth_step_deg", usual.azimuthStep(), 0.1, 5));
   }
 
   private static Chassis chassis(ObjectReader section) {

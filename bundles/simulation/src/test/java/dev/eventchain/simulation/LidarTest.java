@@ -13,6 +13,7 @@ import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class LidarTest {
@@ -100,7 +101,10 @@ class LidarTest {
   }
 
   private static EgoVehicle with(double noise, double dropout) {
-    Lidar.Settings settings = new Lidar.Settings(2.4, 2.4, noise, dropout);
+    return with(new Lidar.Settings(2.4, 2.4, noise, dropout, 0.5));
+  }
+
+  private static EgoVehicle with(Lidar.Settings settings) {
     return new EgoVehicle(10, 0.2, 0.3, 9, 0.5, 3, settings, Chassis.USUAL);
   }
 
@@ -115,6 +119,14 @@ class LidarTest {
     int all = scan(with(0, 0), 3).size();
     int most = scan(with(0, 0.2), 3).size();
     assertEquals(0.8, (double) most / all, 0.03);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1, 0.5", "0.5, 1", "2, 0.25"})
+  void theNumberOfPointsGoesWithTheStepOfTheRays(double step, double part) {
+    int usual = scan(with(0, 0), 3).size();
+    int points = scan(with(new Lidar.Settings(2.4, 2.4, 0, 0, step)), 3).size();
+    assertEquals(part, (double) points / usual, 0.02);
   }
 
   @Test

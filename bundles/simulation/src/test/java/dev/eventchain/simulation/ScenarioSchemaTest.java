@@ -64,6 +64,7 @@ class ScenarioSchemaTest {
       ego:
         speed_kmh: 50
         lidar_dropout_percent: 2
+        lidar_azimuth_step_deg: 1
         maneuvers:
           - at_s: 1
             speed_kmh: 60

@@ -44,12 +44,12 @@ final class MutantRun {
   private final List<Path> messages;
   private final List<Scenario> scenarios;
 
-  /** A scenario and what is changed in it; without a mutant it is the original. */
-  record Trial(Optional<Mutant> mutant, Scenario scenario) {
+  /** A mutant and the scenario that is to fail it. */
+  record Trial(Mutant mutant, Scenario scenario) {
 
     @Override
     public String toString() {
-      return mutant.map(Mutant::toString).orElse("the original") + " in " + scenario.name();
+      return mutant + " in " + scenario.name();
     }
   }
 
@@ -83,14 +83,10 @@ final class MutantRun {
     }
   }
 
-  List<Scenario> scenarios() {
-    return scenarios;
-  }
-
   Trial trial(Mutant mutant) {
     Optional<Scenario> scenario =
         scenarios.stream().filter(each -> each.name().equals(mutant.scenario())).findFirst();
-    return new Trial(Optional.of(mutant), scenario.orElseThrow());
+    return new Trial(mutant, scenario.orElseThrow());
   }
 
   /** The verdicts, in the order of the trials. */
@@ -164,6 +160,6 @@ final class MutantRun {
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
-    trial.mutant().ifPresent(mutant -> mutant.putInto(components));
+    trial.mutant().putInto(components);
   }
 }

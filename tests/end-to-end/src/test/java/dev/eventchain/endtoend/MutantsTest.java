@@ -3,11 +3,9 @@ package dev.eventchain.endtoend;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.eventchain.simulation.Scenario;
 import dev.eventchain.simulation.ScenarioVerdict;
 import dev.eventchain.simulation.ScenarioVerdict.CriterionResult;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
@@ -34,11 +32,7 @@ class MutantsTest {
     Set<String> ids = mutants.stream().map(Mutant::id).collect(Collectors.toSet());
     assertEquals(mutants.size(), ids.size(), "two have the same id");
     MutantRun run = MutantRun.of(example, folder);
-    List<MutantRun.Trial> trials = new ArrayList<>();
-    for (Scenario scenario : run.scenarios()) {
-      trials.add(new MutantRun.Trial(Optional.empty(), scenario));
-    }
-    mutants.forEach(each -> trials.add(run.trial(each)));
+    List<MutantRun.Trial> trials = mutants.stream().map(run::trial).toList();
     List<ScenarioVerdict> verdicts = run.simulate(trials);
     Set<String> wrong = new LinkedHashSet<>();
     for (int i = 0; i < trials.size(); i++) {
@@ -53,13 +47,12 @@ class MutantsTest {
     if (!verdict.worked()) {
       return Optional.of(trial + " does not work at all");
     }
-    boolean original = trial.mutant().filter(each -> each.equivalent().isEmpty()).isEmpty();
-    if (original) {
+    if (!trial.mutant().equivalent().isEmpty()) {
       return verdict.passed()
           ? Optional.empty()
           : Optional.of(trial + " fails: " + verdict.diagnostics());
     }
-    String criterion = trial.mutant().get().criterion();
+    String criterion = trial.mutant().criterion();
     List<CriterionResult> failed =
         verdict.criteria().stream().filter(each -> each.tested() && !each.passed()).toList();
     return failed.stream().anyMatch(each -> each.text().startsWith(criterion))

@@ -31,7 +31,7 @@ class RunTest {
 
   @BeforeAll
   static void runOnce() throws IOException {
-    project = Program.exampleIn(folder);
+    project = Program.wholeExampleIn(folder);
     first = new Program().run("run", project);
   }
 
