@@ -13,13 +13,17 @@ import java.util.SplittableRandom;
 /**
  * A list of the objects ahead, as radars and cameras give it: each of its fields is a sequence with
  * a number for each object, the nearest first. What hangs above the road or lies flat on it is no
- * object. Objects do not hide one another.
+ * object. What is wholly hidden behind others, as the middle of the front bumper sees it, is left
+ * out ({@link Sight}); walls and posts hide nothing.
  *
  * @param range how far it sees, in m
  * @param halfView to each side, in rad
  * @param missed part of the objects that a message leaves out by chance, 0 to 1
  */
 record ObjectSensor(double range, double halfView, double missed, List<Column> columns) {
+
+  /** Of the sensor over the road, in m: behind the bumper, as radars are mounted. Assumed. */
+  private static final double MOUNTED = 0.5;
 
   ObjectSensor {
     columns = List.copyOf(columns);
@@ -113,8 +117,9 @@ record ObjectSensor(double range, double halfView, double missed, List<Column> c
     for (Seen each : around(world)) {
       double azimuth = StrictMath.atan2(each.lateral(), Math.max(each.distance(), 0.1));
       boolean inView = each.distance() <= range && Math.abs(azimuth) <= halfView;
+      boolean hidden = hidden(world, each.actor());
       boolean found = !(missed > 0.0) || random.nextDouble() >= missed;
-      if (inView && found) {
+      if (inView && found && !hidden) {
         seen.add(each);
       }
     }
@@ -127,6 +132,18 @@ record ObjectSensor(double range, double halfView, double missed, List<Column> c
       }
       message.set(column.path(), values);
     }
+  }
+
+  /** Also what is beside the ego, or flat, or high, may stand before an object. */
+  private static boolean hidden(World world, Actor actor) {
+    double seconds = World.seconds(world.now());
+    Road.Place eye = world.ego().front();
+    List<Sight> others =
+        world.actors().stream()
+            .filter(each -> each != actor)
+            .map(each -> Sight.of(each.body(world.road(), seconds), eye))
+            .toList();
+    return Sight.of(actor.body(world.road(), seconds), eye).isHidden(others, MOUNTED);
   }
 
   /** All objects ahead, the nearest first. */
