@@ -19,7 +19,10 @@ record Chassis(
     double offset,
     double heading) {
 
-  /** A passenger car in the middle of its lane; its drag is part of its coasting. */
+  /**
+   * A passenger car in the middle of its lane; its drag is part of its coasting. All numbers are
+   * assumed, as those of a car of the compact class may be; no source is behind them.
+   */
   static final Chassis USUAL = new Chassis(2.7, StrictMath.toRadians(35), 3.0, 0.0, 0.0, 0.0);
 
   /** From the rear axle, which the motion is computed for, to the front bumper, in m. */
@@ -27,6 +30,7 @@ record Chassis(
     return wheelbase + FRONT;
   }
 
+  /** From the front axle to the bumper, in m; assumed. */
   private static final double FRONT = 0.9;
 
   /** How much the path bends for a position of the steering, -1 (left) to 1 (right), in 1/m. */

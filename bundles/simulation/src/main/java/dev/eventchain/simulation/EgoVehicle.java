@@ -3,6 +3,12 @@ package dev.eventchain.simulation;
 /**
  * The vehicle that carries the software.
  *
+ * <p>What a scenario leaves open is that of a passenger car with good tyres on a dry road. 9 m/s2
+ * is about what the road surface of Euro NCAP's AEB tests gives, a peak braking coefficient of at
+ * least 0.9; UN Regulation No. 13-H asks for at least 6.43 m/s2. That regulation allows 0.6 s in an
+ * emergency until the brake force has come; delay and build-up, which are assumed, are 0.5 s of
+ * them. Coasting, full throttle and the size of the body are assumed, too.
+ *
  * @param speed at the start, in m/s
  * @param brakeDelay from a brake or throttle command to the first change of the deceleration, in s
  * @param brakeBuildUp from no to full deceleration, in s; the ramp is linear, also for less
