@@ -48,7 +48,9 @@ final class ResultBuilder {
             wallSeconds,
             runs.stream().mapToDouble(run -> World.seconds(run.hostNanos())).sum());
     List<Diagnostic> found =
-        Stream.of(silent, ignored(), tooOld(), warnings()).flatMap(List::stream).toList();
+        Stream.of(silent, ignored(), tooOld(), fromBehind(), warnings())
+            .flatMap(List::stream)
+            .toList();
     return new SimulationResult(verdicts, measurements, found, host);
   }
 
@@ -104,6 +106,28 @@ final class ResultBuilder {
   /** Who commands the vehicle, if it is by one topic only. */
   private String onlyCommander() {
     return setup.commands().size() == 1 ? setup.writer(setup.exit()) : "";
+  }
+
+  /** No impact of the ego's; it is said whatever the criteria of the scenario are. */
+  private List<Diagnostic> fromBehind() {
+    return runs.stream()
+        .flatMap(run -> run.trace().fromBehind().stream().map(each -> fromBehind(run, each)))
+        .toList();
+  }
+
+  private static Diagnostic fromBehind(Run run, Contact contact) {
+    return Diagnostic.warning(
+            "simulation.ego.hit-from-behind",
+            Criterion.format(
+                "Scenario %s: %s at %.1f km/h after %.2f s.",
+                run.scenario().name(),
+                contact.words(),
+                contact.speed() * 3.6,
+                World.seconds(contact.time())),
+            run.scenario().location())
+        .withHint(
+            "Find out whether the vehicle braked more than it had to, or else let the other one"
+                + " keep more distance: no criterion counts it as an impact.");
   }
 
   private List<Diagnostic> tooOld() {

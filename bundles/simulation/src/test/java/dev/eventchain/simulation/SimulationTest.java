@@ -9,6 +9,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.metamodel.eventchain.ComponentImplementation;
 import dev.eventchain.python.PythonEnvironment;
 import java.nio.file.Files;
@@ -21,6 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvFileSource;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Real nodes in a real confined process, driven through the AEB example's scenarios. */
@@ -72,6 +74,38 @@ class SimulationTest {
         finding.message().contains("found: 'ego.speed >= 10 km/h' is missed by 10 km/h after "),
         finding.message());
     assertTrue(finding.location().line() > 0);
+  }
+
+  @ParameterizedTest
+  @CsvSource({"-13, 60, 1", "-13, 50, 0"})
+  void whoIsHitFromBehindIsToldWithoutACriterionAboutImpacts(double gap, double kmh, int hits)
+      throws Exception {
+    Path file = folder.resolve("follower.yaml");
+    Files.writeString(
+        file,
+        """
+        name: follower
+        title: Another one follows
+        requirements: [AEB-4]
+        seed: 1
+        duration_s: 6
+        ego: {speed_kmh: 50}
+        actors:
+          - {gap_m: %s, speed_kmh: %s}
+        accept:
+          never_brakes: true
+        """
+            .formatted(gap, kmh));
+    SimulationResult result =
+        new AebProject(folder).simulate(List.of(Scenario.read(file, AebProject.BENCH)));
+    List<Diagnostic> found = result.diagnostics();
+    assertEquals(hits, found.size(), found::toString);
+    for (Diagnostic each : found) {
+      assertEquals("simulation.ego.hit-from-behind", each.id());
+      assertEquals(Severity.WARNING, each.severity());
+      assertEquals(file.toString(), each.location().file());
+      assertTrue(each.message().contains(" hit the ego's rear at 10.0 km/h after "), each::message);
+    }
   }
 
   @Test
