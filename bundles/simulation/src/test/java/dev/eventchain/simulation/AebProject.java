@@ -36,7 +36,10 @@ final class AebProject {
   private static final Path RESOURCES = Path.of("src/test/resources");
   static final Path EXAMPLE = Path.of("../../examples/aeb");
   static final Bench BENCH =
-      Bench.read(Optional.empty(), declared(), MessageCatalog.of(List.of(messages())));
+      Bench.read(
+          Optional.of(EXAMPLE.resolve(Bench.FILE)),
+          declared(),
+          MessageCatalog.of(List.of(messages())));
 
   private static final Set<String> SCENARIOS =
       Set.of(

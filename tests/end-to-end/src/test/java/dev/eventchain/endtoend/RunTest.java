@@ -39,7 +39,7 @@ class RunTest {
   void theExamplePassesAndSaysSo() {
     first
         .expect(0)
-        .says("PASSED: 32 of 32 scenarios passed, 6 requirements proved")
+        .says("PASSED: 33 of 33 scenarios passed, 6 requirements proved")
         .says("report.html");
   }
 
