@@ -3,6 +3,7 @@ package dev.eventchain.simulation;
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import java.util.ArrayList;
@@ -35,6 +36,7 @@ final class ActorsReader {
   private final double duration;
   private final Set<String> names = new HashSet<>();
   private final Map<String, Integer> unnamed = new HashMap<>();
+  private final Map<String, SourceLocation> places = new HashMap<>();
 
   /**
    * A reader.
@@ -64,7 +66,13 @@ final class ActorsReader {
     SpeedProfile profile = new SpeedProfile(speed, speeds(section));
     LateralProfile line = new LateralProfile(offset, line(section, offset, profile));
     section.refuseOthers();
+    places.put(name, section.at("gap_m"));
     return kind.map(each -> new Actor(name, each, size.orElseThrow(), gap, heading, profile, line));
+  }
+
+  /** Where it says how far away an actor is. */
+  SourceLocation place(Actor actor) {
+    return places.get(actor.name());
   }
 
   private List<Actor> furniture(ObjectReader section) {
@@ -78,16 +86,15 @@ final class ActorsReader {
     Optional<Actor.Size> size = kind.map(each -> size(section, each));
     long count = section.wholeNumber("count", COUNT).orElse(1);
     OptionalDouble spacing = section.number("spacing_m", SIZE);
-    if (section.has("count") != section.has("spacing_m")) {
-      String present = section.has("count") ? "count" : "spacing_m";
-      section.find(RANGE_FINDING, "A row needs both count and spacing_m.", section.at(present));
-    }
+    requireBoth(section);
     section.refuseOthers();
     List<Actor> row = new ArrayList<>();
     for (int i = 0; i < count && kind.isPresent(); i++) {
+      String name = numbered(kind.get());
+      places.put(name, section.at("gap_m"));
       row.add(
           new Actor(
-              numbered(kind.get()),
+              name,
               kind.get(),
               size.orElseThrow(),
               gap + i * spacing.orElse(0),
@@ -96,6 +103,13 @@ final class ActorsReader {
               new LateralProfile(offset, List.of())));
     }
     return row;
+  }
+
+  private static void requireBoth(ObjectReader section) {
+    if (section.has("count") != section.has("spacing_m")) {
+      String present = section.has("count") ? "count" : "spacing_m";
+      section.find(RANGE_FINDING, "A row needs both count and spacing_m.", section.at(present));
+    }
   }
 
   private static double heading(ObjectReader section) {

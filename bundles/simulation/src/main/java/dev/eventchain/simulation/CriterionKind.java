@@ -52,6 +52,14 @@ enum CriterionKind {
     return key.endsWith("_ttc_s");
   }
 
+  /** Whether it asks how the vehicle moves, and not what it is told. */
+  boolean isAboutMotion() {
+    return switch (this) {
+      case NO_IMPACT, STOPS, MINIMAL_GAP, MAXIMAL_IMPACT_SPEED -> true;
+      default -> false;
+    };
+  }
+
   /** Whether it holds for every scenario and has no key. */
   boolean always() {
     return unit < 0;

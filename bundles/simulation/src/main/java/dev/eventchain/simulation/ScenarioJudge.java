@@ -33,7 +33,7 @@ final class ScenarioJudge {
     List<CriterionResult> criteria =
         scenario.criteria().stream()
             .filter(this::applies)
-            .map(each -> judge(each, trace, worked))
+            .map(each -> judge(each, run, worked))
             .toList();
     boolean passed = criteria.stream().allMatch(CriterionResult::passed);
     boolean failed = criteria.stream().anyMatch(each -> each.tested() && !each.passed());
@@ -62,7 +62,8 @@ final class ScenarioJudge {
         : !setup.commands().isEmpty();
   }
 
-  private CriterionResult judge(Expectation criterion, Trace trace, boolean worked) {
+  private CriterionResult judge(Expectation criterion, Run run, boolean worked) {
+    Trace trace = run.trace();
     Criterion.Outcome outcome;
     if (!worked) {
       outcome = Criterion.Outcome.untested("not all components worked");
@@ -74,6 +75,8 @@ final class ScenarioJudge {
       outcome = criterion.judge(trace);
       if (outcome.passed() && criterion instanceof FormulaCriterion formula) {
         outcome = unlessItHoldsAnyway(formula, trace).orElse(outcome);
+      } else if (outcome.passed() && isAboutMotion(criterion)) {
+        outcome = unlessNothingWasDone(run).orElse(outcome);
       }
     }
     return new CriterionResult(
@@ -97,6 +100,19 @@ final class ScenarioJudge {
     return !written.isEmpty() && formula.holds(trace.without(written))
         ? Optional.of(
             Criterion.Outcome.untested("it holds whatever is in " + String.join(" and ", written)))
+        : Optional.empty();
+  }
+
+  private static boolean isAboutMotion(Expectation expectation) {
+    return expectation instanceof Criterion criterion && criterion.kind().isAboutMotion();
+  }
+
+  /** Where the software changed nothing, how the vehicle moved is the merit of the scenario. */
+  private static Optional<Criterion.Outcome> unlessNothingWasDone(Run run) {
+    return UntouchedVehicle.movedAs(run.trace(), run.scenario().situation())
+        ? Optional.of(
+            Criterion.Outcome.untested(
+                "it holds without any command, as the software did not change how the vehicle moves"))
         : Optional.empty();
   }
 

@@ -82,7 +82,21 @@ final class ScenarioReader {
             .orElse(Situation.straight(ego, List.of()).driver());
     part.ifPresent(ObjectReader::refuseOthers);
     Road road = section.object("road").map(ScenarioReader::road).orElse(Road.STRAIGHT);
-    return new Situation(ego, driver, road, reader.read(section));
+    List<Actor> actors = reader.read(section);
+    Body start = new EgoMotion(ego).body();
+    for (Actor actor : actors) {
+      if (actor.obstructs() && start.separation(actor.body(road, 0)) < 0) {
+        section.find(
+            Diagnostic.error(
+                    "scenario.value.range",
+                    "At the start, " + actor.name() + " and the ego are in the same place.",
+                    reader.place(actor))
+                .withHint(
+                    "gap_m goes from the ego's front bumper to the rear of the other one; what is"
+                        + " behind the ego or beside it needs room for both."));
+      }
+    }
+    return new Situation(ego, driver, road, actors);
   }
 
   private static Road road(ObjectReader section) {

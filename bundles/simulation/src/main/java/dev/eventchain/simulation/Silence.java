@@ -112,6 +112,10 @@ final class Silence {
     } else if (!writers.isEmpty()) {
       why = "never came; " + quoted(writers) + " should have written it.";
       hint = "A component that is not simulated writes nothing: see simulation.node.left-out.";
+    } else if (setup.bench().provided().containsKey(topic)) {
+      why = "never came: no scenario let the bench send it.";
+      hint =
+          "Look at its `lost`, `latency_ms` and `rate_hz` in bench.yaml, and how long scenarios last.";
     } else if (vehicle) {
       why = "never came: no component writes it.";
       hint = "Let a component write the command, or the scenarios say nothing about the software.";

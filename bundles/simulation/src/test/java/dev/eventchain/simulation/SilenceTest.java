@@ -9,6 +9,7 @@ import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainFactory;
 import dev.eventchain.metamodel.eventchain.LatencyConstraint;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
@@ -42,6 +43,25 @@ class SilenceTest {
     assertEquals(List.of(), verdict.diagnostics());
     assertFalse(result.passed());
     return result.diagnostics().get(0).message();
+  }
+
+  @Test
+  void topicOfWhichEachMessageIsLostIsNoTopicThatNobodySends() throws Exception {
+    Path file = folder.resolve("lost.yaml");
+    Files.writeString(
+        file,
+        """
+        name: lost
+        title: Each scan is lost
+        duration_s: 2
+        ego: {speed_kmh: 50}
+        inputs: {lidar.lost: 1}
+        accept: {"no_impact": true}
+        """);
+    SimulationResult result =
+        new AebProject(folder).simulate(List.of(Scenario.read(file, AebProject.BENCH)));
+    String message = result.diagnostics().get(0).message();
+    assertTrue(message.contains("no scenario let the bench send it"), message);
   }
 
   @Test

@@ -108,6 +108,42 @@ class SimulationTest {
     }
   }
 
+  @ParameterizedTest
+  @CsvSource({
+    "no_impact: true, 200, 250, 50, false",
+    "minimal_gap_m: 5, 200, 250, 50, false",
+    "maximal_impact_speed_kmh: 35, 100, 50, 50, false",
+    "stops: true, 200, 0, 0, false",
+    "no_impact: true, 60, 0, 50, true"
+  })
+  void howTheVehicleMovesIsTestedIfTheSoftwareChangesIt(
+      String criterion, int gap, int actor, int driver, boolean tested) throws Exception {
+    Path file = folder.resolve("merit.yaml");
+    Files.writeString(
+        file,
+        """
+        name: merit
+        title: Who keeps the vehicle from an impact
+        seed: 1
+        duration_s: 10
+        ego:
+          speed_kmh: 50
+          maneuvers: [{at_s: 0, speed_kmh: %s, acceleration_mps2: 4}]
+        actors:
+          - {gap_m: %s, speed_kmh: %s}
+        accept: {"%s}
+        """
+            .formatted(driver, gap, actor, criterion.replace(": ", "\": ")));
+    ScenarioVerdict verdict =
+        new AebProject(folder)
+            .simulate(List.of(Scenario.read(file, AebProject.BENCH)))
+            .verdicts()
+            .get(0);
+    assertEquals(tested, verdict.passed(), () -> verdict.criteria().toString());
+    assertEquals(tested, verdict.tested(), () -> verdict.criteria().toString());
+    assertEquals(tested, !verdict.criteria().get(0).measured().contains("without any command"));
+  }
+
   @Test
   void nodeThatIsNotSimulatedIsNamed() throws Exception {
     AebProject project = new AebProject(folder);

@@ -1,11 +1,8 @@
 package dev.eventchain.benchmarks;
 
-import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.m2t.TemplateModule;
 import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
-import dev.eventchain.metamodel.eventchain.EventchainPackage;
 import dev.eventchain.python.PythonEnvironment;
 import dev.eventchain.simulation.Bench;
 import dev.eventchain.simulation.Measurements;
@@ -20,12 +17,12 @@ import java.nio.file.Path;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.stream.Stream;
 
 /**
- * How much faster than real time the AEB example is simulated in lock-step, with lidar scans of
- * more than 2,000 points at 20 Hz: generated nodes, real confined processes.
+ * How much faster than real time the AEB example is simulated in lock-step for two minutes, with
+ * lidar scans of about 4,000 and about 2,000 points at 20 Hz: generated nodes, real confined
+ * processes.
  */
 public final class LockstepBenchmark {
 
@@ -34,7 +31,7 @@ public final class LockstepBenchmark {
   private LockstepBenchmark() {}
 
   /**
-   * Prints a line for each round; the first rounds of a number of processes warm up.
+   * Prints a line for each round; the first rounds warm up.
    *
    * @param arguments the folder of the repository; then perhaps the number of rounds
    * @throws IOException if a file cannot be read or written
@@ -52,14 +49,15 @@ public final class LockstepBenchmark {
 
   private static void run(Path repository, Path folder, int rounds)
       throws IOException, InterruptedException {
-    SimulationRequest request = request(repository, folder);
+    Path scenarios = repository.resolve("tests/benchmarks").resolve("src/main/resources/lockstep");
+    Path project = generate(repository, folder);
     PythonEnvironment python = PythonEnvironment.ensure(System.out::println);
-    System.out.println("processes  simulated s  wall s  x real time  x real time, one process");
-    for (int processes : new int[] {1, 2}) {
+    System.out.println("scenario    processes  simulated s  wall s  x real time, one process");
+    for (Scenario scenario : Scenario.readFolder(scenarios, Bench.carla(), warning -> {})) {
+      SimulationRequest request = request(project, scenario);
       for (int round = 0; round < rounds; round++) {
-        SimulationResult result =
-            Simulation.run(request.withProcesses(processes), python, verdict -> {});
-        print(result.host());
+        SimulationResult result = Simulation.run(request, python, verdict -> {});
+        print(scenario, result.host());
         if (round == rounds - 1) {
           result.measurements().nodes().forEach(LockstepBenchmark::print);
         }
@@ -67,14 +65,14 @@ public final class LockstepBenchmark {
     }
   }
 
-  private static void print(SimulationResult.Host host) {
+  private static void print(Scenario scenario, SimulationResult.Host host) {
     System.out.printf(
         Locale.ROOT,
-        "%9d  %11.1f  %6.2f  %11.0f  %24.0f%n",
+        "%-10s  %9d  %11.1f  %6.2f  %24.0f%n",
+        scenario.name(),
         host.processes(),
         host.simulatedSeconds(),
         host.wallSeconds(),
-        host.simulatedSeconds() / host.wallSeconds(),
         host.realTimeFactor());
   }
 
@@ -90,34 +88,38 @@ public final class LockstepBenchmark {
                     time.percentile99() * 1000));
   }
 
-  /**
-   * Generates the nodes; the components of the language model are those of the simulation's tests.
-   */
-  private static SimulationRequest request(Path repository, Path folder) throws IOException {
-    Path fixture = repository.resolve("bundles/simulation/src/test/resources/aeb");
-    Path example = repository.resolve("examples/aeb");
-    XmiStore store = new XmiStore(fixture);
-    EventChain chain =
-        (EventChain) store.load(fixture.resolve("chain.xmi")).resource().getContents().get(0);
-    Path template = repository.resolve("templates/ros2-python/main.mtl");
-    Map<String, byte[]> files =
-        TemplateModule.compile(template, List.of(EventchainPackage.eINSTANCE))
-            .generate(List.of(chain), element -> SourceLocation.NONE)
-            .files();
-    for (Map.Entry<String, byte[]> file : files.entrySet()) {
-      Path target = folder.resolve(file.getKey());
-      Files.createDirectories(target.getParent());
-      Files.write(target, file.getValue());
+  /** Generates the nodes of the example, with the components of its recordings. */
+  private static Path generate(Path repository, Path folder)
+      throws IOException, InterruptedException {
+    Path project = folder.resolve("aeb");
+    copy(repository.resolve("examples/aeb"), project);
+    Process run =
+        new ProcessBuilder(
+                repository.resolve("eventchain").toString(),
+                "run",
+                project.toString(),
+                "--to",
+                "generate")
+            .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+            .redirectError(ProcessBuilder.Redirect.INHERIT)
+            .start();
+    if (run.waitFor() != 0) {
+      throw new IllegalStateException("the example's nodes could not be generated");
     }
-    copy(fixture.resolve("components"), folder.resolve("aeb/aeb/components"));
-    copy(example.resolve("software-base/components"), folder.resolve("aeb/aeb/components"));
+    return project;
+  }
+
+  private static SimulationRequest request(Path project, Scenario scenario) {
+    Path out = project.resolve("out");
+    Path generated = out.resolve("ros2/aeb");
     return SimulationRequest.of(
-        chain,
-        folder.resolve("aeb"),
-        NodeManifest.read(SourceText.read(folder.resolve("aeb").resolve(NodeManifest.FILE))),
-        List.of(example.resolve("software-base/msg")),
+        (EventChain)
+            new XmiStore(out).load(out.resolve("chain.xmi")).resource().getContents().get(0),
+        generated,
+        NodeManifest.read(SourceText.read(generated.resolve(NodeManifest.FILE))),
+        List.of(project.resolve("software-base/msg")),
         Bench.carla(),
-        Scenario.readFolder(example.resolve("scenarios"), Bench.carla(), warning -> {}));
+        List.of(scenario));
   }
 
   private static void delete(Path folder) throws IOException {
@@ -129,9 +131,9 @@ public final class LockstepBenchmark {
   }
 
   private static void copy(Path from, Path to) throws IOException {
-    try (Stream<Path> files = Files.list(from)) {
-      for (Path file : files.filter(Files::isRegularFile).toList()) {
-        Files.copy(file, to.resolve(file.getFileName()));
+    try (Stream<Path> files = Files.walk(from)) {
+      for (Path file : files.filter(each -> !each.startsWith(from.resolve("out"))).toList()) {
+        Files.copy(file, to.resolve(from.relativize(file).toString()));
       }
     }
   }

@@ -91,9 +91,8 @@ class VerdictTest {
     replace("bench.yaml", "extends: carla\n", "");
     run()
         .expect(1)
-        .says("INCOMPLETE: nothing was simulated: 3 errors")
-        .says(
-            "'ObjectDetection' reads /carla/ego_vehicle/lidar, which no entry of the bench provides.")
+        .says("INCOMPLETE: nothing was simulated: 2 errors")
+        .says("reads /carla/ego_vehicle/vehicle_status, which no entry of the bench provides.")
         .says(
             "writes /carla/ego_vehicle/vehicle_control_cmd to the vehicle, but the bench does not take it.")
         .says("[bench.topic.unconnected]");
