@@ -50,7 +50,11 @@ final class EarlierRun {
     try {
       return new JsonMapper().readTree(Files.readAllBytes(path));
     } catch (IOException e) {
-      throw unreadable(path, "It cannot be read as what a run has measured.");
+      throw unreadable(
+          path,
+          Files.exists(path)
+              ? "It cannot be read as what a run has measured."
+              : "There is no such file.");
     }
   }
 

@@ -68,5 +68,6 @@ class EarlierRunTest {
     DiagnosticException refused =
         assertThrows(DiagnosticException.class, () -> EarlierRun.read(Optional.of(missing)));
     assertEquals("project.comparison.unreadable", refused.diagnostics().get(0).id());
+    assertEquals("There is no such file.", refused.diagnostics().get(0).message());
   }
 }
