@@ -7,11 +7,14 @@ final class LlmOptions {
 
   @Option(
       names = "--llm",
-      paramLabel = "PROVIDER",
+      paramLabel = "SOURCE",
       description = {
-        "Where answers come from: 'replay' takes the project's recordings; 'handoff:FOLDER'",
-        "writes each prompt that no recording answers to a file, ends with exit code 4, and goes",
-        "on when called again with the answer's file there. Default: as eventchain.yaml says."
+        "Where answers come from: 'replay' takes the project's recordings; 'live' asks the services",
+        "of the models that eventchain.yaml names; 'SERVICE/MODEL' this model for every task; 'auto'",
+        "recordings first; 'command:PROGRAM' a program that gets the prompt on standard input;",
+        "'handoff:FOLDER' writes each prompt that no recording answers to a file, ends with exit",
+        "code 4, and goes on when called again with the answer's file there. Default: as",
+        "eventchain.yaml says."
       })
   String llm;
 

@@ -28,6 +28,7 @@ import picocli.CommandLine.ParameterException;
       BenchCommand.class,
       DiagramCommand.class,
       ExplainCommand.class,
+      DoctorCommand.class,
     },
     description = "From written requirements to running, validated ROS 2 software.",
     footer = {

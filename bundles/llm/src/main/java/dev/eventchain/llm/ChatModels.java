@@ -8,49 +8,112 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.time.Clock;
 import java.util.List;
+import java.util.Optional;
 
 /** Opens the language models that a configuration names. */
 public final class ChatModels {
   private static final String HANDOFF = "handoff:";
+  private static final String COMMAND = "command:";
+  private static final String WAYS =
+      "Use replay, auto, live, SERVICE/MODEL, handoff:FOLDER or command:PROGRAM.";
 
-  private ChatModels() {}
+  private final ModelAccess access;
+  private final RecordingFolder recordings;
+
+  private ChatModels(ModelAccess access) {
+    this.access = access;
+    this.recordings = new RecordingFolder(access.recordings());
+  }
 
   /**
    * Opens a model for one run. Recordings and hand-off count the identical requests of a run, so a
    * run opens a model once, or once for each task, and a new run opens it anew. Safe for threads.
    *
-   * @param specification how answers are got: {@code replay} takes them from the recordings, {@code
-   *     handoff:FOLDER} asks a person through files in that folder for what is not recorded
-   * @param model which model is asked, as {@code PROVIDER/NAME}; a name alone stands for a model
-   *     that a person asks. It is part of what identifies a recording
-   * @param recordings the folder of the recordings, {@code TASK/NAME-KEY.json} in the format {@code
-   *     llm-recording/1}
-   * @param record whether answers are recorded; replaying records nothing
-   * @throws DiagnosticException INPUT when the specification or the model's name is none
+   * @param models which models are asked, the next one where one cannot be reached: {@code
+   *     SERVICE/NAME}; a name alone stands for a model that a person asks. It is part of what
+   *     identifies a recording
+   * @throws DiagnosticException INPUT when the source or a model's name is none
    */
-  public static ChatModel open(
-      String specification, String model, Path recordings, boolean record) {
+  public static ChatModel open(ModelAccess access, List<String> models) {
+    ChatModels opening = new ChatModels(access);
+    Optional<String> forAll = opening.modelForAll();
+    List<FallbackModel.Named> opened =
+        forAll.map(List::of).orElse(models).stream().map(opening::open).toList();
+    return opened.size() == 1
+        ? opened.get(0).model()
+        : new FallbackModel(opened, access.findings());
+  }
+
+  /** As {@link #open(ModelAccess, List)}, with the usual services and one model. */
+  public static ChatModel open(String source, String model, Path recordings, boolean record) {
+    return open(ModelAccess.of(source, recordings, record), List.of(model));
+  }
+
+  /** The source may be a model. */
+  private Optional<String> modelForAll() {
+    int slash = access.source().indexOf('/');
+    return slash > 0 && access.services().service(access.source().substring(0, slash)).isPresent()
+        ? Optional.of(access.source())
+        : Optional.empty();
+  }
+
+  private FallbackModel.Named open(String model) {
     ModelName name = modelName(model);
-    RecordingFolder folder = new RecordingFolder(recordings);
-    if (specification.equals("replay")) {
-      return new ReplayModel(name, folder);
+    return new FallbackModel.Named(name.toString(), open(name));
+  }
+
+  private ChatModel open(ModelName name) {
+    String source = access.source();
+    if (source.equals("replay")) {
+      return new ReplayModel(name, recordings);
     }
-    if (specification.startsWith(HANDOFF) && specification.length() > HANDOFF.length()) {
-      ChatModel person =
-          new HandoffModel(name, folder(specification.substring(HANDOFF.length())), folder);
-      return record ? new RecordingModel(person, name, folder, Clock.systemUTC()) : person;
+    if (source.equals("live") || modelForAll().isPresent()) {
+      return recorded(service(name), name);
+    }
+    if (source.equals("auto")) {
+      // Who has recordings of a model needs no service of it.
+      ChatModel asking = request -> service(name).chat(request);
+      return recorded(new RecordedFirst(name, recordings, asking), name);
+    }
+    if (source.startsWith(HANDOFF) && source.length() > HANDOFF.length()) {
+      Path folder = folder(source.substring(HANDOFF.length()));
+      return recorded(new HandoffModel(name, folder, recordings), name);
+    }
+    if (source.startsWith(COMMAND) && !source.substring(COMMAND.length()).isBlank()) {
+      String command = source.substring(COMMAND.length());
+      ChatModel program = new CommandModel(name, command, ModelService.DEADLINE);
+      return recorded(new MeteredModel(program, name, access), name);
     }
     throw input(
-        "llm.provider.unknown",
-        "'" + specification + "' is no provider of language models.",
-        "Use replay or handoff:FOLDER.");
+        "llm.provider.unknown", "'" + source + "' is no way to get answers of models.", WAYS);
+  }
+
+  private ChatModel recorded(ChatModel model, ModelName name) {
+    return access.record() ? new RecordingModel(model, name, recordings, Clock.systemUTC()) : model;
+  }
+
+  private ChatModel service(ModelName name) {
+    ModelService service =
+        access
+            .services()
+            .service(name.provider())
+            .orElseThrow(
+                () ->
+                    input(
+                        "llm.service.unknown",
+                        "The model '" + name + "' names no service that can be asked.",
+                        "Write it as SERVICE/MODEL in eventchain.yaml; services are "
+                            + String.join(", ", access.services().names())
+                            + "."));
+    ChatModel model = new ServiceModel(service, name, access.environment(), access.progress());
+    return new MeteredModel(model, name, access);
   }
 
   private static ModelName modelName(String text) {
     try {
       return ModelName.parse(text);
     } catch (IllegalArgumentException e) {
-      throw input("llm.model.name", e.getMessage(), "Write it as PROVIDER/NAME.");
+      throw input("llm.model.name", e.getMessage(), "Write it as SERVICE/NAME.");
     }
   }
 

@@ -39,15 +39,8 @@ final class HandoffModel implements ChatModel {
   public synchronized ChatResponse chat(ChatRequest request) {
     RequestKey key = RequestKey.of(RequestJson.of(model, request));
     int earlier = calls.next(request.task() + " " + key.value());
-    Optional<ChatResponse> recorded = recorded(request, key, earlier);
+    Optional<ChatResponse> recorded = recordings.sample(request.task(), model, key, earlier);
     return recorded.isPresent() ? recorded.get() : ask(request, key, earlier);
-  }
-
-  private Optional<ChatResponse> recorded(ChatRequest request, RequestKey key, int earlier) {
-    return recordings
-        .find(request.task(), model, key)
-        .filter(recording -> earlier < recording.samples().size())
-        .map(recording -> recording.samples().get(earlier).response());
   }
 
   private ChatResponse ask(ChatRequest request, RequestKey key, int earlier) {

@@ -34,6 +34,12 @@ final class HandoffPrompt {
     out.append(
         "<!-- Give the model what follows. Save its answer as %s.answer.md\n".formatted(name));
     out.append("     beside this file, then run the same command again. -->\n\n");
+    return out.append(conversation(request)).append('\n').toString();
+  }
+
+  /** The conversation as one text, with what the answer must satisfy. */
+  static String conversation(ChatRequest request) {
+    StringBuilder out = new StringBuilder();
     List<ChatMessage> messages = request.messages();
     if (messages.size() == 1) {
       out.append(messages.get(0).content());
@@ -46,7 +52,7 @@ final class HandoffPrompt {
             schema ->
                 out.append("\n\nThe answer must satisfy this JSON Schema:\n\n")
                     .append(schema.toPrettyString().replace("\r\n", "\n")));
-    return out.append('\n').toString();
+    return out.toString();
   }
 
   private static void appendConversation(StringBuilder out, List<ChatMessage> messages) {

@@ -21,6 +21,12 @@ record ModelName(String provider, String name) {
     return new ModelName(provider, name);
   }
 
+  /** As people write it. */
+  @Override
+  public String toString() {
+    return provider.equals(PERSON) ? name : provider + "/" + name;
+  }
+
   /** The name as part of a file name. */
   String inFileName() {
     String safe = name.replaceAll("[^A-Za-z0-9._-]", "_");

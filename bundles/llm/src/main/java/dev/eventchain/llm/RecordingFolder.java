@@ -25,6 +25,13 @@ final class RecordingFolder {
     return folder.resolve(task).resolve(model.inFileName() + "-" + key.abbreviated() + ".json");
   }
 
+  /** The answer to the n-th identical request of a run, counted from 0, if it is recorded. */
+  Optional<ChatResponse> sample(String task, ModelName model, RequestKey key, int number) {
+    return find(task, model, key)
+        .filter(recording -> number < recording.samples().size())
+        .map(recording -> recording.samples().get(number).response());
+  }
+
   Optional<Recording> find(String task, ModelName model, RequestKey key) {
     Path file = file(task, model, key);
     if (!Files.exists(file)) {

@@ -6,10 +6,14 @@ import dev.eventchain.agents.AgentResult;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.llm.Spending;
 import java.io.IOException;
+import java.math.BigDecimal;
+import java.math.RoundingMode;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Locale;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.stream.Stream;
@@ -26,7 +30,7 @@ final class AgentReport {
         .addSetting("name", configuration.name())
         .addSetting("title", configuration.title())
         .addSetting("frequency", configuration.frequency())
-        .add(configuration.model(stage))
+        .add(configuration.models(stage))
         .add(configuration.repairs())
         .add(run.options().llm().orElse(configuration.llm()))
         .addMeans(filesBelow(run.project().recordings().resolve(stage.id())));
@@ -35,7 +39,7 @@ final class AgentReport {
   /** The model that answered and where its answers came from. */
   static ObjectNode of(RunContext run, Stage stage, List<AgentResult> results) {
     ObjectNode report = JsonNodeFactory.instance.objectNode();
-    report.put("model", run.project().configuration().model(stage));
+    report.put("model", String.join(", ", run.project().configuration().models(stage)));
     Set<String> provenance = new TreeSet<>();
     results.stream()
         .flatMap(result -> result.attempts().stream())
@@ -64,10 +68,29 @@ final class AgentReport {
         || name.startsWith(ImplementStage.FOLDER + "/");
   }
 
-  /** How many answers had to be corrected, in words; empty if none. */
-  static String repairs(List<AgentResult> results) {
+  /** How many answers had to be corrected, and what the run has spent; empty if nothing. */
+  static String effort(RunContext run, List<AgentResult> results) {
     int repairs = results.stream().mapToInt(result -> result.attempts().size() - 1).sum();
-    return repairs == 0 ? "" : ", " + Coverage.counted(repairs, "answer") + " corrected";
+    String corrected =
+        repairs == 0 ? "" : ", " + Coverage.counted(repairs, "answer") + " corrected";
+    return corrected + spent(run.spending().lines());
+  }
+
+  private static String spent(List<Spending.Line> lines) {
+    if (lines.isEmpty()) {
+      return "";
+    }
+    long tokens = lines.stream().mapToLong(each -> each.inputTokens() + each.outputTokens()).sum();
+    BigDecimal cost =
+        lines.stream()
+            .flatMap(each -> each.cost().stream())
+            .reduce(BigDecimal.ZERO, BigDecimal::add);
+    String price =
+        lines.stream().allMatch(each -> each.cost().isPresent())
+            ? ", cost "
+                + cost.setScale(4, RoundingMode.HALF_UP).stripTrailingZeros().toPlainString()
+            : "";
+    return String.format(Locale.ROOT, "; %,d tokens%s so far", tokens, price);
   }
 
   private static List<Path> filesBelow(Path folder) {

@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
@@ -8,6 +9,7 @@ import dev.eventchain.documents.DocumentFormat;
 import dev.eventchain.documents.FindingIds;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
+import dev.eventchain.llm.ModelServices;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -15,6 +17,8 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
 
 /**
  * What {@code eventchain.yaml} says.
@@ -22,9 +26,11 @@ import java.util.TreeMap;
  * @param name the chain's name, after which the generated package is called
  * @param title what people call the project; the name if not given
  * @param frequency Hz, for components whose description gives none
- * @param llm how answers are had when the command line does not say: {@code replay} or {@code
- *     handoff:DIR}
- * @param models the model for each task, by task
+ * @param llm how answers are had when the command line does not say, as {@link
+ *     dev.eventchain.llm.ModelAccess} has it
+ * @param models the models for each task, by task: the first one is asked, the next one where it
+ *     cannot be reached
+ * @param services where models are, what they cost, and what a run may cost
  * @param repairs how often a failed check goes back to the model
  * @param template the folder of the template set, under templates/, or a file *.mtl of the project
  * @param packageFacts what the generated package says of itself, by the properties that templates
@@ -35,7 +41,8 @@ record Configuration(
     String title,
     double frequency,
     String llm,
-    Map<String, String> models,
+    Map<String, List<String>> models,
+    ModelServices services,
     int repairs,
     String template,
     SortedMap<String, String> packageFacts) {
@@ -82,6 +89,7 @@ record Configuration(
             settings.number("frequency", FREQUENCIES).orElse(DEFAULT_FREQUENCY),
             settings.text("llm").orElse("replay"),
             settings.object("models").map(Configuration::models).orElse(Map.of()),
+            ModelServices.read(settings),
             (int) settings.wholeNumber("repairs", REPAIRS).orElse(DEFAULT_REPAIRS),
             template(settings, folder),
             settings.object("package").map(Configuration::facts).orElseGet(TreeMap::new));
@@ -104,11 +112,17 @@ record Configuration(
     return template;
   }
 
-  private static Map<String, String> models(ObjectReader models) {
-    SortedMap<String, String> byTask = new TreeMap<>();
+  private static Map<String, List<String>> models(ObjectReader models) {
+    SortedMap<String, List<String>> byTask = new TreeMap<>();
     for (String task : TASKS) {
-      if (models.has(task)) {
-        byTask.put(task, models.requiredText(task));
+      boolean several = models.value(task).filter(JsonNode::isArray).isPresent();
+      if (several) {
+        byTask.put(task, models.texts(task));
+      } else if (models.has(task)) {
+        byTask.put(task, List.of(models.requiredText(task)));
+      }
+      if (byTask.getOrDefault(task, List.of("one")).isEmpty()) {
+        models.find(IDS.missing(), "'" + task + "' names no model.", models.at(task));
       }
     }
     models.refuseOthers();
@@ -130,8 +144,22 @@ record Configuration(
     return properties;
   }
 
-  /** The model that a stage asks. */
-  String model(Stage stage) {
-    return models.getOrDefault(stage.id(), DEFAULT_MODEL);
+  /** The models that a stage asks, the one that is wanted first. */
+  List<String> models(Stage stage) {
+    return models.getOrDefault(stage.id(), List.of(DEFAULT_MODEL));
+  }
+
+  /** Names the services of the models that are to be asked. */
+  void services(Consumer<String> names) {
+    Stream.concat(Stream.of(llm), models.values().stream().flatMap(List::stream))
+        .filter(model -> model.contains("/"))
+        .map(model -> model.substring(0, model.indexOf('/')))
+        .filter(services.names()::contains)
+        .forEach(names);
+  }
+
+  /** Whether runs ask services if the command line does not say otherwise. */
+  boolean asksServices() {
+    return llm.equals("live") || llm.equals("auto") || llm.contains("/");
   }
 }

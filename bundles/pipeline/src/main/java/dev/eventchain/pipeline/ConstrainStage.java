@@ -51,7 +51,7 @@ final class ConstrainStage implements StageWork {
         "OCL from "
             + rules.get().items().size()
             + " design rules"
-            + AgentReport.repairs(List.of(constrained)),
+            + AgentReport.effort(run, List.of(constrained)),
         List.of(Constraints.GENERATED),
         AgentReport.placed(run, constrained),
         AgentReport.of(run, Stage.CONSTRAIN, List.of(constrained)));

@@ -50,7 +50,7 @@ final class DesignStage implements StageWork {
     ObjectNode report = AgentReport.of(run, Stage.DESIGN, List.of(designed));
     int count = run.requirements().items().size();
     return new StageResult(
-        "event chain from " + count + " requirements" + AgentReport.repairs(List.of(designed)),
+        "event chain from " + count + " requirements" + AgentReport.effort(run, List.of(designed)),
         List.of(FILE),
         AgentReport.placed(run, designed),
         report);

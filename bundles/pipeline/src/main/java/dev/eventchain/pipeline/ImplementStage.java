@@ -66,7 +66,7 @@ final class ImplementStage implements StageWork {
       report.put("confinement", Confinement.detect().describe());
       report.put("python", run.python(Stage.IMPLEMENT).version());
     }
-    return new StageResult(details(missing, results), files, found, report);
+    return new StageResult(details(run, missing, results), files, found, report);
   }
 
   /** A person who is asked for one component may as well be asked for all of them. */
@@ -83,11 +83,12 @@ final class ImplementStage implements StageWork {
     }
   }
 
-  private static String details(List<SoftwareNode> missing, List<AgentResult> results) {
+  private static String details(
+      RunContext run, List<SoftwareNode> missing, List<AgentResult> results) {
     return missing.isEmpty()
         ? "no component is missing"
         : String.join(", ", missing.stream().map(SoftwareNode::getName).toList())
-            + AgentReport.repairs(results);
+            + AgentReport.effort(run, results);
   }
 
   private static EventChain readChain(RunContext run, Path description) {

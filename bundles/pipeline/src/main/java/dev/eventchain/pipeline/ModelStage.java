@@ -43,7 +43,7 @@ final class ModelStage implements StageWork {
     Path description = run.required(DesignStage.FILE, Stage.DESIGN);
     Modeled<EventChain> direct = ChainOrigins.direct(run, description);
     refuseErrors(direct.diagnostics());
-    if (run.project().configuration().model(Stage.MODEL).equals(DIRECT)) {
+    if (run.project().configuration().models(Stage.MODEL).equals(List.of(DIRECT))) {
       run.write(FILE, XmiStore.toBytes(direct.root()));
       return StageResult.of(
           words(direct.root()) + ", directly", List.of(FILE), direct.diagnostics());
@@ -68,7 +68,7 @@ final class ModelStage implements StageWork {
     return new StageResult(
         words(chain)
             + ", the same by language model and directly"
-            + AgentReport.repairs(List.of(answered)),
+            + AgentReport.effort(run, List.of(answered)),
         List.of(FILE),
         answered.diagnostics(),
         AgentReport.of(run, Stage.MODEL, List.of(answered)));

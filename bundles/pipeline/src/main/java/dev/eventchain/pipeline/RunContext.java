@@ -8,6 +8,8 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.llm.ChatModel;
 import dev.eventchain.llm.ChatModels;
+import dev.eventchain.llm.ModelAccess;
+import dev.eventchain.llm.Spending;
 import dev.eventchain.m2t.OutputFolder;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.metamodel.EcoreChecks;
@@ -42,6 +44,7 @@ final class RunContext {
   private final Snapshots snapshots = new Snapshots(this);
   private final List<Path> recordings = new ArrayList<>();
   private final List<String> strangers = new ArrayList<>();
+  private final Spending spending;
   private boolean recordsAreLost;
 
   /**
@@ -63,6 +66,7 @@ final class RunContext {
     this.output = output;
     this.progress = progress;
     this.before = before;
+    this.spending = new Spending(project.configuration().services());
   }
 
   /** What the report compares with. */
@@ -242,17 +246,27 @@ final class RunContext {
   /** What an agent works with. */
   AgentContext agent(Stage stage) {
     Configuration configuration = project.configuration();
-    ChatModel model =
-        ChatModels.open(
+    ModelAccess access =
+        new ModelAccess(
             options.llm().orElse(configuration.llm()),
-            configuration.model(stage),
             project.recordings(),
-            options.record());
+            options.record(),
+            configuration.services(),
+            spending,
+            System::getenv,
+            message -> progress.step(stage, message),
+            this::find);
+    ChatModel model = ChatModels.open(access, configuration.models(stage));
     return new AgentContext(
         model,
         configuration.repairs(),
         finding -> options.suppressions().accepts(AgentReport.placed(this, finding)),
         message -> progress.step(stage, message));
+  }
+
+  /** What the calls of language models have cost in this run. */
+  Spending spending() {
+    return spending;
   }
 
   /** Writes a file; what comes of it is a finding of the stage that runs. */

@@ -10,6 +10,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -27,7 +28,7 @@ class ProjectTest {
     assertEquals(20, configuration.frequency());
     assertEquals("replay", configuration.llm());
     assertEquals("ros2-python", configuration.template());
-    assertEquals("person", configuration.model(Stage.DESIGN));
+    assertEquals(List.of("person"), configuration.models(Stage.DESIGN));
     assertEquals(Map.of(), configuration.packageFacts());
   }
 

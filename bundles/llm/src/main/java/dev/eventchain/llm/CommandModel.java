@@ -1,0 +1,132 @@
+package dev.eventchain.llm;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.DiagnosticException.Reason;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.llm.ChatResponse.FinishReason;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.TimeUnit;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * Asks a program of the user: it gets the prompt on standard input and gives the answer on standard
+ * output, in UTF-8. Exit code 0 means that the answer is whole.
+ */
+final class CommandModel implements ChatModel {
+  static final String PROVIDER = "command";
+
+  /** Arguments are apart by blanks, unless they are in quotes. */
+  private static final Pattern ARGUMENT = Pattern.compile("\"([^\"]*)\"|'([^']*)'|([^\\s\"']+)");
+
+  private static final int LONGEST_COMPLAINT = 64 << 10;
+
+  private final ModelName name;
+  private final List<String> command;
+  private final Duration allowed;
+
+  CommandModel(ModelName name, String command, Duration allowed) {
+    this.name = name;
+    this.command = split(command);
+    this.allowed = allowed;
+  }
+
+  private static List<String> split(String command) {
+    List<String> parts = new ArrayList<>();
+    Matcher matcher = ARGUMENT.matcher(command);
+    while (matcher.find()) {
+      for (int group = 1; group <= matcher.groupCount(); group++) {
+        if (matcher.group(group) != null) {
+          parts.add(matcher.group(group));
+        }
+      }
+    }
+    return parts;
+  }
+
+  @Override
+  public ChatResponse chat(ChatRequest request) {
+    Process process = start();
+    // A signal ends this program without its finally blocks.
+    Thread end = new Thread(() -> end(process), "end of a command");
+    Runtime.getRuntime().addShutdownHook(end);
+    try {
+      CompletableFuture<String> answer = read(process.getInputStream(), BodyStream.LONGEST);
+      CompletableFuture<String> complaint = read(process.getErrorStream(), LONGEST_COMPLAINT);
+      feed(process.getOutputStream(), HandoffPrompt.conversation(request));
+      if (!process.waitFor(allowed.toMillis(), TimeUnit.MILLISECONDS)) {
+        throw failed("did not end within " + Deadline.text(allowed), "");
+      }
+      if (process.exitValue() != 0) {
+        throw failed("ended with exit code " + process.exitValue(), complaint.join());
+      }
+      return new ChatResponse(
+          answer.join(), FinishReason.STOP, name.name(), PROVIDER, Optional.empty());
+    } catch (InterruptedException e) {
+      throw Deadline.in(allowed).interrupted();
+    } finally {
+      end(process);
+      Runtime.getRuntime().removeShutdownHook(end);
+    }
+  }
+
+  private static void end(Process process) {
+    process.descendants().forEach(ProcessHandle::destroyForcibly);
+    process.destroyForcibly();
+  }
+
+  private Process start() {
+    try {
+      return new ProcessBuilder(command).start();
+    } catch (IOException e) {
+      throw failed("cannot be started: " + SourceText.reason(e), "");
+    }
+  }
+
+  private static void feed(OutputStream input, String prompt) {
+    try (input) {
+      input.write(prompt.getBytes(StandardCharsets.UTF_8));
+    } catch (IOException e) {
+      // A program need not read all of it; whether it answered is seen by its exit code.
+    }
+  }
+
+  private static CompletableFuture<String> read(InputStream stream, long most) {
+    return CompletableFuture.supplyAsync(
+        () -> {
+          try (stream) {
+            return new String(stream.readNBytes((int) most), StandardCharsets.UTF_8);
+          } catch (IOException e) {
+            return "";
+          }
+        },
+        task -> {
+          Thread thread = new Thread(task, "answer of a command");
+          thread.setDaemon(true);
+          thread.start();
+        });
+  }
+
+  private DiagnosticException failed(String how, String complaint) {
+    String said = complaint.isBlank() ? "" : ": " + ErrorBody.shown(complaint);
+    return new DiagnosticException(
+        Reason.UNAVAILABLE,
+        Diagnostic.error(
+                "llm.command.failed",
+                "The command '%s' %s%s".formatted(command.get(0), how, said),
+                SourceLocation.NONE)
+            .withHint(
+                "It gets the prompt on standard input, writes the answer to standard output, and"
+                    + " ends with exit code 0."));
+  }
+}

@@ -1,0 +1,51 @@
+package dev.eventchain.llm;
+
+import java.math.BigDecimal;
+import java.time.Duration;
+import java.util.concurrent.CancellationException;
+
+/** When a call has to be over, with all of its repetitions. */
+final class Deadline {
+  private final Duration allowed;
+  private final long end;
+
+  private Deadline(Duration allowed) {
+    this.allowed = allowed;
+    this.end = System.nanoTime() + allowed.toNanos();
+  }
+
+  static Deadline in(Duration time) {
+    return new Deadline(time);
+  }
+
+  /** What is left, or less if that is too much; not below zero. */
+  Duration atMost(Duration time) {
+    Duration left = Duration.ofNanos(Math.max(0, end - System.nanoTime()));
+    return left.compareTo(time) < 0 ? left : time;
+  }
+
+  Duration left() {
+    return atMost(allowed);
+  }
+
+  boolean hasPassed() {
+    return System.nanoTime() >= end;
+  }
+
+  CallFailure passed() {
+    return new CallFailure(
+        CallFailure.Kind.LATE,
+        "there was no whole answer within " + text(allowed),
+        "Allow more with 'deadline_s' of the service in eventchain.yaml, or ask a faster model.");
+  }
+
+  /** What is thrown where the thread was interrupted, which it still is afterwards. */
+  CancellationException interrupted() {
+    Thread.currentThread().interrupt();
+    return new CancellationException("the call was cancelled");
+  }
+
+  static String text(Duration time) {
+    return BigDecimal.valueOf(time.toMillis(), 3).stripTrailingZeros().toPlainString() + " s";
+  }
+}

@@ -1,0 +1,64 @@
+package dev.eventchain.llm;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.DiagnosticException.Reason;
+import dev.eventchain.diagnostics.SourceLocation;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Consumer;
+
+/**
+ * Asks the next model where one cannot be reached or has no recording. That another one answered is
+ * a finding: its answers are not those of the model that was wanted.
+ */
+final class FallbackModel implements ChatModel {
+  private static final Set<String> FINAL = Set.of("llm.budget.spent", "llm.price.missing");
+
+  private final List<Named> models;
+  private final Consumer<Diagnostic> findings;
+
+  /** A model and what people call it. */
+  record Named(String name, ChatModel model) {}
+
+  FallbackModel(List<Named> models, Consumer<Diagnostic> findings) {
+    this.models = List.copyOf(models);
+    this.findings = findings;
+  }
+
+  @Override
+  public ChatResponse chat(ChatRequest request) {
+    DiagnosticException first = null;
+    for (Named each : models) {
+      try {
+        ChatResponse response = each.model().chat(request);
+        if (first != null) {
+          findings.accept(
+              Diagnostic.warning(
+                      "llm.model.fallback",
+                      "%s answered the task '%s' instead of %s. %s"
+                          .formatted(
+                              each.name(),
+                              request.task(),
+                              models.get(0).name(),
+                              first.diagnostics().get(0).message()),
+                      SourceLocation.NONE)
+                  .withHint(first.diagnostics().get(0).hint()));
+        }
+        return response;
+      } catch (DiagnosticException e) {
+        if (!leavesOthers(e)) {
+          throw e;
+        }
+        first = first == null ? e : first;
+      }
+    }
+    throw first;
+  }
+
+  private static boolean leavesOthers(DiagnosticException e) {
+    String id = e.diagnostics().get(0).id();
+    return (e.reason() == Reason.UNAVAILABLE && !FINAL.contains(id))
+        || id.equals("llm.recording.missing");
+  }
+}

@@ -1,0 +1,41 @@
+package dev.eventchain.llm;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+
+/** Keeps to the budget of the run, and looks who answered. */
+final class MeteredModel implements ChatModel {
+  private final ChatModel answering;
+  private final ModelName name;
+  private final ModelAccess access;
+
+  MeteredModel(ChatModel answering, ModelName name, ModelAccess access) {
+    this.answering = answering;
+    this.name = name;
+    this.access = access;
+  }
+
+  @Override
+  public ChatResponse chat(ChatRequest request) {
+    access.spending().requireBudget(name);
+    ChatResponse response = answering.chat(request);
+    access.spending().add(name, response.usage());
+    if (!isAsked(response.model())) {
+      access
+          .findings()
+          .accept(
+              Diagnostic.warning(
+                      "llm.model.differs",
+                      "%s was asked, and '%s' answered."
+                          .formatted(name, ErrorBody.shown(response.model())),
+                      SourceLocation.NONE)
+                  .withHint("Name the model that is meant in eventchain.yaml."));
+    }
+    return response;
+  }
+
+  /** Services add dates, versions and paths to the name they were asked by. */
+  private boolean isAsked(String answered) {
+    return answered.contains(name.name()) || name.name().contains(answered);
+  }
+}

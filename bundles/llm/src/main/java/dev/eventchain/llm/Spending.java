@@ -1,0 +1,100 @@
+package dev.eventchain.llm;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.DiagnosticException.Reason;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.llm.ChatResponse.Usage;
+import java.math.BigDecimal;
+import java.util.List;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
+
+/** What the calls of a run have cost, and what they may cost. Safe for threads. */
+public final class Spending {
+  private final ModelServices services;
+  private final SortedMap<String, Line> lines = new TreeMap<>();
+
+  /**
+   * The calls of one model.
+   *
+   * @param unknown how many of them came without a number of tokens
+   * @param cost in the currency of the prices; empty where the project names none for the model
+   */
+  public record Line(
+      String model,
+      int calls,
+      int unknown,
+      long inputTokens,
+      long outputTokens,
+      Optional<BigDecimal> cost) {
+
+    private Line with(Optional<Usage> usage, Optional<BigDecimal> price) {
+      Usage used = usage.orElse(new Usage(0, 0));
+      return new Line(
+          model,
+          calls + 1,
+          unknown + (usage.isPresent() ? 0 : 1),
+          inputTokens + used.inputTokens(),
+          outputTokens + used.outputTokens(),
+          price.map(each -> cost.orElse(BigDecimal.ZERO).add(each)));
+    }
+  }
+
+  /** Of a run that has not called yet. */
+  public Spending(ModelServices services) {
+    this.services = services;
+  }
+
+  /** What was spent, by model. */
+  public synchronized List<Line> lines() {
+    return List.copyOf(lines.values());
+  }
+
+  synchronized void add(ModelName model, Optional<Usage> usage) {
+    Optional<BigDecimal> price =
+        services.price(model).map(each -> each.of(usage.orElse(new Usage(0, 0))));
+    Line line = new Line(model.toString(), 0, 0, 0, 0, Optional.empty());
+    lines.put(model.toString(), lines.getOrDefault(model.toString(), line).with(usage, price));
+  }
+
+  /**
+   * Lets a call be made only while the budget is not spent. The call that exceeds it is the last
+   * one: what an answer costs is known when it is there.
+   */
+  synchronized void requireBudget(ModelName model) {
+    ModelServices.Budget budget = services.budget();
+    if (budget.cost().isPresent() && services.price(model).isEmpty()) {
+      throw stop(
+          "llm.price.missing",
+          "A run may cost " + budget.cost().get() + ", and the price of " + model + " is unknown.",
+          "Add it to 'prices' of eventchain.yaml, or limit 'tokens' instead of 'cost'.");
+    }
+    BigDecimal cost =
+        lines.values().stream()
+            .flatMap(line -> line.cost().stream())
+            .reduce(BigDecimal.ZERO, BigDecimal::add);
+    long tokens =
+        lines.values().stream().mapToLong(line -> line.inputTokens() + line.outputTokens()).sum();
+    if (budget.cost().filter(most -> cost.compareTo(most) >= 0).isPresent()) {
+      throw spent("The calls of this run have cost %s of %s.", cost, budget.cost().get());
+    }
+    if (budget.tokens().isPresent() && tokens >= budget.tokens().getAsLong()) {
+      throw spent(
+          "The calls of this run have used %s of %s tokens.", tokens, budget.tokens().getAsLong());
+    }
+  }
+
+  private static DiagnosticException spent(String message, Object spent, Object allowed) {
+    return stop(
+        "llm.budget.spent",
+        message.formatted(spent, allowed),
+        "What has been answered is kept with --record. Allow more with 'budget' in eventchain.yaml.");
+  }
+
+  private static DiagnosticException stop(String id, String message, String hint) {
+    return new DiagnosticException(
+        Reason.UNAVAILABLE, Diagnostic.error(id, message, SourceLocation.NONE).withHint(hint));
+  }
+}
