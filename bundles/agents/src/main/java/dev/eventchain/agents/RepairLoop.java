@@ -63,7 +63,7 @@ final class RepairLoop {
     while (true) {
       context.progress().accept(announcement(file, attempts));
       ChatResponse response =
-          context.model().chat(new ChatRequest(task, messages, schema, Sampling.DEFAULT));
+          ask(file, new ChatRequest(task, messages, schema, Sampling.DEFAULT), attempts);
       AnswerText answer = AnswerText.extract(kind, file, response);
       List<Diagnostic> findings =
           answer.artefact().map(check).orElse(List.of()).stream().sorted().toList();
@@ -78,6 +78,28 @@ final class RepairLoop {
       }
       messages.add(ChatMessage.assistant(response.text()));
       messages.add(ChatMessage.user(repair(all)));
+    }
+  }
+
+  /** Who is awaited once more wants to know what was wrong with the answer before. */
+  private ChatResponse ask(String file, ChatRequest request, List<Attempt> attempts) {
+    try {
+      return context.model().chat(request);
+    } catch (DiagnosticException e) {
+      if (e.reason() != Reason.WAITING || attempts.isEmpty()) {
+        throw e;
+      }
+      List<Diagnostic> said = new ArrayList<>(e.diagnostics());
+      List<Diagnostic> refused =
+          attempts.get(attempts.size() - 1).findings().stream().filter(this::isRefused).toList();
+      said.add(
+          Diagnostic.info(
+                  "agents.answer.returned",
+                  "The answer before went back: " + refused.get(0).message(),
+                  SourceLocation.of(file))
+              .withHint(
+                  "The new prompt names all that was wrong with it: " + refused.size() + "."));
+      throw new DiagnosticException(Reason.WAITING, said);
     }
   }
 

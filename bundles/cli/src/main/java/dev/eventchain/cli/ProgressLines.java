@@ -53,6 +53,7 @@ final class ProgressLines implements Progress {
       case DONE -> "✓";
       case UNCHANGED -> "=";
       case FAILED -> "✗";
+      case WAITING -> "…";
       case NOT_RUN -> " ";
     };
   }
@@ -65,6 +66,7 @@ final class ProgressLines implements Progress {
         switch (status) {
           case DONE -> 32;
           case FAILED -> 31;
+          case WAITING -> 33;
           default -> 2;
         };
     return "\u001b[" + color + "m" + text.substring(0, 1) + "\u001b[0m" + text.substring(1);

@@ -162,11 +162,21 @@ final class Conclusion {
   }
 
   private String stopped() {
+    if (failure.equals(Optional.of(Reason.WAITING))) {
+      return "waiting for " + Coverage.counted(awaited(), "answer");
+    }
     return outcomes.values().stream()
         .filter(outcome -> outcome.status() == Status.FAILED)
         .map(outcome -> "stopped in the stage '" + outcome.stage().id() + "'")
         .findFirst()
         .orElse("stopped");
+  }
+
+  private long awaited() {
+    return outcomes.values().stream()
+        .flatMap(outcome -> outcome.diagnostics().stream())
+        .filter(finding -> finding.id().equals("llm.handoff.waiting"))
+        .count();
   }
 
   private String unjudged(List<ScenarioLine> scenarios, String scenarioText) {

@@ -123,7 +123,7 @@ public final class Pipeline {
   private boolean asksMeanwhile(Stage stage) {
     return failure.equals(Optional.of(DiagnosticException.Reason.WAITING))
         && (stage == Stage.MODEL || stage == Stage.CONSTRAIN)
-        && outcomes.get(Stage.DESIGN).status() != Status.FAILED;
+        && !outcomes.get(Stage.DESIGN).status().isStopped();
   }
 
   /** The verdict of before stands again if a simulation now would have nothing to do. */
@@ -151,7 +151,7 @@ public final class Pipeline {
 
   private Stage stoppedIn() {
     return outcomes.values().stream()
-        .filter(outcome -> outcome.status() == Status.FAILED)
+        .filter(outcome -> outcome.status().isStopped())
         .map(StageOutcome::stage)
         .findFirst()
         .orElseThrow();
@@ -209,7 +209,7 @@ public final class Pipeline {
     found.addAll(problem.diagnostics());
     return new StageOutcome(
         stage,
-        Status.FAILED,
+        problem.reason() == DiagnosticException.Reason.WAITING ? Status.WAITING : Status.FAILED,
         since(start),
         reason(problem),
         new Parted(found, List.of()),

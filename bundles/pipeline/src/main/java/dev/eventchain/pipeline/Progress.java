@@ -11,12 +11,19 @@ public interface Progress {
     DONE("done"),
     UNCHANGED("unchanged"),
     FAILED("failed"),
+    /** An answer from outside is awaited; the same command goes on when it is there. */
+    WAITING("waiting"),
     NOT_RUN("not run");
 
     private final String words;
 
     Status(String words) {
       this.words = words;
+    }
+
+    /** Whether later stages cannot go on. */
+    boolean isStopped() {
+      return this == FAILED || this == WAITING;
     }
 
     /** The words that people read. */

@@ -27,7 +27,7 @@ class HandoffRunTest {
   @Test
   void promptsThatDoNotWaitForEachOtherAreWrittenAtOnce() throws IOException {
     forget("implement", "model", "constrain");
-    run().expect(4).says("llm.handoff.waiting");
+    run().expect(4).says("llm.handoff.waiting").says("waiting for 4 answers");
     assertEquals(
         List.of(
             "constrain-01.prompt.md",
@@ -50,6 +50,18 @@ class HandoffRunTest {
     forget("design", "implement", "model", "constrain");
     run().expect(4);
     assertEquals(List.of("design-01.prompt.md"), prompts());
+  }
+
+  @Test
+  void whyTheAnswerBeforeWasRefusedIsSaid() throws IOException {
+    forget("design");
+    design().expect(4).says("waiting for 1 answer");
+    Files.writeString(folder.resolve("handoff/design-01.answer.md"), "{\"a\": 1}\n");
+    design()
+        .expect(4)
+        .says("design-02.prompt.md")
+        .says("The answer before went back: The file must hold an array, not an object.")
+        .says("[agents.answer.returned]");
   }
 
   @Test

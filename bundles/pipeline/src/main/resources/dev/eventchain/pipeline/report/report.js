@@ -55,7 +55,7 @@ function ownSummary() {
 }
 
 function reasons() {
-  const result = stages.filter((stage) => text(stage.status) === "failed")
+  const result = stages.filter((stage) => ["failed", "waiting"].includes(text(stage.status)))
     .map((stage) => [html("a", { href: "#stages" }, `Stage ${text(stage.name)}`), detailOf(stage.details)]);
   for (const scenario of failedScenarios) {
     const missed = records(scenario.criteria).filter((criterion) => criterion.passed !== true)
