@@ -28,8 +28,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * JSON in an answer: read with tolerance for trailing commas and comments, written again in one
- * layout.
+ * JSON in an answer: read with tolerance for trailing commas, single quotes and comments, written
+ * again in one layout.
  */
 final class JsonAnswer {
   private static final JsonMapper TOLERANT =
@@ -41,13 +41,15 @@ final class JsonAnswer {
           .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
           .enable(JsonReadFeature.ALLOW_TRAILING_COMMA)
           .enable(JsonReadFeature.ALLOW_JAVA_COMMENTS)
+          .enable(JsonReadFeature.ALLOW_YAML_COMMENTS)
+          .enable(JsonReadFeature.ALLOW_SINGLE_QUOTES)
           .enable(DeserializationFeature.USE_BIG_DECIMAL_FOR_FLOATS)
           .disable(DeserializationFeature.FAIL_ON_TRAILING_TOKENS)
           .configure(JsonNodeFeature.STRIP_TRAILING_BIGDECIMAL_ZEROES, false)
           .build();
   private static final FindingIds IDS = FindingIds.all("agents.answer.json");
   private static final Pattern START = Pattern.compile("(?m)^[ \\t]*[\\[{]");
-  private static final Pattern START_IN_LINE = Pattern.compile("[\\[{]\\s*[\\[{\"]");
+  private static final Pattern START_IN_LINE = Pattern.compile("[\\[{]\\s*[\\[{\"']");
 
   private JsonAnswer() {}
 
