@@ -79,10 +79,12 @@ public final class ChatModels {
       Path folder = folder(source.substring(HANDOFF.length()));
       return recorded(new HandoffModel(name, folder, recordings), name);
     }
-    if (source.startsWith(COMMAND) && !source.substring(COMMAND.length()).isBlank()) {
-      String command = source.substring(COMMAND.length());
-      ChatModel program = new CommandModel(name, command, ModelService.DEADLINE);
-      return recorded(new MeteredModel(program, name, access), name);
+    if (source.startsWith(COMMAND)) {
+      List<String> command = CommandModel.split(source.substring(COMMAND.length()));
+      if (!command.isEmpty()) {
+        ChatModel program = new CommandModel(name, command, ModelService.DEADLINE);
+        return recorded(new MeteredModel(program, name, access), name);
+      }
     }
     throw input(
         "llm.provider.unknown", "'" + source + "' is no way to get answers of models.", WAYS);

@@ -35,13 +35,14 @@ final class CommandModel implements ChatModel {
   private final List<String> command;
   private final Duration allowed;
 
-  CommandModel(ModelName name, String command, Duration allowed) {
+  CommandModel(ModelName name, List<String> command, Duration allowed) {
     this.name = name;
-    this.command = split(command);
+    this.command = command;
     this.allowed = allowed;
   }
 
-  private static List<String> split(String command) {
+  /** The program and its arguments; empty if the text names none, such as {@code ''}. */
+  static List<String> split(String command) {
     List<String> parts = new ArrayList<>();
     Matcher matcher = ARGUMENT.matcher(command);
     while (matcher.find()) {
@@ -51,7 +52,7 @@ final class CommandModel implements ChatModel {
         }
       }
     }
-    return parts;
+    return parts.isEmpty() || parts.get(0).isBlank() ? List.of() : parts;
   }
 
   @Override
@@ -61,22 +62,37 @@ final class CommandModel implements ChatModel {
     Thread end = new Thread(() -> end(process), "end of a command");
     Runtime.getRuntime().addShutdownHook(end);
     try {
-      CompletableFuture<String> answer = read(process.getInputStream(), BodyStream.LONGEST);
-      CompletableFuture<String> complaint = read(process.getErrorStream(), LONGEST_COMPLAINT);
-      feed(process.getOutputStream(), HandoffPrompt.conversation(request));
-      if (!process.waitFor(allowed.toMillis(), TimeUnit.MILLISECONDS)) {
-        throw failed("did not end within " + Deadline.text(allowed), "");
-      }
-      if (process.exitValue() != 0) {
-        throw failed("ended with exit code " + process.exitValue(), complaint.join());
-      }
-      return new ChatResponse(
-          answer.join(), FinishReason.STOP, name.name(), PROVIDER, Optional.empty());
+      return answer(process, request);
     } catch (InterruptedException e) {
       throw Deadline.in(allowed).interrupted();
     } finally {
       end(process);
+      forget(end);
+    }
+  }
+
+  private ChatResponse answer(Process process, ChatRequest request) throws InterruptedException {
+    CompletableFuture<String> answer = read(process.getInputStream(), BodyStream.LONGEST);
+    CompletableFuture<String> complaint = read(process.getErrorStream(), LONGEST_COMPLAINT);
+    feed(process.getOutputStream(), HandoffPrompt.conversation(request));
+    if (!process.waitFor(allowed.toMillis(), TimeUnit.MILLISECONDS)) {
+      throw failed("did not end within " + Deadline.text(allowed), "");
+    }
+    if (process.exitValue() != 0) {
+      throw failed("ended with exit code " + process.exitValue(), complaint.join());
+    }
+    String text = answer.join();
+    if (text.isBlank()) {
+      throw failed("wrote nothing to standard output", complaint.join());
+    }
+    return new ChatResponse(text, FinishReason.STOP, name.name(), PROVIDER, Optional.empty());
+  }
+
+  private static void forget(Thread end) {
+    try {
       Runtime.getRuntime().removeShutdownHook(end);
+    } catch (IllegalStateException e) {
+      // The program is ending, and the hook does what it is for.
     }
   }
 
@@ -107,7 +123,7 @@ final class CommandModel implements ChatModel {
           try (stream) {
             return new String(stream.readNBytes((int) most), StandardCharsets.UTF_8);
           } catch (IOException e) {
-            return "";
+            return ""; // Its process has been ended, and nobody asks what it said.
           }
         },
         task -> {

@@ -5,6 +5,8 @@ import dev.eventchain.diagnostics.SourceLocation;
 
 /** Keeps to the budget of the run, and looks who answered. */
 final class MeteredModel implements ChatModel {
+  private static final int SHORTEST_NAME = 3;
+
   private final ChatModel answering;
   private final ModelName name;
   private final ModelAccess access;
@@ -36,6 +38,7 @@ final class MeteredModel implements ChatModel {
 
   /** Services add dates, versions and paths to the name they were asked by. */
   private boolean isAsked(String answered) {
-    return answered.contains(name.name()) || name.name().contains(answered);
+    return answered.contains(name.name())
+        || (name.name().contains(answered) && answered.length() >= SHORTEST_NAME);
   }
 }

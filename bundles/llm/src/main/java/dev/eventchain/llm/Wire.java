@@ -7,6 +7,7 @@ import dev.langchain4j.model.ollama.OllamaStreamingChatModel;
 import dev.langchain4j.model.openai.OpenAiStreamingChatModel;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /** How a service is spoken to. */
@@ -61,6 +62,8 @@ enum Wire {
       return OllamaStreamingChatModel.builder()
           .httpClientBuilder(call.transport().builder())
           .baseUrl(call.url())
+          .customHeaders(
+              call.key().isEmpty() ? Map.of() : Map.of("Authorization", "Bearer " + call.key()))
           .modelName(call.model())
           .temperature(call.temperature())
           .seed(call.seed())

@@ -249,7 +249,8 @@ class ChatModelsTest {
       value = {
         "command:sh -c 'echo no credit >&2; exit 3' | exit code 3: no credit",
         "command:/no/such/program | cannot be started",
-        "command:false | exit code 1"
+        "command:false | exit code 1",
+        "command:true | wrote nothing to standard output"
       })
   void aProgramThatFailsGivesNoAnswer(String source, String part) {
     ChatModel model = ChatModels.open(access(source, false, services()), List.of("mine"));

@@ -1,10 +1,12 @@
 package dev.eventchain.llm;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.github.tomakehurst.wiremock.verification.LoggedRequest;
 import dev.eventchain.llm.ChatResponse.FinishReason;
 import dev.eventchain.llm.ChatResponse.Usage;
 import java.io.IOException;
@@ -82,5 +84,15 @@ class WiresTest {
     SERVICE.model(wire).chat(FakeService.conversation());
     String sent = SERVICE.requests().get(0).getBodyAsString();
     assertTrue(sent.matches("(?s).*first.*second.*third.*"), sent);
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void theKeyGoesInAHeaderAndNeverInTheAddress(Wire wire) throws IOException {
+    SERVICE.answers(wire, "good");
+    SERVICE.model(wire).chat(FakeService.question());
+    LoggedRequest sent = SERVICE.requests().get(0);
+    assertTrue(sent.getHeaders().toString().contains(FakeService.KEY), wire::id);
+    assertFalse(sent.getUrl().contains(FakeService.KEY), wire::id);
   }
 }

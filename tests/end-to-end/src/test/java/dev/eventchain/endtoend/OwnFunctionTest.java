@@ -1,7 +1,6 @@
 package dev.eventchain.endtoend;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
-import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -24,233 +23,237 @@ class OwnFunctionTest {
   private static final String SCENARIO = "scenarios/stopped-vehicle-50.yaml";
 
   @TempDir private Path folder;
-  private Path project;
+  private ProjectCopy project;
 
   @BeforeEach
   void copyProject() throws IOException {
-    project = folder.resolve("radar-aeb");
-    Program.copy(Program.ROOT.resolve("examples/radar-aeb"), project);
-  }
-
-  private void replace(String file, String text, String by) throws IOException {
-    String content = Files.readString(project.resolve(file));
-    assertTrue(content.contains(text), text);
-    Files.writeString(project.resolve(file), content.replace(text, by));
-  }
-
-  private Program.Ended run() throws IOException {
-    return new Program().run("run", project);
-  }
-
-  private void notPassed() throws IOException {
-    Path verdict = project.resolve("out/verdict.json");
-    assertFalse(
-        Files.exists(verdict)
-            && Files.readString(verdict).contains("\"passed\" : true,\n  \"scenarios"));
+    project = ProjectCopy.of("radar-aeb", folder);
   }
 
   @Test
   void allRequirementsAreProved() throws IOException {
-    run()
+    project
+        .run()
         .expect(0)
         .says("PASSED: 2 of 2 scenarios passed, 4 requirements proved")
         .says("0 errors, 0 warnings");
     new Program()
-        .run("bench", project)
+        .run("bench", project.path())
         .expect(0)
         .says("provides /radar/target (demo_msgs/msg/RadarTarget, 50 Hz) -> Radar_Tracking")
         .says("consumes /cluster/collision_warning (std_msgs/msg/Bool) <- Collision_Warning");
     String path = "Radar_Tracking Brake_Request";
-    assertEquals(List.of(path, path), Program.slowestPaths(project));
-    assertTrue(Files.readString(project.resolve("out/report.html")).contains("class=\"passage\""));
+    assertEquals(List.of(path, path), Program.slowestPaths(project.path()));
+    assertTrue(
+        Files.readString(project.path().resolve("out/report.html")).contains("class=\"passage\""));
   }
 
   @Test
   void brakeThatIsDisconnectedInTheBench() throws IOException {
-    replace("bench.yaml", "{drives: acceleration, required: true}", "observed");
-    run()
+    project.replace("bench.yaml", "{drives: acceleration, required: true}", "observed");
+    project
+        .run()
         .expect(1)
         .says("'no impact' was not tested: no component's output drives the brake.")
         .says("[simulation.criterion.untested]");
-    notPassed();
+    project.requireNotPassed();
   }
 
   @Test
   void requiredFieldThatNoComponentWrites() throws IOException {
-    replace(
+    project.replace(
         "bench.yaml",
         "acceleration: {drives: acceleration, required: true}",
         "hold: {drives: acceleration, unit: m/s2, required: true}");
-    run()
+    project
+        .run()
         .expect(1)
         .says("INCOMPLETE")
         .says("bench.yaml:15:7")
         .says("No component writes 'hold' of /brake/request, which the bench requires.")
         .says("[bench.field.unwritten]");
-    notPassed();
+    project.requireNotPassed();
   }
 
   @Test
   void providedTopicWithoutSource() throws IOException {
-    Files.delete(project.resolve("scenarios/short-sight.yaml"));
-    String bench = Files.readString(project.resolve("bench.yaml"));
+    Files.delete(project.path().resolve("scenarios/short-sight.yaml"));
+    String bench = Files.readString(project.path().resolve("bench.yaml"));
     Files.writeString(
-        project.resolve("bench.yaml"), bench.replaceAll("(?s)provides:.*consumes", "consumes"));
-    run()
+        project.path().resolve("bench.yaml"),
+        bench.replaceAll("(?s)provides:.*consumes", "consumes"));
+    project
+        .run()
         .expect(1)
         .says("INCOMPLETE")
         .says("'Radar_Tracking' reads /radar/target, which no entry of the bench provides.")
         .says("model/chain.xmi:")
         .says("[bench.topic.unconnected]");
-    notPassed();
+    project.requireNotPassed();
   }
 
   @Test
   void fieldThatTheBenchLeavesAtItsDefault() throws IOException {
-    replace("bench.yaml", "      range_rate: lead.speed - ego.speed\n", "");
-    run()
+    project.replace("bench.yaml", "      range_rate: lead.speed - ego.speed\n", "");
+    project
+        .run()
         .expect(1)
         .says("INCOMPLETE")
         .says("'range_rate' of /radar/target is read, but the bench leaves it at its default.")
         .says("[bench.field.unset]");
-    notPassed();
+    project.requireNotPassed();
   }
 
   @Test
   void fieldThatDrivesButThatNoComponentWrites() throws IOException {
-    replace(
+    project.replace(
         "bench.yaml",
         "acceleration: {drives: acceleration, required: true}",
         "hold: {drives: acceleration, unit: m/s2}");
-    run().expect(1).says("was not tested: no component's output drives the brake.");
-    notPassed();
+    project.run().expect(1).says("was not tested: no component's output drives the brake.");
+    project.requireNotPassed();
   }
 
   @Test
   void criterionThatNoComponentCanInfluence() throws IOException {
-    replace(SCENARIO, "  no_impact: true\n", "  no_impact: true\n  maximal_lane_offset_m: 0.5\n");
-    run()
+    project.replace(
+        SCENARIO, "  no_impact: true\n", "  no_impact: true\n  maximal_lane_offset_m: 0.5\n");
+    project
+        .run()
         .expect(1)
         .says("maximal_lane_offset_m")
         .says("was not tested: no component's output changes what it reads.");
-    notPassed();
+    project.requireNotPassed();
   }
 
   @Test
   void unitOfTheComponentIsComparedWithThatOfTheBench() throws IOException {
-    replace("software-base/signals.json", ", \"Unit\": \"km/h\"", "");
-    replace("bench.yaml", "lead.speed - ego.speed", "{value: lead.speed - ego.speed, unit: m/s}");
-    run()
+    project.replace("software-base/signals.json", ", \"Unit\": \"km/h\"", "");
+    project.replace(
+        "bench.yaml", "lead.speed - ego.speed", "{value: lead.speed - ego.speed, unit: m/s}");
+    project
+        .run()
         .expect(1)
         .says("'range_rate' of /radar/target is in km/h here, but in another unit in the bench.")
         .says("[bench.unit]");
-    notPassed();
+    project.requireNotPassed();
   }
 
   @Test
   void accelerationThatNoVehicleHas() throws IOException {
-    replace(
+    project.replace(
         "software-base/components/Brake_Request.py", "FULL_BRAKE = -9.0", "FULL_BRAKE = -900.0");
-    run().expect(1).says("commanded acceleration -900.0").says("[simulation.command.ignored]");
-    notPassed();
+    project
+        .run()
+        .expect(1)
+        .says("commanded acceleration -900.0")
+        .says("[simulation.command.ignored]");
+    project.requireNotPassed();
   }
 
   @Test
   void existingComponentThatTheModelDescribesOtherwise() throws IOException {
-    replace(CHAIN, "satisfies=\"//@requirements.0\" worstCaseExecutionTime=\"2.0\"", "");
-    run()
+    project.replace(CHAIN, "satisfies=\"//@requirements.0\" worstCaseExecutionTime=\"2.0\"", "");
+    project
+        .run()
         .expect(1)
         .says("model/chain.xmi:3:")
         .says("component 'Radar_Tracking' is '2.0', which the chain does not state.")
         .says("[modeler.component.value.changed]");
-    notPassed();
+    project.requireNotPassed();
   }
 
   @Test
   void latencyBoundOfAMillisecond() throws IOException {
-    replace(CHAIN, "maximum=\"100.0\"", "maximum=\"1.0\"");
-    run().expect(1).says("FAILED").says("radar_to_brake");
-    notPassed();
+    project.replace(CHAIN, "maximum=\"100.0\"", "maximum=\"1.0\"");
+    project.run().expect(1).says("FAILED").says("radar_to_brake");
+    project.requireNotPassed();
   }
 
   @Test
   void componentThatIsFrozen() throws IOException {
-    replace(
+    project.replace(
         "software-base/components/Radar_Tracking.py",
         "return {\"ttc\": min(ttc, NO_COLLISION)",
         "return {\"ttc\": NO_COLLISION");
-    run()
+    project
+        .run()
         .expect(1)
         .says("FAILED: 0 of 2 scenarios passed")
         .says("the radar's time to collision is the true one")
         .says("is missed by");
-    notPassed();
+    project.requireNotPassed();
   }
 
   @Test
   void criterionThatIsVacuous() throws IOException {
-    replace(SCENARIO, "ttc < 2.5 s implies", "ttc < 2.5 s and ego.speed > 60 km/h implies");
-    run()
+    project.replace(SCENARIO, "ttc < 2.5 s implies", "ttc < 2.5 s and ego.speed > 60 km/h implies");
+    project
+        .run()
         .expect(1)
         .says(
             "INCOMPLETE: 1 of 2 scenarios passed, but not all was tested: 4 requirements not tested,")
         .says("the driver is warned")
         .says("[simulation.criterion.untested]");
-    notPassed();
+    project.requireNotPassed();
   }
 
   @Test
   void signalThatLeavesTheChainIsProvedByACriterionOnItsValueOnly() throws IOException {
-    replace(
+    project.replace(
         CHAIN,
         "topicName=\"/cluster/collision_warning\"",
         "topicName=\"/cluster/collision_warning\" external=\"true\" satisfies=\"//@requirements.1\"");
-    run().expect(0).says("PASSED: 2 of 2 scenarios passed, 4 requirements proved");
-    replace(SCENARIO, "/cluster/collision_warning.data", "gap < 80 m");
-    run()
+    project.run().expect(0).says("PASSED: 2 of 2 scenarios passed, 4 requirements proved");
+    project.replace(SCENARIO, "/cluster/collision_warning.data", "gap < 80 m");
+    project
+        .run()
         .expect(1)
         .says("requirements.md:3:")
         .says("No criterion reads /cluster/collision_warning.data, which leaves the chain")
         .says("[project.requirement.untested RAD-2]")
         .says("INCOMPLETE: 2 of 2 scenarios passed, but not all was tested")
         .says("3 requirements proved, 1 not tested, 1 error");
-    notPassed();
+    project.requireNotPassed();
   }
 
   @Test
   void requirementThatNoCriterionCanShowToBeMet() throws IOException {
-    replace(SCENARIO, "/cluster/collision_warning.data", "gap < 80 m");
-    run()
+    project.replace(SCENARIO, "/cluster/collision_warning.data", "gap < 80 m");
+    project
+        .run()
         .expect(1)
         .says("requirements.md:3:")
         .says(
             "No criterion of the scenarios that name RAD-2 depends on what 'Collision_Warning' writes")
         .says("[project.requirement.untested RAD-2]")
         .says("3 requirements proved, 1 not tested, 1 error");
-    notPassed();
+    project.requireNotPassed();
   }
 
   @Test
   void requirementThatNoComponentSatisfies() throws IOException {
-    replace(CHAIN, " satisfies=\"//@requirements.1\"", "");
-    run()
+    project.replace(CHAIN, " satisfies=\"//@requirements.1\"", "");
+    project
+        .run()
         .expect(1)
         .says("No component of the chain is said to satisfy RAD-2")
         .says("[project.requirement.untested RAD-2]");
-    notPassed();
+    project.requireNotPassed();
   }
 
   @Test
   void requirementsOfTheModelThatAreNotThoseOfTheProject() throws IOException {
-    replace("requirements.md", "is below 2.6 s", "is below 2 s");
-    replace(CHAIN, "id=\"RAD-4\"", "id=\"RAD-5\"");
-    run()
+    project.replace("requirements.md", "is below 2.6 s", "is below 2 s");
+    project.replace(CHAIN, "id=\"RAD-4\"", "id=\"RAD-5\"");
+    project
+        .run()
         .expect(1)
         .says("requirements.md says of RAD-2: The system shall warn")
         .says("[project.requirement.changed]")
         .says("The model has the requirement 'RAD-5', which requirements.md does not have.")
         .says("[project.requirement.unknown]");
-    notPassed();
+    project.requireNotPassed();
   }
 
   @ParameterizedTest
@@ -263,30 +266,32 @@ class OwnFunctionTest {
         "(ttc < 2.5 s implies W) until[0, 10] ttc < 3 s"
       })
   void formulaThatHoldsWhateverTheComponentSays(String formula) throws IOException {
-    String text = Files.readString(project.resolve(SCENARIO));
+    String text = Files.readString(project.path().resolve(SCENARIO));
     Files.writeString(
-        project.resolve(SCENARIO),
+        project.path().resolve(SCENARIO),
         text.replaceAll(
             "formula: always.*collision_warning.data.*",
             "formula: " + formula.replace("W", "/cluster/collision_warning.data")));
-    run()
+    project
+        .run()
         .expect(1)
         .says("INCOMPLETE")
         .says("it holds whatever is in /cluster/collision_warning.data");
-    notPassed();
+    project.requireNotPassed();
   }
 
   @Test
   void aSilentComponentThatPeopleAcceptDoesNotHideTheOthers() throws IOException {
-    String chain = Files.readString(project.resolve(CHAIN));
+    String chain = Files.readString(project.path().resolve(CHAIN));
     int warned = chain.lastIndexOf("fieldName=\"time_to_collision\"");
     Files.writeString(
-        project.resolve(CHAIN),
+        project.path().resolve(CHAIN),
         chain.substring(0, warned) + "maximumAge=\"0.001\" " + chain.substring(warned));
-    replace("software-base/components/Brake_Request.py", "FULL_BRAKE = -9.0", "FULL_BRAKE = 0.0");
-    run().expect(1).says("[simulation.node.silent]");
+    project.replace(
+        "software-base/components/Brake_Request.py", "FULL_BRAKE = -9.0", "FULL_BRAKE = 0.0");
+    project.run().expect(1).says("[simulation.node.silent]");
     Files.writeString(
-        project.resolve("eventchain-suppressions.yaml"),
+        project.path().resolve("eventchain-suppressions.yaml"),
         """
         - id: simulation.node.silent
           element: Collision_Warning
@@ -294,45 +299,47 @@ class OwnFunctionTest {
           expires: 2027-03-31
         """);
     new Program()
-        .run("run", project, "--date", "2026-11-30")
+        .run("run", project.path(), "--date", "2026-11-30")
         .expect(1)
         .says("FAILED")
         .says("impact at ");
-    notPassed();
+    project.requireNotPassed();
   }
 
   @Test
   void requirementThatIsWrittenInAnotherWayIsSaid() throws IOException {
-    Path requirements = project.resolve("requirements.md");
+    Path requirements = project.path().resolve("requirements.md");
     String text = Files.readString(requirements) + "5. RAD-5: The system shall stop.\n";
     Files.writeString(requirements, text);
-    run()
+    project
+        .run()
         .says("requirements.md:6:4: warning: 'RAD-5' is the id of no item.")
         .says("[modeler.requirements.unread]");
   }
 
   @Test
   void copyOfAComponentThatSomebodyChangedIsNotSimulatedForIt() throws IOException {
-    run().expect(0);
+    project.run().expect(0);
     String copy = "out/ros2/radar_aeb/radar_aeb/components/Collision_Warning.py";
-    replace(copy, "ttc < WARNING_TTC", "True");
-    new Program().run("simulate", project).expect(1).says("[eventchain.file.edited]");
-    notPassed();
-    run()
+    project.replace(copy, "ttc < WARNING_TTC", "True");
+    new Program().run("simulate", project.path()).expect(1).says("[eventchain.file.edited]");
+    project.requireNotPassed();
+    project
+        .run()
         .expect(1)
         .says(copy + ": error: This copy of the component 'Collision_Warning' is not what ")
         .says("[eventchain.file.edited]");
-    notPassed();
-    new Program().run("run", project, "--overwrite").expect(0).says("PASSED");
+    project.requireNotPassed();
+    new Program().run("run", project.path(), "--overwrite").expect(0).says("PASSED");
   }
 
   @Test
   void topicsThatFellSilentSayNothingAndTheVehicleKeepsToTheLastCommand() throws IOException {
-    replace(CHAIN, "fieldName=\"range\"", "fieldName=\"range\" maximumAge=\"100.0\"");
-    replace("bench.yaml", "rate_hz: 50", "rate_hz: 1.2");
-    Files.delete(project.resolve("scenarios/short-sight.yaml"));
+    project.replace(CHAIN, "fieldName=\"range\"", "fieldName=\"range\" maximumAge=\"100.0\"");
+    project.replace("bench.yaml", "rate_hz: 50", "rate_hz: 1.2");
+    Files.delete(project.path().resolve("scenarios/short-sight.yaml"));
     Files.writeString(
-        project.resolve(SCENARIO),
+        project.path().resolve(SCENARIO),
         """
         name: far-away
         title: Nothing near
@@ -346,7 +353,8 @@ class OwnFunctionTest {
             - formula: always[0.2, 4] not /cluster/collision_warning.data
             - formula: always[0.2, 4] /brake/request.acceleration > -1 m/s2
         """);
-    run()
+    project
+        .run()
         .expect(1)
         .says("INCOMPLETE")
         .says("since no current message was there on /cluster/collision_warning")
@@ -354,38 +362,38 @@ class OwnFunctionTest {
         .says("warning: Scenario far-away: the last command on /brake/request was ")
         .says("and the vehicle still followed it; 100 ms are usual.")
         .says("[simulation.input.too-old]");
-    notPassed();
+    project.requireNotPassed();
   }
 
   @Test
   void inputThatIsComputedFromTheWorldCanBeJudged() throws IOException {
-    replace("bench.yaml", "inputs:", "inputs:\n  reserve: {unit: m, formula: gap - 1 m}");
-    replace(
+    project.replace("bench.yaml", "inputs:", "inputs:\n  reserve: {unit: m, formula: gap - 1 m}");
+    project.replace(
         "scenarios/short-sight.yaml",
         "  formulas:",
         "  formulas:\n    - formula: always reserve > 0 m");
-    run().expect(0).says("PASSED: 2 of 2 scenarios passed, 4 requirements proved");
+    project.run().expect(0).says("PASSED: 2 of 2 scenarios passed, 4 requirements proved");
   }
 
   @Test
   void whatPeopleDecidedToLiveWithIsAcceptedByConsoleAndFileAlike() throws IOException {
-    replace(SCENARIO, "ttc < 2.5 s implies", "ttc < 2.5 s and ego.speed > 60 km/h implies");
+    project.replace(SCENARIO, "ttc < 2.5 s implies", "ttc < 2.5 s and ego.speed > 60 km/h implies");
     String accepted =
         """
         - id: simulation.criterion.untested
           reason: The test track has no such speed.
           expires: 2027-03-31
         """;
-    Files.writeString(project.resolve("eventchain-suppressions.yaml"), accepted);
+    Files.writeString(project.path().resolve("eventchain-suppressions.yaml"), accepted);
     new Program()
-        .run("run", project, "--date", "2026-11-30")
+        .run("run", project.path(), "--date", "2026-11-30")
         .expect(1)
         .says("INCOMPLETE")
         .says("Something that RAD-4 hangs on could not be judged.")
         .says("[project.requirement.untested RAD-4]");
-    notPassed();
+    project.requireNotPassed();
     Files.writeString(
-        project.resolve("eventchain-suppressions.yaml"),
+        project.path().resolve("eventchain-suppressions.yaml"),
         accepted
             + """
             - id: project.requirement.untested
@@ -394,50 +402,53 @@ class OwnFunctionTest {
               expires: 2027-03-31
             """);
     new Program()
-        .run("run", project, "--date", "2026-11-30")
+        .run("run", project.path(), "--date", "2026-11-30")
         .expect(0)
         .says("PASSED: 1 of 2 scenarios passed, 4 requirements not tested, 5 findings suppressed");
-    String verdict = Files.readString(project.resolve("out/verdict.json"));
+    String verdict = Files.readString(project.path().resolve("out/verdict.json"));
     assertTrue(verdict.contains("\"passed\" : true,\n  \"suppressed\" : 5,"), verdict);
     assertTrue(verdict.contains("\"outcome\" : \"not tested\""), verdict);
   }
 
   @Test
   void scenarioThatSetsAnInputThatTheBenchDoesNotHave() throws IOException {
-    replace("scenarios/short-sight.yaml", "radar.reach: 60", "radar.reech: 60");
-    run()
+    project.replace("scenarios/short-sight.yaml", "radar.reach: 60", "radar.reech: 60");
+    project
+        .run()
         .expect(2)
         .says("The bench has no input 'radar.reech'.")
         .says("Did you mean `radar.reach`?")
         .says("[scenario.input.unknown]");
-    notPassed();
+    project.requireNotPassed();
   }
 
   @Test
   void inputOnWhichNothingDepends() throws IOException {
-    replace("bench.yaml", "gap < radar.reach", "gap < 150 m");
-    replace("bench.yaml", "min(gap, radar.reach)", "min(gap, 150 m)");
-    run()
+    project.replace("bench.yaml", "gap < radar.reach", "gap < 150 m");
+    project.replace("bench.yaml", "min(gap, radar.reach)", "min(gap, 150 m)");
+    project
+        .run()
         .expect(2)
         .says("Nothing that is sent or judged depends on the input 'radar.reach'.")
         .says("short-sight.yaml:12:3");
-    notPassed();
+    project.requireNotPassed();
   }
 
   @Test
   void formulaOfATopicThatThereIsNot() throws IOException {
-    replace(SCENARIO, "/aeb/threat.time_to_collision", "/aeb/threat.time_to_colision");
-    run()
+    project.replace(SCENARIO, "/aeb/threat.time_to_collision", "/aeb/threat.time_to_colision");
+    project
+        .run()
         .expect(2)
         .says("There is no signal '/aeb/threat.time_to_colision'.")
         .says("Did you mean `/aeb/threat.time_to_collision`?");
-    notPassed();
+    project.requireNotPassed();
   }
 
   @Test
   void wrongBenchIsFoundBeforeAnythingRuns() throws IOException {
-    replace("bench.yaml", "rate_hz: 50", "rate_hz: 1000000");
-    run().expect(2).says("bench.yaml:6:14").says("[bench.value.range]");
-    notPassed();
+    project.replace("bench.yaml", "rate_hz: 50", "rate_hz: 1000000");
+    project.run().expect(2).says("bench.yaml:6:14").says("[bench.value.range]");
+    project.requireNotPassed();
   }
 }

@@ -1,0 +1,60 @@
+package dev.eventchain.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+
+/**
+ * A copy of an example, for a test to change and to run.
+ *
+ * @param path its folder
+ */
+record ProjectCopy(Path path) {
+
+  /** Copies an example into a folder. */
+  static ProjectCopy of(String example, Path folder) throws IOException {
+    Path copy = folder.resolve(example);
+    Program.copy(Program.ROOT.resolve("examples").resolve(example), copy);
+    return new ProjectCopy(copy);
+  }
+
+  /** Replaces a text that is in a file once. */
+  void replace(String file, String text, String by) throws IOException {
+    String content = Files.readString(path.resolve(file));
+    assertEquals(1, content.split(Pattern.quote(text), -1).length - 1, text);
+    write(file, content.replace(text, by));
+  }
+
+  /** Writes a file of the project. */
+  void write(String file, String content) throws IOException {
+    Files.createDirectories(path.resolve(file).getParent());
+    Files.writeString(path.resolve(file), content);
+  }
+
+  /** Leaves one scenario of all; enough where one criterion tells. */
+  void onlyScenario(String scenario) throws IOException {
+    try (Stream<Path> files = Files.list(path.resolve("scenarios"))) {
+      for (Path file : files.filter(each -> !path.resolve(scenario).equals(each)).toList()) {
+        Files.delete(file);
+      }
+    }
+  }
+
+  /** Runs the whole of it. */
+  Program.Ended run() {
+    return new Program().run("run", path);
+  }
+
+  /** Fails if a verdict says that it passed. */
+  void requireNotPassed() throws IOException {
+    Path verdict = path.resolve("out/verdict.json");
+    assertFalse(
+        Files.exists(verdict)
+            && Files.readString(verdict).contains("\"passed\" : true,\n  \"scenarios"));
+  }
+}
