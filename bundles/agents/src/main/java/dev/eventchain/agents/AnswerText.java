@@ -19,8 +19,13 @@ import java.util.regex.Pattern;
  * @param problems why there is none
  */
 record AnswerText(Optional<SourceText> artefact, List<Diagnostic> problems) {
+  private static final int FLAGS = Pattern.DOTALL | Pattern.MULTILINE;
+
+  /** Its opening tag is often part of what the server puts in front of the answer. */
   private static final Pattern THINKING =
-      Pattern.compile("\\A\\s*<(think|thinking)>.*?</\\1>\\s*", Pattern.DOTALL);
+      Pattern.compile("\\A(\\s*<(think|thinking)>.*?</\\2>|.*?^</(think|thinking)>)\\s*", FLAGS);
+
+  private static final Pattern THINKING_WITHOUT_END = Pattern.compile("\\A\\s*<(think|thinking)>");
   private static final Pattern PROSE = Pattern.compile("^[A-Z][A-Za-z']*,? [a-z].*");
 
   static AnswerText extract(AnswerKind kind, String file, ChatResponse response) {
@@ -32,6 +37,9 @@ record AnswerText(Optional<SourceText> artefact, List<Diagnostic> problems) {
     }
     String text = response.text().replace("\r\n", "\n").replace("\uFEFF", "");
     text = THINKING.matcher(text).replaceFirst("");
+    if (THINKING_WITHOUT_END.matcher(text).find()) {
+      return truncated(file, "The answer ends inside the thinking before it.");
+    }
     FencedBlocks blocks = FencedBlocks.in(text);
     if (!blocks.all().isEmpty()) {
       return fenced(kind, file, blocks);

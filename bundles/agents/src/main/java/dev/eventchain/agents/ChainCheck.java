@@ -3,20 +3,26 @@ package dev.eventchain.agents;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.documents.Document;
 import dev.eventchain.modeler.Requirements;
+import dev.eventchain.modeler.SoftwareBase;
 import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
 
 /** What a designed chain must be beyond its format and its contracts, given the requirements. */
 final class ChainCheck {
   private final List<String> requirements;
+  private final Set<String> existing;
 
-  ChainCheck(Requirements requirements) {
+  ChainCheck(Requirements requirements, SoftwareBase base) {
+    this.existing =
+        base.components().stream().map(SoftwareBase.Component::name).collect(Collectors.toSet());
     this.requirements = requirements.items().stream().map(Requirements.Item::id).toList();
   }
 
   List<Diagnostic> check(Document text) {
     Findings findings = new Findings(text);
     ChainView chain = ChainView.of(text.root());
-    new ComponentCheck(findings).check(chain);
+    new ComponentCheck(existing, findings).check(chain);
     new OrderCheck(findings).check(chain);
     new RequirementCheck(requirements, findings).check(chain);
     return findings.diagnostics();

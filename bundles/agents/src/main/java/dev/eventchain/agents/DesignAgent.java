@@ -86,7 +86,7 @@ public final class DesignAgent {
             .diagnostics());
     Document json = JsonDocument.parse(text);
     if (json.root().isArray()) {
-      diagnostics.addAll(new ChainCheck(requirements).check(json));
+      diagnostics.addAll(new ChainCheck(requirements, base).check(json));
     }
     return diagnostics;
   }

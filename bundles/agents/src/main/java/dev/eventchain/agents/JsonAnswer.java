@@ -28,8 +28,8 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * JSON in an answer: read with tolerance for trailing commas, single quotes and comments, written
- * again in one layout.
+ * JSON in an answer: read with tolerance for trailing commas, single quotes, comments and the
+ * constants of Python, written again in one layout.
  */
 final class JsonAnswer {
   private static final JsonMapper TOLERANT =
@@ -48,6 +48,9 @@ final class JsonAnswer {
           .configure(JsonNodeFeature.STRIP_TRAILING_BIGDECIMAL_ZEROES, false)
           .build();
   private static final FindingIds IDS = FindingIds.all("agents.answer.json");
+  private static final List<String> WORDS =
+      List.of("true", "false", "null", "True", "False", "None");
+  private static final Pattern UNKNOWN_WORD = Pattern.compile("Unrecognized token '(\\w+)'");
   private static final Pattern START = Pattern.compile("(?m)^[ \\t]*[\\[{]");
   private static final Pattern START_IN_LINE = Pattern.compile("[\\[{]\\s*[\\[{\"']");
 
@@ -59,7 +62,7 @@ final class JsonAnswer {
     if (start.isEmpty()) {
       return AnswerText.nothing(AnswerKind.JSON, file);
     }
-    String rest = text.substring(start.getAsInt()).stripTrailing();
+    String rest = PythonWords.replaced(text.substring(start.getAsInt()).stripTrailing());
     try (JsonParser parser = TOLERANT.createParser(rest)) {
       JsonNode node = TOLERANT.readTree(parser);
       int end = (int) parser.currentLocation().getCharOffset();
@@ -95,7 +98,8 @@ final class JsonAnswer {
   }
 
   /** Reads a text that is all JSON. */
-  static AnswerText parse(String file, String text) {
+  static AnswerText parse(String file, String block) {
+    String text = PythonWords.replaced(block);
     try {
       JsonNode node =
           TOLERANT.reader().with(DeserializationFeature.FAIL_ON_TRAILING_TOKENS).readTree(text);
@@ -114,7 +118,7 @@ final class JsonAnswer {
   }
 
   private static AnswerText broken(String file, String text, IOException e) {
-    if (e instanceof JsonEOFException) {
+    if (isCut(text, e)) {
       return AnswerText.truncated(file, "The answer ends inside its JSON.");
     }
     SourceText source = SourceText.of(file, text);
@@ -124,6 +128,18 @@ final class JsonAnswer {
             "agents.answer.json",
             "This is not JSON: " + reason(e),
             place == null ? source.at(0) : source.at(place.getLineNr(), place.getColumnNr())));
+  }
+
+  /** Whether the parser found nothing wrong but the end. */
+  private static boolean isCut(String text, IOException e) {
+    if (e instanceof JsonEOFException) {
+      return true;
+    }
+    Matcher word = UNKNOWN_WORD.matcher(reason(e));
+    return reason(e).startsWith("Unexpected end-of-input")
+        || (word.lookingAt()
+            && text.stripTrailing().endsWith(word.group(1))
+            && WORDS.stream().anyMatch(known -> known.startsWith(word.group(1))));
   }
 
   /** What the parser says, without the names of its settings. */

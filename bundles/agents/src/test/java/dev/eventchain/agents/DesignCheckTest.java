@@ -38,7 +38,7 @@ class DesignCheckTest {
         DesignAgent.check(SourceText.read(file), REQUIREMENTS, SOFTWARE, MESSAGES).stream()
             .sorted()
             .toList();
-    ExpectedFile.check(ExpectedFile.beside(file), FindingLines.of(found));
+    FindingLines.check(file, found);
   }
 
   static List<Path> eachFaultIsFoundWhereItIs() throws IOException {

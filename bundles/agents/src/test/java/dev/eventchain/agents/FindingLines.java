@@ -1,26 +1,48 @@
 package dev.eventchain.agents;
 
+import static org.junit.jupiter.api.Assertions.assertFalse;
+
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.fixtures.ExpectedFile;
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.Collection;
+import java.util.List;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
 /** How these tests write findings down. */
 final class FindingLines {
+  /** What speaks of files and options. */
+  static final Pattern FILES =
+      Pattern.compile(
+          "\\.(json|yaml|md|xmi|ecore|msg|py)\\b|(^| )--[a-z]|(?<!['`])\\b[Ff]iles?\\b(?!['`])");
+
   private FindingLines() {}
 
   /**
-   * Findings in a form that is easy to read beside the input; messages of other bundles are their
-   * own matter.
+   * Compares what was found in an answer with what the file beside it expects. A language model is
+   * told it in words of its answer: names of its own may stand there, but no files and options.
    */
+  static void check(Path answer, Collection<Diagnostic> found) throws IOException {
+    ExpectedFile.check(ExpectedFile.beside(answer), of(found));
+    String told = FindingsText.of(List.copyOf(found));
+    String words =
+        told.lines()
+            .filter(line -> !line.startsWith("   > "))
+            .map(line -> line.replaceAll("'[\\w./]*'", "''"))
+            .collect(Collectors.joining("\n"));
+    assertFalse(FILES.matcher(words).find(), () -> answer + ":\n" + told);
+  }
+
+  /** Findings in a form that is easy to read beside the input. */
   static String of(Collection<Diagnostic> diagnostics) {
     StringBuilder out = new StringBuilder();
     for (Diagnostic diagnostic : diagnostics) {
       out.append(diagnostic.severity()).append(' ');
       out.append(diagnostic.location().line()).append(':').append(diagnostic.location().column());
       out.append(' ').append(diagnostic.location().element()).append(' ').append(diagnostic.id());
-      if (diagnostic.id().startsWith("agents.")) {
-        out.append(": ").append(diagnostic.message());
-      }
-      out.append('\n');
+      out.append(": ").append(diagnostic.message()).append('\n');
     }
     return out.toString();
   }

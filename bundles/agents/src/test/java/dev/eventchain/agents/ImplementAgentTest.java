@@ -43,9 +43,7 @@ class ImplementAgentTest {
         new ImplementationCheck(
             probe, ChainView.of(JsonDocument.parse(CHAIN).root()).components().get(0));
     List<Diagnostic> found = check.check(SourceText.read(file));
-    // One line for each kind of fault: how many calls show it does not matter here.
-    List<Diagnostic> first = found.stream().limit(1).toList();
-    ExpectedFile.check(ExpectedFile.beside(file), FindingLines.of(first));
+    FindingLines.check(file, found);
   }
 
   static List<Path> eachFaultIsFoundWhereItIs() throws IOException {

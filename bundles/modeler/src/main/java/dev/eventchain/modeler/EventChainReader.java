@@ -271,7 +271,7 @@ public final class EventChainReader {
     String topic = checked(port, "topic", RosNames::isTopic, "modeler.topic.illegal");
     String type = checked(port, "message_type", RosNames::isMessageType, "modeler.type.illegal");
     Optional<QosProfile> qos = QosReader.read(port);
-    if (port.value("values").map(JsonNode::isEmpty).orElse(true)) {
+    if (port.value("values").map(json -> json.isArray() && json.isEmpty()).orElse(true)) {
       find("modeler.feature.missing", "The topic '" + topic + "' has no values.", port.location());
     }
     Consumer<Data> completion = more.apply(port);

@@ -17,6 +17,9 @@ import org.eclipse.emf.ecore.EReference;
 /** Second step of the instance modeler: references by id. */
 final class InstanceLinks {
 
+  /** What messages show of an id, which may be a whole object that was written as a text. */
+  private static final int LONGEST = 60;
+
   private record Slot(EObject source, EReference reference) {}
 
   private final Document text;
@@ -48,7 +51,7 @@ final class InstanceLinks {
   private boolean make(Link link) {
     EObject target = objects.byId().get(link.id());
     if (target == null) {
-      String message = "There is no object '" + link.id() + "'.";
+      String message = "There is no object '" + shortened(link.id()) + "'.";
       find(link, "modeler.reference.unresolved", message, hint(link));
       return false;
     }
@@ -69,6 +72,10 @@ final class InstanceLinks {
       before.add(target);
     }
     return problem.isEmpty();
+  }
+
+  private static String shortened(String id) {
+    return id.length() > LONGEST ? id.substring(0, LONGEST) + "..." : id;
   }
 
   private String hint(Link link) {

@@ -128,9 +128,13 @@ public final class ModelComparison {
     List<EObject> missing = wanted.stream().filter(value -> !there.contains(value)).toList();
     List<EObject> additional = there.stream().filter(value -> !wanted.contains(value)).toList();
     if (!missing.isEmpty() || !additional.isEmpty()) {
+      boolean alike = names(there).equals(names(wanted));
       String message =
           "'%s' refers to %s, not to %s."
-              .formatted(reference.getName(), names(there), names(wanted));
+              .formatted(
+                  reference.getName(),
+                  alike ? places(additional) : names(there),
+                  alike ? places(missing) : names(wanted));
       report(actual, "reference", message);
     } else if (reference.isOrdered() && !wanted.equals(there)) {
       reportOrder(actual, reference, wanted);
@@ -141,6 +145,24 @@ public final class ModelComparison {
     return objects.isEmpty()
         ? "nothing"
         : objects.stream().map(ModelMatch::describe).collect(Collectors.joining(", "));
+  }
+
+  /** Names that are the same on both sides, with what tells the elements apart. */
+  private static String places(List<EObject> objects) {
+    if (objects.isEmpty()) {
+      return "nothing";
+    }
+    return objects.stream().map(ModelComparison::place).collect(Collectors.joining(", "));
+  }
+
+  private static String place(EObject object) {
+    String name = ModelMatch.describe(object);
+    if (object.eContainer() == null) {
+      return name;
+    }
+    EReference feature = object.eContainmentFeature();
+    int number = ModelMatch.values(object.eContainer(), feature).indexOf(object) + 1;
+    return "%s (number %d in '%s')".formatted(name, number, feature.getName());
   }
 
   private void reportOrder(EObject actual, EReference reference, List<EObject> wanted) {

@@ -15,7 +15,8 @@ import org.eclipse.emf.ecore.EStructuralFeature;
 
 /**
  * Which element of one model is meant by which of another: in each containment feature, first those
- * that agree in all attributes and contents, then in all attributes, then in their names, then in
+ * that agree in all attributes and contents (at the same position, so that of several which are
+ * alike each gets its own, then anywhere), then in all attributes, then in their names, then in
  * their position.
  */
 final class ModelMatch {
@@ -50,10 +51,22 @@ final class ModelMatch {
   private void pairContents(List<EObject> expected, List<EObject> actual) {
     Set<EObject> open = new LinkedHashSet<>(actual);
     List<EObject> rest = new ArrayList<>(expected);
+    pairAtSamePosition(expected, actual, rest, open);
     pairIf((a, b) -> sameContents(a, b, 0), rest, open);
     pairIf(ModelMatch::sameAttributes, rest, open);
     pairIf((a, b) -> !name(a).isEmpty() && name(a).equals(name(b)), rest, open);
     pairIf((a, b) -> true, rest, open);
+  }
+
+  private void pairAtSamePosition(
+      List<EObject> expected, List<EObject> actual, List<EObject> rest, Set<EObject> open) {
+    for (int i = 0; i < Math.min(expected.size(), actual.size()); i++) {
+      if (sameContents(expected.get(i), actual.get(i), 0)) {
+        rest.remove(expected.get(i));
+        open.remove(actual.get(i));
+        pair(expected.get(i), actual.get(i));
+      }
+    }
   }
 
   private void pairIf(BiPredicate<EObject, EObject> same, List<EObject> rest, Set<EObject> open) {

@@ -17,6 +17,8 @@ final class SyntaxTexts {
   private static final Pattern UNKNOWN_CHARACTER =
       Pattern.compile("[\\d:]+ (.*) unexpected character ignored");
 
+  private static final String DOUBLE_QUOTE = "\"\"\"";
+
   private SyntaxTexts() {}
 
   static String message(String message) {
@@ -37,7 +39,10 @@ final class SyntaxTexts {
     } else if (invalid.matches()) {
       text = invalid.group(1) + " is a keyword; as a name it is written with _ before it.";
     } else if (character.matches()) {
-      text = character.group(1) + " is no character of OCL.";
+      text =
+          character.group(1).equals(DOUBLE_QUOTE)
+              ? "A double quote is no character of OCL."
+              : character.group(1) + " is no character of OCL.";
     } else {
       text = RULE_NAME.matcher(message).replaceAll(m -> described(m.group(1)));
       text = text.replaceFirst(" expected ", " is expected ");

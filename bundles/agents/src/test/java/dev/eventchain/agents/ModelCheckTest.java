@@ -1,0 +1,68 @@
+package dev.eventchain.agents;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.fixtures.ExpectedFile;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.modeler.EventChainReader;
+import dev.eventchain.modeler.Requirements;
+import dev.eventchain.modeler.SoftwareBase;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.OptionalDouble;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Instance models of the one-shot example with one fault each, and what is found in them. */
+class ModelCheckTest {
+  private static final Path RESOURCES = Path.of("src/test/resources");
+
+  private static EventChain direct;
+
+  @BeforeAll
+  static void chain(@TempDir Path folder) throws IOException {
+    Files.writeString(
+        folder.resolve("components.json"),
+        """
+        [{"name": "Lane_Detection", "file": "components.json"},
+         {"name": "Driver_Warning", "implementation": "node"}]
+        """);
+    Requirements requirements = Requirements.read(example("requirements.md"));
+    direct =
+        EventChainReader.read(
+                example("chain.json"),
+                "lane_departure_warning",
+                requirements,
+                OptionalDouble.empty())
+            .root();
+    EventChainReader.markExisting(direct, SoftwareBase.read(folder));
+  }
+
+  @Test
+  void theExampleItselfIsFine() {
+    assertEquals(List.of(), ModelAgent.check(example("instance.json"), direct));
+  }
+
+  @ParameterizedTest
+  @MethodSource
+  void eachFaultIsFoundWhereItIs(Path file) throws IOException {
+    List<Diagnostic> found =
+        ModelAgent.check(SourceText.read(file), direct).stream().sorted().toList();
+    FindingLines.check(file, found);
+  }
+
+  static List<Path> eachFaultIsFoundWhereItIs() throws IOException {
+    return ExpectedFile.inputs(RESOURCES.resolve("model"), ".json");
+  }
+
+  private static SourceText example(String part) {
+    return SourceText.of(part, PromptTemplate.resource("model/example." + part));
+  }
+}

@@ -1,0 +1,3 @@
+class Time_Left:
+    def execute(self, inputs):
+        return {"time_left": inputs["speed"]}
