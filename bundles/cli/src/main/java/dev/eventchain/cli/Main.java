@@ -24,6 +24,7 @@ import picocli.CommandLine.ParameterException;
       ValidateCommand.class,
       GenerateCommand.class,
       StageCommands.Simulate.class,
+      EvaluateCommand.class,
       InitCommand.class,
       BenchCommand.class,
       DiagramCommand.class,

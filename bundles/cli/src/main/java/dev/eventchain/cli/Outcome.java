@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Report;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.diagnostics.Suppressions.Suppressed;
+import dev.eventchain.pipeline.Evaluation;
 import dev.eventchain.pipeline.RunResult;
 import dev.eventchain.pipeline.WrittenFiles;
 import java.util.ArrayList;
@@ -41,6 +42,18 @@ record Outcome(
     int code = run.failure().map(ExitCode::of).orElse(wanting ? ExitCode.FINDINGS : ExitCode.FINE);
     return new Outcome(
         code, false, run.coverage(), run.diagnostics(), run.suppressed(), Optional.of(run), "");
+  }
+
+  /** Of an evaluation: what models came to is no finding. */
+  static Outcome of(Evaluation.Result evaluation) {
+    return new Outcome(
+        evaluation.failure().map(ExitCode::of).orElse(ExitCode.FINE),
+        false,
+        Coverage.NONE,
+        evaluation.diagnostics(),
+        List.of(),
+        Optional.empty(),
+        "");
   }
 
   /** Every failure is a finding; one that is not is a defect of this program, and says so. */

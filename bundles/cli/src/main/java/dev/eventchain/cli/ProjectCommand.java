@@ -120,6 +120,16 @@ abstract class ProjectCommand implements Callable<Integer> {
     return reporting.suppressions(Optional.empty(), console.today());
   }
 
+  /** The findings of a project that do not count. */
+  final Suppressions suppressions(Project project) {
+    return reporting.suppressions(project.suppressions(), console.today());
+  }
+
+  /** How findings are written to standard output. */
+  final DiagnosticFormat format() {
+    return reporting.format;
+  }
+
   /** Where the results of a project are. */
   final Path outputOf(Project project) {
     return output == null ? project.defaultOutput() : output;
@@ -157,7 +167,7 @@ abstract class ProjectCommand implements Callable<Integer> {
             scenarios.scenarios,
             scenarios.mcap,
             Optional.ofNullable(scenarios.compare),
-            reporting.suppressions(project.suppressions(), console.today()),
+            suppressions(project),
             timeLimit());
     return Outcome.of(
         Pipeline.run(project, options, new ProgressLines(console.err(), console.terminal())));

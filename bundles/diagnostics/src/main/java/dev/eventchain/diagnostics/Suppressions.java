@@ -138,6 +138,11 @@ public final class Suppressions {
         && !id.startsWith("report.");
   }
 
+  /** The entries that count on the day. */
+  public List<Entry> inForce() {
+    return entries.stream().filter(entry -> !isExpired(entry)).toList();
+  }
+
   /** Whether a finding is suppressed. */
   public boolean accepts(Diagnostic finding) {
     return entryFor(finding).isPresent();

@@ -49,6 +49,32 @@ public final class ChatModels {
     return open(ModelAccess.of(source, recordings, record), List.of(model));
   }
 
+  /**
+   * Opens a model for one of several runs that ask the same and are not to get the same answers.
+   * What the project has recorded is taken by {@code replay}, {@code auto} and hand-off only: run n
+   * takes the n-th answer to a request. What is asked is recorded apart for each run, and taken
+   * from there when the run is repeated.
+   *
+   * @param access with the folder where this run records
+   * @param common the project's recordings
+   * @param run the number of the run, from 0
+   * @throws DiagnosticException INPUT when the source or the model's name is none
+   */
+  public static ChatModel openRun(ModelAccess access, String model, Path common, int run) {
+    ChatModels opening = new ChatModels(access);
+    ModelName name = modelName(model);
+    RecordingFolder shared = new RecordingFolder(common);
+    String source = access.source();
+    if (source.equals("replay")) {
+      return new SampledModel(name, shared, run, SampledModel.nothingElse(name, shared, run));
+    }
+    if (source.startsWith(COMMAND) || source.equals("live")) {
+      ChatModel asking = source.equals("live") ? opening.lazily(name) : opening.program(name);
+      return opening.recorded(new RecordedFirst(name, opening.recordings, asking), name);
+    }
+    return new SampledModel(name, shared, run, opening.open(name));
+  }
+
   /** The source may be a model. */
   private Optional<String> modelForAll() {
     int slash = access.source().indexOf('/');
@@ -71,23 +97,35 @@ public final class ChatModels {
       return recorded(service(name), name);
     }
     if (source.equals("auto")) {
-      // Who has recordings of a model needs no service of it.
-      ChatModel asking = request -> service(name).chat(request);
-      return recorded(new RecordedFirst(name, recordings, asking), name);
+      return recorded(new RecordedFirst(name, recordings, lazily(name)), name);
     }
     if (source.startsWith(HANDOFF) && source.length() > HANDOFF.length()) {
       Path folder = folder(source.substring(HANDOFF.length()));
       return recorded(new HandoffModel(name, folder, recordings), name);
     }
     if (source.startsWith(COMMAND)) {
-      List<String> command = CommandModel.split(source.substring(COMMAND.length()));
-      if (!command.isEmpty()) {
-        ChatModel program = new CommandModel(name, command, ModelService.DEADLINE);
-        return recorded(new MeteredModel(program, name, access), name);
-      }
+      return recorded(program(name), name);
     }
-    throw input(
+    throw noWay(source);
+  }
+
+  private static DiagnosticException noWay(String source) {
+    return input(
         "llm.provider.unknown", "'" + source + "' is no way to get answers of models.", WAYS);
+  }
+
+  private ChatModel program(ModelName name) {
+    List<String> command = CommandModel.split(access.source().substring(COMMAND.length()));
+    if (command.isEmpty()) {
+      throw noWay(access.source());
+    }
+    ChatModel program = new CommandModel(name, command, ModelService.DEADLINE);
+    return new MeteredModel(program, name, access);
+  }
+
+  /** Who has recordings of a model needs no service of it. */
+  private ChatModel lazily(ModelName name) {
+    return request -> service(name).chat(request);
   }
 
   private ChatModel recorded(ChatModel model, ModelName name) {

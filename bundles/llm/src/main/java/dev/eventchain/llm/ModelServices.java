@@ -192,6 +192,16 @@ public final class ModelServices {
     return new TreeSet<>(services.keySet());
   }
 
+  /**
+   * What answers of a model cost, in the currency of the prices.
+   *
+   * @return nothing where the project names no price of the model
+   */
+  public Optional<BigDecimal> cost(String model, long inputTokens, long outputTokens) {
+    ChatResponse.Usage usage = new ChatResponse.Usage(inputTokens, outputTokens);
+    return price(ModelName.parse(model)).map(price -> price.of(usage).stripTrailingZeros());
+  }
+
   Optional<Price> price(ModelName model) {
     return Optional.ofNullable(prices.get(model.toString()));
   }

@@ -1,10 +1,12 @@
 package dev.eventchain.pipeline;
 
+import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.agents.AgentResult;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.llm.Spending;
 import java.io.IOException;
@@ -45,7 +47,20 @@ final class AgentReport {
         .flatMap(result -> result.attempts().stream())
         .forEach(attempt -> provenance.add(attempt.response().provenance()));
     report.put("provenance", String.join(", ", provenance));
+    Set<String> returned = new TreeSet<>();
+    results.forEach(result -> returned.addAll(returned(result)));
+    ArrayNode ids = report.putArray("returned");
+    returned.forEach(ids::add);
     return report;
+  }
+
+  /** What was wrong with answers that went back. */
+  private static List<String> returned(AgentResult result) {
+    return result.attempts().subList(0, result.attempts().size() - 1).stream()
+        .flatMap(attempt -> attempt.findings().stream())
+        .filter(finding -> finding.severity() == Severity.ERROR)
+        .map(Diagnostic::id)
+        .toList();
   }
 
   /** What was found in an answer, in the files that it becomes. */

@@ -149,6 +149,23 @@ record Configuration(
     return models.getOrDefault(stage.id(), List.of(DEFAULT_MODEL));
   }
 
+  /** The same, with one model for every task. */
+  Configuration askingOnly(String model) {
+    Map<String, List<String>> one = new TreeMap<>();
+    TASKS.forEach(task -> one.put(task, List.of(model)));
+    return new Configuration(
+        name, title, frequency, llm, one, services, repairs, template, packageFacts);
+  }
+
+  /** The language models that are named for any task, in the order of the tasks. */
+  List<String> languageModels() {
+    return TASKS.stream()
+        .flatMap(task -> models.getOrDefault(task, List.of(DEFAULT_MODEL)).stream())
+        .filter(model -> !model.equals(ModelStage.DIRECT))
+        .distinct()
+        .toList();
+  }
+
   /** Names the services of the models that are to be asked. */
   void services(Consumer<String> names) {
     Stream.concat(Stream.of(llm), models.values().stream().flatMap(List::stream))

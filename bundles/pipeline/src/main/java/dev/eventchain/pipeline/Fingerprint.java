@@ -21,7 +21,8 @@ final class Fingerprint {
   /** The content of a source that is not there. */
   static final String ABSENT = "absent";
 
-  private static final String PROGRAM = program();
+  /** The build of this program. */
+  static final String PROGRAM = program();
 
   private final RunContext run;
   private final Sha256 digest = new Sha256();
@@ -77,7 +78,7 @@ final class Fingerprint {
   }
 
   /** A link to nothing is there, and cannot be read. */
-  private static String contentOf(Path file) {
+  static String contentOf(Path file) {
     try {
       return Project.isAbsent(file) ? ABSENT : new Sha256().add(Files.readAllBytes(file)).hex();
     } catch (IOException e) {

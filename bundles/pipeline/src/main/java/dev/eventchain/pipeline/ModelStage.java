@@ -23,7 +23,9 @@ import org.eclipse.emf.ecore.EObject;
 final class ModelStage implements StageWork {
 
   static final String FILE = "chain.xmi";
-  private static final String DIRECT = "direct";
+
+  /** Stands for no language model. */
+  static final String DIRECT = "direct";
 
   @Override
   public void fingerprint(RunContext run, Fingerprint fingerprint) {

@@ -38,6 +38,24 @@ public final class Pipeline {
   private final Map<Stage, StageOutcome> outcomes = new EnumMap<>(Stage.class);
   private Optional<DiagnosticException.Reason> failure = Optional.empty();
 
+  /** What a stage works on, where one that fails does not end the others. */
+  private static final Map<Stage, List<Stage>> NEEDED =
+      new EnumMap<>(
+          Map.of(
+              Stage.IMPLEMENT, List.of(Stage.DESIGN),
+              Stage.MODEL, List.of(Stage.DESIGN),
+              Stage.CONSTRAIN, List.of(Stage.DESIGN),
+              Stage.VALIDATE, List.of(Stage.MODEL, Stage.CONSTRAIN),
+              Stage.GENERATE, List.of(Stage.IMPLEMENT, Stage.VALIDATE),
+              Stage.SIMULATE, List.of(Stage.GENERATE)));
+
+  /**
+   * How a run ended, with what each of its stages came to.
+   *
+   * @param outcomes in the order of the stages
+   */
+  record Ended(RunResult result, Map<Stage, StageOutcome> outcomes) {}
+
   private Pipeline(RunContext run, StageMemory memory, Progress progress) {
     this.run = run;
     this.memory = memory;
@@ -52,6 +70,11 @@ public final class Pipeline {
    * @throws DiagnosticException INPUT if the output folder cannot be written or is in use
    */
   public static RunResult run(Project project, RunOptions options, Progress progress) {
+    return runToEnd(project, options, progress).result();
+  }
+
+  /** As {@link #run}, with what each stage came to. */
+  static Ended runToEnd(Project project, RunOptions options, Progress progress) {
     EarlierRun before = EarlierRun.read(options.compare());
     try (OutputFolder output = outputFor(options)) {
       RunContext context = new RunContext(project, options, output, progress, before);
@@ -61,7 +84,8 @@ public final class Pipeline {
         context.findLostRecords(restored);
       }
       context.write(RunContext.IGNORE, new byte[0]);
-      return new Pipeline(context, memory, progress).runStages();
+      Pipeline pipeline = new Pipeline(context, memory, progress);
+      return new Ended(pipeline.runStages(), pipeline.outcomes);
     }
   }
 
@@ -94,7 +118,8 @@ public final class Pipeline {
       if (stage == Stage.REPORT) {
         break;
       }
-      boolean wanted = run.options().runs(stage) && (failure.isEmpty() || asksMeanwhile(stage));
+      boolean possible = failure.isEmpty() || asksMeanwhile(stage) || isTriedAnyway(stage);
+      boolean wanted = run.options().runs(stage) && possible;
       StageOutcome outcome = wanted ? runGuarded(stage) : notRun(stage);
       outcomes.put(stage, outcome);
       progress.ended(stage, outcome.status(), outcome.duration(), outcome.details());
@@ -124,6 +149,22 @@ public final class Pipeline {
     return failure.equals(Optional.of(DiagnosticException.Reason.WAITING))
         && (stage == Stage.MODEL || stage == Stage.CONSTRAIN)
         && !outcomes.get(Stage.DESIGN).status().isStopped();
+  }
+
+  /**
+   * Whether a stage is judged by itself, in an evaluation, and what it works on is there: that one
+   * answer is wrong says nothing about the others.
+   */
+  private boolean isTriedAnyway(Stage stage) {
+    DiagnosticException.Reason reason = failure.orElseThrow();
+    boolean judged =
+        reason == DiagnosticException.Reason.FINDINGS
+            || reason == DiagnosticException.Reason.WAITING;
+    return run.project().sample().isPresent()
+        && judged
+        && NEEDED.getOrDefault(stage, List.of()).stream()
+            .map(outcomes::get)
+            .allMatch(each -> each.status() == Status.DONE);
   }
 
   /** The verdict of before stands again if a simulation now would have nothing to do. */

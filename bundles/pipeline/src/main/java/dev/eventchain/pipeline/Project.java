@@ -13,6 +13,7 @@ import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -24,10 +25,12 @@ public final class Project {
 
   private final Path folder;
   private final Configuration configuration;
+  private final Optional<Sample> sample;
 
-  private Project(Path folder, Configuration configuration) {
+  private Project(Path folder, Configuration configuration, Optional<Sample> sample) {
     this.folder = folder;
     this.configuration = configuration;
+    this.sample = sample;
   }
 
   /**
@@ -53,7 +56,7 @@ public final class Project {
                   SourceLocation.of(folder))
               .withHint("Name the folder of a project, for example examples/aeb."));
     }
-    return new Project(folder, Configuration.read(SourceText.read(file), folder));
+    return new Project(folder, Configuration.read(SourceText.read(file), folder), Optional.empty());
   }
 
   /** The folder. */
@@ -74,6 +77,16 @@ public final class Project {
   /** As {@link #defaultOutput()}, also of a project that cannot be opened. */
   public static Path defaultOutput(Path folder) {
     return folder.resolve("out");
+  }
+
+  /** The project as a run of an evaluation sees it: one model does every task. */
+  Project evaluatedBy(Sample run) {
+    return new Project(folder, configuration.askingOnly(run.model()), Optional.of(run));
+  }
+
+  /** The run of an evaluation that this is for, if it is for one. */
+  Optional<Sample> sample() {
+    return sample;
   }
 
   Configuration configuration() {
@@ -111,9 +124,12 @@ public final class Project {
     return folder.resolve("recordings");
   }
 
-  /** The chain that people edit, when there is one: then it is the source. */
+  /**
+   * The chain that people edit, when there is one: then it is the source, unless language models
+   * are evaluated, which then have a chain of their own to design.
+   */
   Optional<Path> editedModel() {
-    return existing("model/chain.xmi");
+    return sample.isPresent() ? Optional.empty() : existing("model/chain.xmi");
   }
 
   /** The model of the chain: the one that people edit, else the one that an earlier run wrote. */
@@ -166,6 +182,11 @@ public final class Project {
     }
   }
 
+  /** As {@link #below}, none where there is no such folder. */
+  static List<Path> existingBelow(Path folder) {
+    return Files.isDirectory(folder) ? below(folder) : List.of();
+  }
+
   private static boolean isLinkToNothing(Path file) {
     return Files.isSymbolicLink(file) && !Files.exists(file);
   }
@@ -178,6 +199,18 @@ public final class Project {
   /** The folder of the scenarios. */
   Path scenarios() {
     return folder.resolve("scenarios");
+  }
+
+  /** Everything that people wrote and a run may read, but for recordings and the chain. */
+  List<Path> sources() {
+    List<Path> files = new ArrayList<>(List.of(requirements(), designRulesFile()));
+    files.addAll(ownConstraints());
+    bench().ifPresent(files::add);
+    for (String name : List.of("software-base", "scenarios", "tests")) {
+      existing(name).filter(Files::isDirectory).ifPresent(each -> files.addAll(below(each)));
+    }
+    files.addAll(Templates.ownFiles(this));
+    return files;
   }
 
   private Optional<Path> existing(String name) {

@@ -66,7 +66,11 @@ final class RunContext {
     this.output = output;
     this.progress = progress;
     this.before = before;
-    this.spending = new Spending(project.configuration().services());
+    this.spending =
+        project
+            .sample()
+            .map(Sample::spending)
+            .orElseGet(() -> new Spending(project.configuration().services()));
   }
 
   /** What the report compares with. */
@@ -256,7 +260,11 @@ final class RunContext {
             System::getenv,
             message -> progress.step(stage, message),
             this::find);
-    ChatModel model = ChatModels.open(access, configuration.models(stage));
+    ChatModel model =
+        project
+            .sample()
+            .map(run -> run.open(access, stage))
+            .orElseGet(() -> ChatModels.open(access, configuration.models(stage)));
     return new AgentContext(
         model,
         configuration.repairs(),

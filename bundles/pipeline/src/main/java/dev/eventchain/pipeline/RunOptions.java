@@ -47,6 +47,23 @@ public record RunOptions(
     scenarios = List.copyOf(scenarios);
   }
 
+  /** The same for other stages, in another folder. */
+  RunOptions in(Path folder, Stage from, Stage to) {
+    return new RunOptions(
+        folder,
+        from,
+        to,
+        again,
+        llm,
+        record,
+        overwrite,
+        scenarios,
+        mcap,
+        compare,
+        suppressions,
+        timeLimit);
+  }
+
   /** Whether only some of the scenarios are simulated, which is not enough for a verdict. */
   boolean isPartial() {
     return !scenarios.isEmpty();

@@ -56,7 +56,7 @@ class ArchitectureTest {
               Map.entry("analysis", 2),
               Map.entry("simulation", 8),
               Map.entry("agents", 6),
-              Map.entry("pipeline", 14),
+              Map.entry("pipeline", 15),
               Map.entry("cli", 1)));
 
   /** For the strict modes of providers of language models, none of which is there yet. */

@@ -14,6 +14,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -31,7 +32,7 @@ final class RecordedService implements AutoCloseable {
 
   private final String wire;
   private final Map<String, String> answers = new TreeMap<>();
-  private final List<String> headers = new ArrayList<>();
+  private final List<String> headers = Collections.synchronizedList(new ArrayList<>());
   private final HttpServer server;
 
   /**
@@ -76,6 +77,11 @@ final class RecordedService implements AutoCloseable {
   /** All headers of all requests. */
   String headers() {
     return String.join("\n", headers);
+  }
+
+  /** How often it was asked. */
+  int requests() {
+    return headers.size();
   }
 
   private void answer(HttpExchange exchange) throws IOException {

@@ -1,0 +1,306 @@
+package dev.eventchain.pipeline;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.DiagnosticException.Reason;
+import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.llm.Spending;
+import dev.eventchain.pipeline.EvaluatedRun.State;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+
+/**
+ * Compares language models: each does all tasks of several runs of a project, and what comes of
+ * them is counted, as in the paper's table.
+ */
+public final class Evaluation {
+
+  private static final int MOST_RUNS = 99;
+  private static final int MOST_PARALLEL = 64;
+  private static final String HANDOFF = "handoff:";
+  private static final String COMMAND = "command:";
+
+  /** After these, asking the same model again is of no use. */
+  private static final Set<String> LASTING =
+      Set.of("llm.service.unreachable", "llm.key.missing", "llm.key.refused", "llm.quota.spent");
+
+  /** After these, nobody is asked any more. */
+  private static final Set<String> FINAL = Set.of("llm.budget.spent", "llm.price.missing");
+
+  /** Is told how an evaluation goes on, on any thread. */
+  public interface Listener {
+    /** A run does something. */
+    void step(String model, int run, String message);
+
+    /**
+     * A run has ended.
+     *
+     * @param counted whether it counts
+     * @param words what it came to
+     */
+    void ended(String model, int run, boolean counted, Duration duration, String words);
+  }
+
+  /**
+   * What is to be evaluated.
+   *
+   * @param output the folder of the project's results, below which the evaluation has one of its
+   *     own
+   * @param models empty for those that the project's configuration names
+   * @param runs how many runs each model does
+   * @param parallel how many runs are done at once
+   * @param llm how answers are had; empty: as the project's configuration says
+   * @param suppressions the findings that do not count
+   * @param timeLimit the processor time that a constraint may take on the whole model
+   */
+  public record Options(
+      Path output,
+      List<String> models,
+      int runs,
+      int parallel,
+      Optional<String> llm,
+      Suppressions suppressions,
+      Duration timeLimit) {
+
+    /**
+     * Checks what does not depend on the project.
+     *
+     * @throws IllegalArgumentException saying what is wrong
+     */
+    public Options {
+      models = models.stream().map(String::strip).toList();
+      require(runs >= 1 && runs <= MOST_RUNS, "runs are 1 to " + MOST_RUNS + ": --runs 5");
+      require(
+          parallel >= 1 && parallel <= MOST_PARALLEL,
+          "1 to " + MOST_PARALLEL + " runs can be done at once: --parallel 2");
+      require(models.stream().noneMatch(String::isEmpty), "a model has no name: --models a,b");
+      require(!models.contains(ModelStage.DIRECT), "'direct' is no language model");
+      Set<String> seen = new LinkedHashSet<>();
+      models.forEach(model -> require(seen.add(model), "'" + model + "' is named twice"));
+    }
+
+    private static void require(boolean holds, String otherwise) {
+      if (!holds) {
+        throw new IllegalArgumentException(otherwise);
+      }
+    }
+
+    /** How answers are had. */
+    String source(Project project) {
+      return llm.orElse(project.configuration().llm());
+    }
+
+    /** The same for people: without what a command is told, and without folders. */
+    String kindOfSource(Project project) {
+      return source(project).replaceFirst("(?s):.*", "");
+    }
+
+    /** Whether answers are taken from the project's recordings. */
+    boolean takesRecordings(Project project) {
+      String source = source(project);
+      return !source.equals("live") && !source.startsWith(COMMAND);
+    }
+  }
+
+  /**
+   * How an evaluation ended.
+   *
+   * @param table what it came to, for people
+   * @param diagnostics what keeps it from being whole, or from being an evaluation
+   * @param failure why it is not whole, if it is not
+   * @param files what was written for people and for programs
+   */
+  public record Result(
+      String table, List<Diagnostic> diagnostics, Optional<Reason> failure, List<Path> files) {}
+
+  private final Project project;
+  private final Options options;
+  private final Listener listener;
+  private final EvaluationFolder folder;
+  private final Optional<ReferenceChain> reference;
+  private final Spending spending;
+  private final Set<String> unreachable = ConcurrentHashMap.newKeySet();
+  private volatile boolean ended;
+
+  private Evaluation(Project project, Options options, Listener listener, EvaluationFolder folder) {
+    this.project = project;
+    this.options = options;
+    this.listener = listener;
+    this.folder = folder;
+    this.reference = ReferenceChain.of(project, options.output());
+    this.spending = new Spending(project.configuration().services());
+  }
+
+  /**
+   * Evaluates. What has ended before and was made from the same is taken as it is; what was begun
+   * goes on with the answers that it has got.
+   *
+   * @throws IllegalArgumentException if the options do not fit the project
+   * @throws DiagnosticException if the project or this machine is to blame for what went wrong
+   */
+  public static Result run(Project project, Options given, Listener listener) {
+    Options options = of(project, given);
+    try (EvaluationFolder folder = EvaluationFolder.open(options.output())) {
+      Evaluation evaluation = new Evaluation(project, options, listener, folder);
+      return new EvaluationResult(project, options, folder, evaluation.runAll()).write();
+    }
+  }
+
+  /** The JSON Schema of {@code evaluation.json}. */
+  public static String schema() {
+    return EvaluationJson.schema();
+  }
+
+  /** Who names a model as the source of answers names the model. */
+  private static Options of(Project project, Options given) {
+    String source = given.source(project);
+    boolean isModel =
+        project.configuration().services().names().contains(source.replaceFirst("(?s)/.*", ""))
+            && source.contains("/");
+    if (isModel && !given.models().isEmpty() && given.llm().isPresent()) {
+      throw new IllegalArgumentException(
+          "--llm " + source + " names a model, and so does --models");
+    }
+    boolean named = !given.models().isEmpty();
+    List<String> models =
+        named
+            ? given.models()
+            : isModel ? List.of(source) : project.configuration().languageModels();
+    if (models.isEmpty()) {
+      throw new IllegalArgumentException("no language model is configured: --models a,b");
+    }
+    return new Options(
+        given.output(),
+        models,
+        given.runs(),
+        given.parallel(),
+        isModel ? Optional.of("live") : given.llm(),
+        given.suppressions(),
+        given.timeLimit());
+  }
+
+  /** Whatever their order in time, the runs are in that of the models. */
+  private List<EvaluationRun.Done> runAll() {
+    ExecutorService workers = Executors.newFixedThreadPool(options.parallel());
+    try {
+      List<Future<EvaluationRun.Done>> begun = new ArrayList<>();
+      for (String model : options.models()) {
+        for (int number = 1; number <= options.runs(); number++) {
+          int run = number;
+          begun.add(workers.submit(() -> perform(model, run)));
+        }
+      }
+      List<EvaluationRun.Done> done = new ArrayList<>();
+      for (Future<EvaluationRun.Done> each : begun) {
+        done.add(each.get());
+      }
+      return done;
+    } catch (ExecutionException e) {
+      ended = true;
+      throw rethrown(e.getCause());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new IllegalStateException("nobody interrupts an evaluation", e);
+    } finally {
+      workers.shutdown();
+    }
+  }
+
+  private static RuntimeException rethrown(Throwable cause) {
+    if (cause instanceof Error error) {
+      throw error;
+    }
+    return (RuntimeException) cause;
+  }
+
+  private EvaluationRun.Done perform(String model, int number) {
+    long start = System.nanoTime();
+    String name = EvaluationFolder.nameOf(model, number);
+    String inputs = EvaluationFolder.inputs(project, options, model, number, reference);
+    Optional<EvaluatedRun> before = folder.finished(name, inputs);
+    EvaluationRun.Done done =
+        before.isPresent()
+            ? new EvaluationRun.Done(before.get(), List.of())
+            : ended || unreachable.contains(model)
+                ? notBegun(model, number)
+                : performNow(model, number, name);
+    if (before.isEmpty() && done.run().isCounted()) {
+      folder.finish(name, inputs, done.run());
+    }
+    Duration duration = Duration.ofNanos(System.nanoTime() - start);
+    String words = EvaluationText.words(done.run()) + (before.isPresent() ? " (as before)" : "");
+    listener.ended(model, number, done.run().isCounted(), duration, words);
+    return done;
+  }
+
+  private static EvaluationRun.Done notBegun(String model, int number) {
+    String reason = State.NOT_BEGUN.words();
+    return new EvaluationRun.Done(
+        EvaluatedRun.uncounted(model, number, State.NOT_BEGUN, reason), List.of());
+  }
+
+  private EvaluationRun.Done performNow(String model, int number, String name) {
+    folder.begin(name);
+    Path recordings = folder.path(name).resolve("recordings");
+    Sample sample = new Sample(model, number - 1, project.recordings(), recordings, spending);
+    EvaluationRun.Task task =
+        new EvaluationRun.Task(project, runOptions(name), model, number, reference);
+    EvaluationRun.Done done =
+        new EvaluationRun(task, sample, new Steps(model, number, listener)).perform();
+    for (Diagnostic finding : done.findings()) {
+      ended |= FINAL.contains(finding.id());
+      if (LASTING.contains(finding.id())) {
+        unreachable.add(model);
+      }
+    }
+    return done;
+  }
+
+  /** Everything is made anew, of answers that are recorded; nobody edits in this folder. */
+  private RunOptions runOptions(String name) {
+    String source = options.source(project);
+    boolean ownFolder = source.startsWith(HANDOFF) && source.length() > HANDOFF.length();
+    String own = ownFolder ? source + "/" + name : source;
+    return new RunOptions(
+        folder.path(name),
+        Stage.DESIGN,
+        Stage.REPORT,
+        true,
+        Optional.of(own),
+        true,
+        true,
+        List.of(),
+        false,
+        Optional.empty(),
+        options.suppressions(),
+        options.timeLimit());
+  }
+
+  /** Passes on what a run does. */
+  private record Steps(String model, int run, Listener listener) implements Progress {
+    @Override
+    public void started(Stage stage) {
+      step(stage, stage.purpose());
+    }
+
+    @Override
+    public void step(Stage stage, String message) {
+      listener.step(model, run, stage.title() + ": " + message);
+    }
+
+    @Override
+    public void ended(Stage stage, Status status, Duration duration, String details) {
+      // What a run comes to is said when it has ended.
+    }
+  }
+}

@@ -1,0 +1,89 @@
+package dev.eventchain.pipeline;
+
+import dev.eventchain.llm.ChatModel;
+import dev.eventchain.llm.ChatModels;
+import dev.eventchain.llm.ChatResponse;
+import dev.eventchain.llm.ModelAccess;
+import dev.eventchain.llm.Spending;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * One of several runs by which a language model is evaluated: gets its answers, and remembers them.
+ * Safe for threads.
+ */
+final class Sample {
+
+  private final String model;
+  private final int number;
+  private final Path common;
+  private final Path own;
+  private final Spending spending;
+  private final List<Call> calls = new ArrayList<>();
+
+  /**
+   * An answer.
+   *
+   * @param repair whether it came after another one had gone back
+   */
+  record Call(Stage stage, boolean repair, ChatResponse response) {}
+
+  /**
+   * A run that has not asked yet.
+   *
+   * @param number of the run, from 0
+   * @param common the recordings of the project
+   * @param own where this run records
+   * @param spending what the whole evaluation has spent
+   */
+  Sample(String model, int number, Path common, Path own, Spending spending) {
+    this.model = model;
+    this.number = number;
+    this.common = common;
+    this.own = own;
+    this.spending = spending;
+  }
+
+  /** The same run, which has not asked yet. */
+  Sample again() {
+    return new Sample(model, number, common, own, spending);
+  }
+
+  String model() {
+    return model;
+  }
+
+  Spending spending() {
+    return spending;
+  }
+
+  /** The answers until now, in their order. */
+  synchronized List<Call> calls() {
+    return List.copyOf(calls);
+  }
+
+  /** The model that a stage asks. */
+  ChatModel open(ModelAccess usual, Stage stage) {
+    ModelAccess access =
+        new ModelAccess(
+            usual.source(),
+            own,
+            true,
+            usual.services(),
+            usual.spending(),
+            usual.environment(),
+            usual.progress(),
+            usual.findings());
+    ChatModel asked = ChatModels.openRun(access, model, common, number);
+    return request -> {
+      ChatResponse response = asked.chat(request);
+      add(new Call(stage, request.messages().size() > 1, response));
+      return response;
+    };
+  }
+
+  private synchronized void add(Call call) {
+    calls.add(call);
+  }
+}

@@ -1,0 +1,233 @@
+package dev.eventchain.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import com.networknt.schema.JsonSchemaFactory;
+import com.networknt.schema.SpecVersion.VersionFlag;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** How often models get it right, as people ask for it. */
+class EvaluateTest {
+
+  private static final ObjectMapper MAPPER = new ObjectMapper();
+  private static final String LABEL = "authored by people: no evaluation of a language model";
+
+  private static final String KEY = "sk-not-to-be-seen-anywhere";
+
+  @TempDir Path folder;
+  private Path project;
+
+  @BeforeEach
+  void copyExample() throws IOException {
+    project = Program.exampleIn(folder);
+  }
+
+  private Program.Ended evaluate(Object... more) {
+    return program().run(Stream.concat(Stream.of("evaluate", project), Stream.of(more)).toArray());
+  }
+
+  private static Program program() {
+    return new Program().with("OURS_KEY", KEY);
+  }
+
+  private JsonNode json() throws IOException {
+    return MAPPER.readTree(project.resolve("out/evaluation/evaluation.json").toFile());
+  }
+
+  /** The results without what depends on the machine. */
+  private static JsonNode withoutHost(JsonNode json) {
+    json.findParents("host").forEach(each -> ((ObjectNode) each).remove("host"));
+    return json;
+  }
+
+  private static String squeezed(String text) {
+    return text.replaceAll(" +", " ");
+  }
+
+  private void configure(String more) throws IOException {
+    Files.writeString(project.resolve("eventchain.yaml"), more, StandardOpenOption.APPEND);
+  }
+
+  private static RecordedService service(String wire) throws IOException {
+    return new RecordedService(wire, Program.ROOT.resolve("examples/aeb/recordings"));
+  }
+
+  private void connect(String wire, RecordedService service) throws IOException {
+    String ours = "{wire: %s, url: \"%s\", key: OURS_KEY}".formatted(wire, service.url());
+    configure("\nservices:\n  ours: " + ours + "\n");
+  }
+
+  @Test
+  void whatPeopleWroteIsCountedOnceAndIsNoEvaluation() throws IOException {
+    Program.Ended ended = evaluate("--runs", 5).expect(0);
+    String table = squeezed(ended.out());
+    assertTrue(table.startsWith("The answers are " + LABEL), table);
+    ended.says("1 of 5 runs counted (no recorded answer: 4)");
+    ended.says("[evaluation.authored]").says("[evaluation.run.uncounted]");
+    String row = "1/1 21–100 % 1/1 21–100 % 1/1 21–100 %";
+    assertTrue(table.contains(" without repair " + row + "\n with repair " + row), table);
+    JsonNode json = json();
+    assertEquals(Set.of(), schema().validate(json));
+    assertTrue(json.path("label").asText().contains(LABEL));
+    assertFalse(json.at("/models/0/measuresALanguageModel").asBoolean(true));
+    assertEquals("the run's own chain", json.at("/runs/0/implementedFor").asText());
+    JsonNode again = again(json);
+    assertEquals(json, again, "also what depends on the machine: nothing was run");
+    configure("\nrepairs: 2\n");
+    assertFalse(evaluate("--runs", 1).expect(0).err().contains("as before"));
+  }
+
+  private JsonNode again(JsonNode before) throws IOException {
+    evaluate("--runs", 5).expect(0).says("overall passed (as before)");
+    assertEquals(5, before.path("runs").size());
+    return json();
+  }
+
+  private static com.networknt.schema.JsonSchema schema() {
+    String schema = new Program().run("evaluate", "--schema").expect(0).out();
+    return JsonSchemaFactory.getInstance(VersionFlag.V202012).getSchema(schema);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"openai", "openai-compatible", "gemini", "anthropic", "ollama"})
+  void answersOfEachKindOfServicePass(String wire) throws IOException {
+    try (RecordedService service = service(wire)) {
+      connect(wire, service);
+      configure(
+          "\nprices:\n  ours/authored: {input_per_million: 1000, output_per_million: 2000}\n");
+      Program.Ended ended =
+          evaluate("--runs", 1, "--models", "ours/authored", "--llm", "live").expect(0);
+      ended.says("ours/authored: 1 of 1 run counted; 90 tokens, cost 0.135");
+      assertFalse(ended.out().contains("authored by people"));
+      assertEquals(1, json().at("/models/0/overall/withoutRepair/passed").asInt());
+      assertTrue(json().at("/models/0/measuresALanguageModel").asBoolean());
+      assertEquals(Set.of(), schema().validate(json()));
+      try (Stream<Path> files = Files.walk(project)) {
+        assertTrue(files.filter(Files::isRegularFile).noneMatch(EvaluateTest::holdsTheKey));
+      }
+    }
+  }
+
+  private static boolean holdsTheKey(Path file) {
+    try {
+      return new String(Files.readAllBytes(file), StandardCharsets.ISO_8859_1).contains(KEY);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  @Test
+  void runsAtOnceComeToTheSameAndGoOnWithoutTheService() throws IOException {
+    JsonNode first;
+    try (RecordedService service = service("openai")) {
+      connect("openai", service);
+      evaluate("--runs", 2, "--models", "ours/a,ours/b", "--llm", "live", "--parallel", 2)
+          .expect(0);
+      first = withoutHost(json());
+    }
+    assertEquals(4, first.path("runs").size());
+    Path result = project.resolve("out/evaluation").resolve(first.at("/runs/1/folder").asText());
+    Files.delete(result.resolve("result.json"));
+    Program.Ended ended =
+        evaluate("--runs", 2, "--models", "ours/a,ours/b", "--llm", "live").expect(0);
+    assertEquals(3, ended.err().split("as before", -1).length - 1, ended::err);
+    assertEquals(first, withoutHost(json()));
+  }
+
+  @Test
+  void aKilledEvaluationGoesOn() throws Exception {
+    try (RecordedService service = service("gemini")) {
+      connect("gemini", service);
+      Path out = folder.resolve("out.txt");
+      Path err = folder.resolve("err.txt");
+      Object[] command = {"evaluate", project, "--runs", 3, "--models", "ours/a", "--llm", "live"};
+      Process halted = program().haltedAt("ours/a run 1", out, err, command);
+      halted.destroyForcibly().waitFor();
+      assertFalse(Files.exists(project.resolve("out/evaluation/evaluation.json")));
+      program().run(command).expect(0).says("3 of 3 runs counted").says("(as before)");
+      int requests = service.requests();
+      assertTrue(
+          requests == 15 || requests == 16,
+          () -> requests + " questions, not 5 of each run, and the one that was under way");
+    }
+  }
+
+  /** A source that answers nonsense fails in its own way, by names that people may look up. */
+  @Test
+  void nonsenseScoresNothing() throws IOException {
+    String source = "command:echo '[{\"name\": \"A\"}]'";
+    evaluate("--runs", 2, "--models", "../x,a/b", "--llm", source)
+        .expect(0)
+        .says("design: agents.requirement.unsatisfied 2x")
+        .says("nothing to judge")
+        .says("[evaluation.reference.missing]");
+    assertEquals(Set.of(), schema().validate(json()));
+    assertEquals(0, json().at("/models/1/chainModel/withRepair/passed").asInt(-1));
+    assertEquals(2, json().at("/models/1/chainModel/withRepair/judged").asInt());
+    try (Stream<Path> files = Files.list(folder)) {
+      assertEquals(List.of(project), files.toList());
+    }
+    new Program().run("run", project, "--to", "design").expect(0);
+    Program.Ended ended = evaluate("--runs", 1, "--models", "a/b", "--llm", source).expect(0);
+    ended.says("implement: ");
+    assertEquals(1, json().at("/models/0/functionCode/withRepair/judged").asInt());
+    assertEquals("chain.json of the latest run", json().at("/runs/0/implementedFor").asText());
+  }
+
+  @Test
+  void whatCannotBeAskedDoesNotCount() throws IOException {
+    RecordedService gone = service("openai");
+    gone.close();
+    connect("openai", gone);
+    Program.Ended ended = evaluate("--runs", 2, "--models", "ours/a,ours/b", "--llm", "live");
+    ended.expect(3).says("[llm.service.unreachable]").says("not answered: 1, not begun: 1");
+    assertFalse(ended.out().contains("%"), ended::out);
+    assertEquals(Set.of(), schema().validate(json()));
+    evaluate("--models", "ours/a").expect(1).says("[evaluation.nothing.counted]");
+    evaluate("--models", "elsewhere/a", "--llm", "live").expect(2).says("[llm.service.unknown]");
+  }
+
+  @Test
+  void aSpentBudgetEndsAllOfIt() throws IOException {
+    try (RecordedService service = service("openai")) {
+      connect("openai", service);
+      configure("\nbudget: {tokens: 100}\n");
+      evaluate("--runs", 2, "--models", "ours/a,ours/b", "--llm", "live")
+          .expect(3)
+          .says("[llm.budget.spent]")
+          .says("ours/a: 1 of 2 runs counted (not answered: 1)")
+          .says("ours/b: 0 of 2 runs counted (not begun: 2)");
+    }
+  }
+
+  @Test
+  void wrongUsageIsRefused() {
+    evaluate("--models", "a,a").expect(2).says("'a' is named twice");
+    evaluate("--models", "a,,b").expect(2).says("a model has no name");
+    evaluate("--models", "direct").expect(2).says("'direct' is no language model");
+    evaluate("--runs", "0").expect(2).says("runs are 1 to 99");
+    evaluate("--parallel", "0").expect(2).says("at once");
+    evaluate("--llm", "groq/x", "--models", "y").expect(2).says("names a model");
+    evaluate("--llm", "telepathy").expect(2).says("[llm.provider.unknown]");
+    evaluate("--schema").expect(2);
+    new Program().run("evaluate").expect(2);
+  }
+}
