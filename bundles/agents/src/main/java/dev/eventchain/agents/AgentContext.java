@@ -15,9 +15,14 @@ import java.util.function.Predicate;
  * @param accepted whether people have decided to live with a finding, which then sends no answer
  *     back
  * @param progress is told in a few words what happens, on the thread of the agent
+ * @param exchanges is told of each answer, whatever becomes of it
  */
 public record AgentContext(
-    ChatModel model, int repairs, Predicate<Diagnostic> accepted, Consumer<String> progress) {
+    ChatModel model,
+    int repairs,
+    Predicate<Diagnostic> accepted,
+    Consumer<String> progress,
+    Consumer<Exchange> exchanges) {
   /** How often a failed answer goes back when nothing else is said. */
   public static final int DEFAULT_REPAIRS = 3;
 
@@ -26,6 +31,7 @@ public record AgentContext(
     Objects.requireNonNull(model);
     Objects.requireNonNull(accepted);
     Objects.requireNonNull(progress);
+    Objects.requireNonNull(exchanges);
     if (repairs < 0) {
       throw new IllegalArgumentException("a negative number of repairs: " + repairs);
     }
@@ -33,6 +39,7 @@ public record AgentContext(
 
   /** A context with the usual number of repairs that tells nobody of its progress. */
   public static AgentContext of(ChatModel model) {
-    return new AgentContext(model, DEFAULT_REPAIRS, finding -> false, message -> {});
+    return new AgentContext(
+        model, DEFAULT_REPAIRS, finding -> false, message -> {}, exchange -> {});
   }
 }

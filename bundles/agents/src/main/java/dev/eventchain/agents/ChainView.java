@@ -1,6 +1,9 @@
 package dev.eventchain.agents;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.modeler.JsonDocument;
+import dev.eventchain.python.ComponentSignature;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -25,6 +28,15 @@ record ChainView(List<ChainView.Component> components) {
     List<Value> outputValues() {
       return outputs.stream().flatMap(port -> port.values().stream()).toList();
     }
+
+    /** What its class has to look like. */
+    ComponentSignature signature() {
+      return new ComponentSignature(name, names(inputValues()), names(outputValues()));
+    }
+
+    private static List<String> names(List<Value> values) {
+      return values.stream().map(Value::name).toList();
+    }
   }
 
   /**
@@ -37,9 +49,10 @@ record ChainView(List<ChainView.Component> components) {
   /**
    * A value that a component reads or writes.
    *
+   * @param unit empty if none is stated
    * @param pointer where it stands
    */
-  record Value(String name, String type, String pointer) {}
+  record Value(String name, String type, String unit, String pointer) {}
 
   static ChainView of(JsonNode chain) {
     List<Component> components = new ArrayList<>();
@@ -47,6 +60,18 @@ record ChainView(List<ChainView.Component> components) {
       components.add(component(chain.get(i), "/" + i));
     }
     return new ChainView(components);
+  }
+
+  /**
+   * A component of a chain that has been read before.
+   *
+   * @throws IllegalArgumentException if the chain has no such component
+   */
+  static Component component(SourceText chain, String name) {
+    return of(JsonDocument.parse(chain).root()).components().stream()
+        .filter(candidate -> candidate.name().equals(name))
+        .findFirst()
+        .orElseThrow(() -> new IllegalArgumentException("the chain has no component " + name));
   }
 
   static Component component(JsonNode json, String pointer) {
@@ -72,7 +97,9 @@ record ChainView(List<ChainView.Component> components) {
     List<Value> values = new ArrayList<>();
     for (int i = 0; i < json.size(); i++) {
       JsonNode value = json.path(i);
-      values.add(new Value(text(value, "name"), text(value, "type"), pointer + "/" + i));
+      values.add(
+          new Value(
+              text(value, "name"), text(value, "type"), text(value, "unit"), pointer + "/" + i));
     }
     return values;
   }

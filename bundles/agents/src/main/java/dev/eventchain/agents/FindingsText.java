@@ -26,10 +26,15 @@ final class FindingsText {
 
   private FindingsText() {}
 
-  static String of(List<Diagnostic> findings) {
+  /**
+   * The findings, those in an answer with the line of it.
+   *
+   * @param file the name of the file that the answer becomes
+   */
+  static String of(String file, List<Diagnostic> findings) {
     StringBuilder out = new StringBuilder();
     for (int i = 0; i < Math.min(findings.size(), MOST); i++) {
-      append(out, i + 1, findings.get(i));
+      append(out, i + 1, findings.get(i), findings.get(i).location().file().equals(file));
     }
     if (findings.size() > MOST) {
       out.append("And %d more.\n".formatted(findings.size() - MOST));
@@ -37,13 +42,14 @@ final class FindingsText {
     return out.toString();
   }
 
-  private static void append(StringBuilder out, int number, Diagnostic finding) {
+  private static void append(
+      StringBuilder out, int number, Diagnostic finding, boolean ofTheAnswer) {
     SourceLocation place = finding.location();
     out.append(number).append(". ");
-    if (place.line() > 0) {
+    if (place.line() > 0 && ofTheAnswer) {
       out.append("Line ").append(place.line()).append(", column ").append(place.column());
       out.append(place.element().isEmpty() ? ": " : ", at " + place.element() + ": ");
-    } else if (!place.element().isEmpty()) {
+    } else if (!place.element().isEmpty() && ofTheAnswer) {
       out.append("At ").append(place.element()).append(": ");
     }
     out.append(ofTheAnswer(finding.message()));
@@ -51,7 +57,7 @@ final class FindingsText {
       out.append(" (").append(finding.rule()).append(')');
     }
     out.append(" [").append(finding.id()).append("]\n");
-    if (!place.excerpt().isBlank()) {
+    if (!place.excerpt().isBlank() && ofTheAnswer) {
       out.append("   > ").append(place.excerpt().strip()).append('\n');
     }
     String hint = aboutTheAnswer(finding.hint());

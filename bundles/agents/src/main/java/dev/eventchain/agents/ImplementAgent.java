@@ -1,14 +1,15 @@
 package dev.eventchain.agents;
 
-import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.JsonLayout;
-import dev.eventchain.modeler.JsonDocument;
+import dev.eventchain.llm.ChatMessage;
 import dev.eventchain.modeler.Requirements;
 import dev.eventchain.python.ComponentProbe;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 
 /**
  * Implements one component of an event chain as a Python class (the paper's Section IV-C and
@@ -16,6 +17,7 @@ import java.util.Optional;
  */
 public final class ImplementAgent {
   private static final PromptTemplate PROMPT = PromptTemplate.load("implement/v1");
+  private static final PromptTemplate VERDICT = PromptTemplate.load("verdict/v1");
 
   private final AgentContext context;
   private final ComponentProbe probe;
@@ -37,40 +39,80 @@ public final class ImplementAgent {
    * @param component the name of the component in it
    * @param requirements the functional requirements, of which the component's own are shown to the
    *     model
+   * @param tests that the component must pass, if it has any
    * @return the Python file {@code components/NAME.py}
    * @throws IllegalArgumentException if the chain has no such component
    * @throws dev.eventchain.diagnostics.DiagnosticException FINDINGS if no answer passed its checks;
    *     and as the model throws
    */
-  public AgentResult implement(SourceText chain, String component, Requirements requirements) {
-    ChainView.Component described =
-        ChainView.of(JsonDocument.parse(chain).root()).components().stream()
-            .filter(candidate -> candidate.name().equals(component))
-            .findFirst()
-            .orElseThrow(
-                () -> new IllegalArgumentException("the chain has no component " + component));
-    Map<String, String> values =
-        Map.of(
-            "requirements", RuleText.items(ownRequirements(described.json(), requirements)),
-            "Description of target software extracted from the event chain description.",
-                JsonLayout.of(Budgets.without(described.json())));
-    ImplementationCheck check = new ImplementationCheck(probe, described);
-    return new RepairLoop(context, "implement", AnswerKind.PYTHON)
-        .run("components/" + component + ".py", PROMPT, values, Optional.empty(), check::check);
+  public AgentResult implement(
+      SourceText chain,
+      String component,
+      Requirements requirements,
+      Optional<ComponentTester> tests) {
+    ChainView.Component described = ChainView.component(chain, component);
+    return loop()
+        .run(
+            file(component),
+            PROMPT,
+            values(described, requirements),
+            Optional.empty(),
+            check(described, tests));
   }
 
-  private static List<Requirements.Item> ownRequirements(
-      JsonNode component, Requirements requirements) {
-    return requirements.items().stream()
-        .filter(
-            item -> {
-              for (JsonNode id : component.path("requirements")) {
-                if (id.asText().equals(item.id())) {
-                  return true;
-                }
-              }
-              return false;
-            })
-        .toList();
+  /**
+   * Corrects a component that fails in the simulation of the whole.
+   *
+   * @param chain the event-chain description
+   * @param component the name of the component in it
+   * @param requirements as of {@link #implement}
+   * @param tests that the component must pass, if it has any
+   * @param present the component as it is
+   * @param verdict what failed, with what the component read and wrote around that time
+   * @return the Python file; the present one if the model finds nothing wrong with it
+   * @throws IllegalArgumentException if the chain has no such component
+   * @throws dev.eventchain.diagnostics.DiagnosticException as of {@link #implement}
+   */
+  public AgentResult correct(
+      SourceText chain,
+      String component,
+      Requirements requirements,
+      Optional<ComponentTester> tests,
+      SourceText present,
+      String verdict) {
+    ChainView.Component described = ChainView.component(chain, component);
+    List<ChatMessage> conversation =
+        List.of(
+            ChatMessage.user(PROMPT.render(values(described, requirements))),
+            ChatMessage.assistant("```python\n" + present.text() + "```\n"),
+            ChatMessage.user(VERDICT.render(Map.of("verdict", verdict))));
+    return loop()
+        .run(
+            file(component),
+            VERDICT.name(),
+            conversation,
+            Optional.empty(),
+            check(described, tests));
+  }
+
+  private RepairLoop loop() {
+    return new RepairLoop(context, "implement", AnswerKind.PYTHON);
+  }
+
+  private static String file(String component) {
+    return "components/" + component + ".py";
+  }
+
+  private static Map<String, String> values(
+      ChainView.Component described, Requirements requirements) {
+    return Map.of(
+        "requirements", RuleText.items(RequirementCheck.own(described.json(), requirements)),
+        "Description of target software extracted from the event chain description.",
+            JsonLayout.of(Budgets.without(described.json())));
+  }
+
+  private Function<SourceText, List<Diagnostic>> check(
+      ChainView.Component described, Optional<ComponentTester> tests) {
+    return new ImplementationCheck(probe, described, tests)::check;
   }
 }

@@ -1,17 +1,16 @@
 package dev.eventchain.agents;
 
 import dev.eventchain.agents.ChainView.Component;
-import dev.eventchain.agents.ChainView.Value;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.python.ComponentProbe;
-import dev.eventchain.python.ComponentSignature;
 import dev.eventchain.python.WorkFolder;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Whether a Python module is the component that the chain describes, and stands its inputs at their
@@ -20,16 +19,20 @@ import java.util.List;
 final class ImplementationCheck {
   private final ComponentProbe probe;
   private final Component component;
+  private final Optional<ComponentTester> tests;
 
-  ImplementationCheck(ComponentProbe probe, Component component) {
+  /**
+   * Prepares a check.
+   *
+   * @param tests of the component, if it has any
+   */
+  ImplementationCheck(ComponentProbe probe, Component component, Optional<ComponentTester> tests) {
     this.probe = probe;
     this.component = component;
+    this.tests = tests;
   }
 
   List<Diagnostic> check(SourceText python) {
-    ComponentSignature signature =
-        new ComponentSignature(
-            component.name(), names(component.inputValues()), names(component.outputValues()));
     try (WorkFolder folder = WorkFolder.create()) {
       Path file = folder.path().resolve("component.py");
       try {
@@ -37,17 +40,21 @@ final class ImplementationCheck {
       } catch (IOException e) {
         throw folder.unwritable(e);
       }
-      return probe.check(file, signature, ProbeCalls.of(component.inputValues())).stream()
+      List<Diagnostic> found =
+          probe.check(file, component.signature(), ProbeCalls.of(component.inputValues()));
+      if (found.isEmpty()) {
+        found = tests.map(each -> each.run(probe, file)).orElse(List.of());
+      }
+      return found.stream()
           .map(finding -> finding.withLocation(renamed(finding.location(), python.name())))
           .toList();
     }
   }
 
-  private static List<String> names(List<Value> values) {
-    return values.stream().map(Value::name).toList();
-  }
-
-  private static SourceLocation renamed(SourceLocation place, String file) {
-    return new SourceLocation(file, place.line(), place.column(), place.element(), place.excerpt());
+  /** What is found in a test stays there. */
+  private SourceLocation renamed(SourceLocation place, String file) {
+    return tests.isPresent() && tests.get().holds(place)
+        ? place
+        : new SourceLocation(file, place.line(), place.column(), place.element(), place.excerpt());
   }
 }

@@ -57,8 +57,24 @@ final class RepairLoop {
       Map<String, String> values,
       Optional<JsonNode> schema,
       Function<SourceText, List<Diagnostic>> check) {
-    List<ChatMessage> messages = new ArrayList<>();
-    messages.add(ChatMessage.user(template.render(values)));
+    ChatMessage prompt = ChatMessage.user(template.render(values));
+    return run(file, template.name(), List.of(prompt), schema, check);
+  }
+
+  /**
+   * Goes on with a conversation.
+   *
+   * @param file as above
+   * @param prompt the name of the prompt that it began with
+   * @param conversation ends with what the model is to answer
+   */
+  AgentResult run(
+      String file,
+      String prompt,
+      List<ChatMessage> conversation,
+      Optional<JsonNode> schema,
+      Function<SourceText, List<Diagnostic>> check) {
+    List<ChatMessage> messages = new ArrayList<>(conversation);
     List<Attempt> attempts = new ArrayList<>();
     while (true) {
       context.progress().accept(announcement(file, attempts));
@@ -69,38 +85,47 @@ final class RepairLoop {
           answer.artefact().map(check).orElse(List.of()).stream().sorted().toList();
       List<Diagnostic> all = answer.problems().isEmpty() ? findings : answer.problems();
       attempts.add(new Attempt(response, all));
+      String question = messages.get(messages.size() - 1).content();
+      context.exchanges().accept(new Exchange(task, file, question, response, all));
       if (answer.problems().isEmpty() && findings.stream().noneMatch(this::isRefused)) {
         String text = answer.artefact().orElseThrow().text();
-        return new AgentResult(text, template.name(), attempts, findings);
+        return new AgentResult(text, prompt, attempts, findings);
       }
       if (attempts.size() > context.repairs()) {
         throw rejected(file, attempts);
       }
       messages.add(ChatMessage.assistant(response.text()));
-      messages.add(ChatMessage.user(repair(all)));
+      messages.add(ChatMessage.user(repair(file, all)));
     }
   }
 
-  /** Who is awaited once more wants to know what was wrong with the answer before. */
   private ChatResponse ask(String file, ChatRequest request, List<Attempt> attempts) {
     try {
       return context.model().chat(request);
     } catch (DiagnosticException e) {
-      if (e.reason() != Reason.WAITING || attempts.isEmpty()) {
-        throw e;
-      }
-      List<Diagnostic> said = new ArrayList<>(e.diagnostics());
-      List<Diagnostic> refused =
-          attempts.get(attempts.size() - 1).findings().stream().filter(this::isRefused).toList();
-      said.add(
-          Diagnostic.info(
-                  "agents.answer.returned",
-                  "The answer before went back: " + refused.get(0).message(),
-                  SourceLocation.of(file))
-              .withHint(
-                  "The new prompt names all that was wrong with it: " + refused.size() + "."));
-      throw new DiagnosticException(Reason.WAITING, said);
+      throw attempts.isEmpty() ? e : explained(file, e, attempts);
     }
+  }
+
+  /** Who gets no further answer wants to know what was wrong with the answer before. */
+  private DiagnosticException explained(
+      String file, DiagnosticException problem, List<Attempt> attempts) {
+    List<Diagnostic> refused =
+        attempts.get(attempts.size() - 1).findings().stream().filter(this::isRefused).toList();
+    if (problem.reason() != Reason.WAITING) {
+      List<Diagnostic> said = new ArrayList<>(refused);
+      said.addAll(problem.diagnostics());
+      Reason reason = problem.reason() == Reason.INPUT ? Reason.FINDINGS : problem.reason();
+      return new DiagnosticException(reason, said);
+    }
+    List<Diagnostic> said = new ArrayList<>(problem.diagnostics());
+    said.add(
+        Diagnostic.info(
+                "agents.answer.returned",
+                "The answer before went back: " + refused.get(0).message(),
+                SourceLocation.of(file))
+            .withHint("The new prompt names all that was wrong with it: " + refused.size() + "."));
+    return new DiagnosticException(Reason.WAITING, said);
   }
 
   private String announcement(String file, List<Attempt> attempts) {
@@ -114,10 +139,10 @@ final class RepairLoop {
     return "asking again for %s: %s%s".formatted(file, first, others);
   }
 
-  private String repair(List<Diagnostic> findings) {
+  private String repair(String file, List<Diagnostic> findings) {
     return REPAIR.render(
         Map.of(
-            "findings", FindingsText.of(findings.stream().filter(this::isRefused).toList()),
+            "findings", FindingsText.of(file, findings.stream().filter(this::isRefused).toList()),
             "kind of answer", kind.description()));
   }
 

@@ -2,6 +2,8 @@ package dev.eventchain.agents;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.agents.ChainView.Component;
+import dev.eventchain.modeler.Requirements;
+import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
@@ -31,5 +33,12 @@ final class RequirementCheck {
           "No component contributes to the requirement %s.".formatted(id),
           "Name it with the component that does, or add one.");
     }
+  }
+
+  /** The requirements that a component contributes to, by its description. */
+  static List<Requirements.Item> own(JsonNode component, Requirements requirements) {
+    List<String> ids = new ArrayList<>();
+    component.path("requirements").forEach(id -> ids.add(id.asText()));
+    return requirements.items().stream().filter(item -> ids.contains(item.id())).toList();
   }
 }

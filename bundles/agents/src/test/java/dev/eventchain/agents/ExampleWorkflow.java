@@ -68,9 +68,16 @@ record ExampleWorkflow(String folder, String name, String title, double frequenc
     ImplementAgent implement = new ImplementAgent(context, probe);
     for (SoftwareNode missing : base.missing(chain)) {
       String component = missing.getName();
+      AgentResult proposed = new TestAgent(context).propose(description, component, requirements);
+      results.put("tests/" + component + ".json", proposed);
+      SourceText tests = SourceText.of("tests/" + component + ".yaml", proposed.text());
       results.put(
           "components/" + component + ".py",
-          implement.implement(description, component, requirements));
+          implement.implement(
+              description,
+              component,
+              requirements,
+              Optional.of(ComponentTester.read(tests, description, component, requirements))));
     }
     String metamodel = XmiStore.eventchainEcore();
     results.put(

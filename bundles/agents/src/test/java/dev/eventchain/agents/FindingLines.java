@@ -26,7 +26,8 @@ final class FindingLines {
    */
   static void check(Path answer, Collection<Diagnostic> found) throws IOException {
     ExpectedFile.check(ExpectedFile.beside(answer), of(found));
-    String told = FindingsText.of(List.copyOf(found));
+    String file = found.stream().map(each -> each.location().file()).findFirst().orElse("");
+    String told = FindingsText.of(file, List.copyOf(found));
     String words =
         told.lines()
             .filter(line -> !line.startsWith("   > "))

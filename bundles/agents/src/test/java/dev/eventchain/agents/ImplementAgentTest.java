@@ -16,6 +16,7 @@ import dev.eventchain.python.PythonEnvironment;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -41,7 +42,9 @@ class ImplementAgentTest {
   void eachFaultIsFoundWhereItIs(Path file) throws IOException {
     ImplementationCheck check =
         new ImplementationCheck(
-            probe, ChainView.of(JsonDocument.parse(CHAIN).root()).components().get(0));
+            probe,
+            ChainView.of(JsonDocument.parse(CHAIN).root()).components().get(0),
+            Optional.empty());
     List<Diagnostic> found = check.check(SourceText.read(file));
     FindingLines.check(file, found);
   }
@@ -57,7 +60,7 @@ class ImplementAgentTest {
             .answer("```python\n" + text("division-by-zero-speed.py") + "```")
             .answer("```python\n" + text("right.py") + "```");
     ImplementAgent agent = new ImplementAgent(AgentContext.of(model), probe);
-    AgentResult result = agent.implement(CHAIN, "Time_Left", REQUIREMENTS);
+    AgentResult result = agent.implement(CHAIN, "Time_Left", REQUIREMENTS, Optional.empty());
     assertEquals(text("right.py"), result.text());
     assertEquals(2, result.attempts().size());
     Diagnostic finding = result.attempts().get(0).findings().get(0);
@@ -86,7 +89,8 @@ class ImplementAgentTest {
 
   private static String promptFor(SourceText chain) {
     ScriptedModel model = new ScriptedModel().answer(text("right.py"));
-    new ImplementAgent(AgentContext.of(model), probe).implement(chain, "Time_Left", REQUIREMENTS);
+    new ImplementAgent(AgentContext.of(model), probe)
+        .implement(chain, "Time_Left", REQUIREMENTS, Optional.empty());
     return model.requests.get(0).messages().get(0).content();
   }
 
@@ -94,7 +98,8 @@ class ImplementAgentTest {
   void aComponentThatTheChainDoesNotHaveIsRefused() {
     ImplementAgent agent = new ImplementAgent(AgentContext.of(new ScriptedModel()), probe);
     assertThrows(
-        IllegalArgumentException.class, () -> agent.implement(CHAIN, "Other", REQUIREMENTS));
+        IllegalArgumentException.class,
+        () -> agent.implement(CHAIN, "Other", REQUIREMENTS, Optional.empty()));
   }
 
   private static String text(String file) {

@@ -28,7 +28,8 @@ class PromptRulesTest {
   private static final Path TABLE = Path.of("src/test/resources/prompt-rules.txt");
   private static final List<String> CHECKING =
       List.of("agents", "analysis", "modeler", "ocl", "python");
-  private static final Set<String> TASKS = Set.of("design", "implement", "model", "constrain");
+  private static final Set<String> TASKS =
+      Set.of("design", "test", "implement", "model", "constrain");
 
   /** A line of the table. */
   private record Line(String id, String task, String words) {}

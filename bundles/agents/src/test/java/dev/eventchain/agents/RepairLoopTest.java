@@ -124,7 +124,8 @@ class RepairLoopTest {
   }
 
   private AgentResult run(ScriptedModel asked, int repairs) {
-    AgentContext context = new AgentContext(asked, repairs, accepted, progress::add);
+    AgentContext context =
+        new AgentContext(asked, repairs, accepted, progress::add, exchange -> {});
     return new RepairLoop(context, "design", AnswerKind.JSON)
         .run("a.json", PROMPT, Map.of("what", "JSON"), Optional.empty(), RepairLoopTest::check);
   }

@@ -35,7 +35,7 @@ class RepairTextTest {
         Diagnostic.error("any.id", "It is wrong.", SourceLocation.NONE)
             .withHint(
                 "Did you mean `a`? Known is b; name another one with --metamodel FILE.ecore.");
-    String text = FindingsText.of(List.of(finding));
+    String text = FindingsText.of("answer", List.of(finding));
     assertTrue(text.endsWith("   Did you mean `a`? Known is b.\n"), text);
   }
 
@@ -57,10 +57,10 @@ class RepairTextTest {
     texts.removeIf(text -> !text.contains(" "));
     for (String text : texts) {
       Diagnostic finding = Diagnostic.error("any.id", "It is wrong.", SourceLocation.NONE);
-      String hint = FindingsText.of(List.of(finding.withHint(text)));
+      String hint = FindingsText.of("answer", List.of(finding.withHint(text)));
       assertFalse(FILES.matcher(hint).find(), hint);
       String message =
-          FindingsText.of(List.of(Diagnostic.error("any.id", text, SourceLocation.NONE)));
+          FindingsText.of("answer", List.of(Diagnostic.error("any.id", text, SourceLocation.NONE)));
       assertFalse(message.contains(" file ") || message.contains(" file."), message);
     }
   }

@@ -14,6 +14,7 @@ import java.math.BigDecimal;
 import java.math.RoundingMode;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Set;
@@ -35,7 +36,16 @@ final class AgentReport {
         .add(configuration.models(stage))
         .add(configuration.repairs())
         .add(run.options().llm().orElse(configuration.llm()))
-        .addMeans(filesBelow(run.project().recordings().resolve(stage.id())));
+        .addMeans(recordings(run, stage));
+  }
+
+  private static List<Path> recordings(RunContext run, Stage stage) {
+    Path recordings = run.project().recordings();
+    List<Path> files = new ArrayList<>(filesBelow(recordings.resolve(stage.id())));
+    if (stage == Stage.IMPLEMENT) {
+      files.addAll(filesBelow(recordings.resolve("test")));
+    }
+    return files;
   }
 
   /** The model that answered and where its answers came from. */
@@ -51,6 +61,7 @@ final class AgentReport {
     results.forEach(result -> returned.addAll(returned(result)));
     ArrayNode ids = report.putArray("returned");
     returned.forEach(ids::add);
+    report.set("conversation", run.models().conversation(stage).deepCopy());
     return report;
   }
 
@@ -88,7 +99,7 @@ final class AgentReport {
     int repairs = results.stream().mapToInt(result -> result.attempts().size() - 1).sum();
     String corrected =
         repairs == 0 ? "" : ", " + Coverage.counted(repairs, "answer") + " corrected";
-    return corrected + spent(run.spending().lines());
+    return corrected + spent(run.models().spending().lines());
   }
 
   private static String spent(List<Spending.Line> lines) {

@@ -53,7 +53,9 @@ record Configuration(
   private static final String DEFAULT_MODEL = "person";
   private static final int DEFAULT_REPAIRS = 3;
   private static final NumberRange REPAIRS = NumberRange.of(0, 20);
-  private static final List<String> TASKS = List.of("design", "implement", "model", "constrain");
+  private static final String TEST = "test";
+  private static final List<String> TASKS =
+      List.of("design", TEST, "implement", "model", "constrain");
   private static final List<String> PACKAGE_FACTS = List.of("license", "maintainer", "email");
 
   /**
@@ -146,7 +148,13 @@ record Configuration(
 
   /** The models that a stage asks, the one that is wanted first. */
   List<String> models(Stage stage) {
-    return models.getOrDefault(stage.id(), List.of(DEFAULT_MODEL));
+    return models(stage.id());
+  }
+
+  /** The models for a task; who implements also proposes tests where nobody else is to. */
+  List<String> models(String task) {
+    List<String> usual = task.equals(TEST) ? models(Stage.IMPLEMENT.id()) : List.of(DEFAULT_MODEL);
+    return models.getOrDefault(task, usual);
   }
 
   /** The same, with one model for every task. */
@@ -160,7 +168,7 @@ record Configuration(
   /** The language models that are named for any task, in the order of the tasks. */
   List<String> languageModels() {
     return TASKS.stream()
-        .flatMap(task -> models.getOrDefault(task, List.of(DEFAULT_MODEL)).stream())
+        .flatMap(task -> models(task).stream())
         .filter(model -> !model.equals(ModelStage.DIRECT))
         .distinct()
         .toList();

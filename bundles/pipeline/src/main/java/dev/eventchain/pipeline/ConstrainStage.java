@@ -40,7 +40,7 @@ final class ConstrainStage implements StageWork {
           "no design rules", none, run.output().removeOthers(Constraints.GENERATED, none));
     }
     AgentResult constrained =
-        new ConstrainAgent(run.agent(Stage.CONSTRAIN))
+        new ConstrainAgent(run.models().agent(Stage.CONSTRAIN))
             .constrain(
                 XmiStore.eventchainEcore(),
                 List.of(EventchainPackage.eINSTANCE),

@@ -38,7 +38,7 @@ final class DesignStage implements StageWork {
     }
     Configuration configuration = run.project().configuration();
     AgentResult designed =
-        new DesignAgent(run.agent(Stage.DESIGN))
+        new DesignAgent(run.models().agent(Stage.DESIGN))
             .design(
                 configuration.title(),
                 configuration.frequency(),

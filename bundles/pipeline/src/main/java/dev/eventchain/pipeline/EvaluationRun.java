@@ -28,6 +28,11 @@ import java.util.stream.Stream;
 /** Does one run of an evaluation, and judges what comes of it. */
 final class EvaluationRun {
 
+  private static final String IMPLEMENT = Stage.IMPLEMENT.id();
+
+  /** A component whose tests the model cannot write is not one that passes them. */
+  private static final Set<String> CODE = Set.of("test", IMPLEMENT);
+
   private static final Set<String> UNRECORDED =
       Set.of("llm.recording.missing", "llm.recording.exhausted");
 
@@ -126,10 +131,10 @@ final class EvaluationRun {
       }
       return Optional.of(uncounted(State.UNREACHABLE, last.get(0).message(), last));
     }
+    if (last.stream().map(Diagnostic::id).anyMatch(UNRECORDED::contains)) {
+      return Optional.of(uncounted(State.UNRECORDED, State.UNRECORDED.words(), List.of()));
+    }
     if (failure.equals(Optional.of(Reason.INPUT))) {
-      if (UNRECORDED.contains(last.get(0).id())) {
-        return Optional.of(uncounted(State.UNRECORDED, State.UNRECORDED.words(), List.of()));
-      }
       requireFault(Reason.INPUT, asked, last, isBelow(folder, last));
     }
     List<Diagnostic> awaited = awaited(ended);
@@ -181,21 +186,20 @@ final class EvaluationRun {
 
   /** Where no component is missing, there is no code to judge. */
   private static Score functionCode(Pipeline.Ended ended, Sample asked) {
-    boolean written = asked.calls().stream().anyMatch(call -> call.stage() == Stage.IMPLEMENT);
+    boolean written = asked.calls().stream().anyMatch(call -> CODE.contains(call.task()));
     return written
-        ? Score.of(
-            isDone(ended, Stage.IMPLEMENT), isRepaired(asked.calls(), Set.of(Stage.IMPLEMENT)))
+        ? Score.of(isDone(ended, Stage.IMPLEMENT), isRepaired(asked.calls(), Set.of(IMPLEMENT)))
         : Score.UNKNOWN;
   }
 
-  private static boolean isRepaired(List<Sample.Call> calls, Collection<Stage> stages) {
-    return calls.stream().anyMatch(call -> call.repair() && stages.contains(call.stage()));
+  private static boolean isRepaired(List<Sample.Call> calls, Collection<String> tasks) {
+    return calls.stream().anyMatch(call -> call.repair() && tasks.contains(call.task()));
   }
 
   private Done judged(
       Pipeline.Ended ended, Score code, String chain, List<Sample.Call> more, long start) {
     List<Sample.Call> calls = Stream.concat(sample.calls().stream(), more.stream()).toList();
-    Set<Stage> modeling = Set.of(Stage.DESIGN, Stage.MODEL, Stage.CONSTRAIN);
+    Set<String> modeling = Set.of("design", "model", "constrain");
     boolean valid =
         Stream.of(Stage.DESIGN, Stage.MODEL, Stage.CONSTRAIN, Stage.VALIDATE)
             .allMatch(stage -> isDone(ended, stage));

@@ -2,7 +2,9 @@ package dev.eventchain.pipeline;
 
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.agents.AgentResult;
+import dev.eventchain.agents.ComponentTester;
 import dev.eventchain.agents.ImplementAgent;
+import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
@@ -15,6 +17,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Supplier;
 
 /** The components of the chain that do not exist yet: {@code components/*.py}. */
@@ -28,50 +31,143 @@ final class ImplementStage implements StageWork {
     fingerprint
         .addFile(run.file(DesignStage.FILE))
         .addFile(run.project().requirements())
-        .addFile(run.project().softwareBase().resolve("components.json"));
+        .addFile(run.project().softwareBase().resolve("components.json"))
+        .add(run.project().configuration().models("test"))
+        .addFiles(TestFiles.ofProject(run.project()));
+    if (!TestFiles.ofProject(run.project()).isEmpty()) {
+      fingerprint.addFiles(run.project().softwareBaseFiles());
+    }
   }
 
   @Override
   public StageResult execute(RunContext run) {
     Path description = run.required(DesignStage.FILE, Stage.DESIGN);
-    List<SoftwareNode> missing = run.softwareBase().missing(readChain(run, description));
-    List<String> files = new ArrayList<>();
-    List<Diagnostic> found = new ArrayList<>();
-    List<AgentResult> results = new ArrayList<>();
+    EventChain chain = readChain(run, description);
+    List<SoftwareNode> missing = run.softwareBase().missing(chain);
+    TestFiles tests = new TestFiles(run, SourceText.read(description));
+    Work work = new Work(run, SourceText.read(description), tests);
+    if (run.models().corrections().isEmpty()) {
+      work.implement(missing);
+    } else {
+      work.correct(missing);
+    }
+    work.found.addAll(tests.ofNoComponent(names(chain.getSoftware())));
+    work.testExisting(
+        chain.getSoftware().stream().filter(node -> !missing.contains(node)).toList());
+    List<String> files = work.removeOthers();
+    List<AgentResult> asked = new ArrayList<>(tests.results());
+    asked.addAll(work.results);
+    ObjectNode report = AgentReport.of(run, Stage.IMPLEMENT, asked);
     if (!missing.isEmpty()) {
-      ImplementAgent agent =
-          new ImplementAgent(
-              run.agent(Stage.IMPLEMENT), new ComponentProbe(run.python(Stage.IMPLEMENT)));
-      SourceText text = SourceText.read(description);
+      report.put("confinement", Confinement.detect().describe());
+      report.put("python", run.python(Stage.IMPLEMENT).version());
+    }
+    return new StageResult(details(work, missing, asked), files, work.found, report);
+  }
+
+  /** What is made and found on the way. */
+  private static final class Work {
+    private final RunContext run;
+    private final SourceText chain;
+    private final TestFiles tests;
+    private final List<String> files = new ArrayList<>();
+    private final List<Diagnostic> found = new ArrayList<>();
+    private final List<AgentResult> results = new ArrayList<>();
+    private int tested;
+
+    Work(RunContext run, SourceText chain, TestFiles tests) {
+      this.run = run;
+      this.chain = chain;
+      this.tests = tests;
+    }
+
+    void implement(List<SoftwareNode> missing) {
       List<Diagnostic> awaited = new ArrayList<>();
       for (SoftwareNode node : missing) {
         run.progress().step(Stage.IMPLEMENT, node.getName());
-        Optional<AgentResult> answered =
-            ask(() -> agent.implement(text, node.getName(), run.requirements()), awaited);
-        if (answered.isPresent()) {
-          String file = FOLDER + "/" + node.getName() + ".py";
-          run.write(file, answered.get().text());
-          files.add(file);
-          found.addAll(AgentReport.placed(run, answered.get()));
-          results.add(answered.get());
+        Optional<ComponentTester> tester =
+            ask(
+                () -> tests.written(node.getName()).orElseGet(() -> tests.propose(node.getName())),
+                awaited);
+        // Who waits for tests may ask for the component meanwhile: it is asked without them.
+        Optional<AgentResult> answered = ask(() -> implement(node.getName(), tester), awaited);
+        if (answered.isPresent() && tester.isPresent()) {
+          keep(file(node.getName()), answered.get(), tester.get());
         }
       }
       if (!awaited.isEmpty()) {
         throw new DiagnosticException(DiagnosticException.Reason.WAITING, awaited);
       }
     }
-    found.addAll(run.output().removeOthers(FOLDER, files));
-    ObjectNode report = AgentReport.of(run, Stage.IMPLEMENT, results);
-    if (!missing.isEmpty()) {
-      report.put("confinement", Confinement.detect().describe());
-      report.put("python", run.python(Stage.IMPLEMENT).version());
+
+    /** What a verdict has changed; everything else stays as it is. */
+    void correct(List<SoftwareNode> missing) {
+      for (SoftwareNode node : missing) {
+        String file = file(node.getName());
+        ComponentTester tester = tests.standing(node.getName());
+        Optional<AgentResult> correction =
+            Optional.ofNullable(run.models().corrections().get(node.getName()));
+        if (correction.isPresent()) {
+          keep(file, correction.get(), tester);
+        } else {
+          files.add(file);
+          tested += tester.count();
+        }
+      }
     }
-    return new StageResult(details(run, missing, results), files, found, report);
+
+    private AgentResult implement(String component, Optional<ComponentTester> tester) {
+      return new ImplementAgent(run.models().agent(Stage.IMPLEMENT), probe())
+          .implement(chain, component, run.requirements(), tester);
+    }
+
+    private void keep(String file, AgentResult answered, ComponentTester tester) {
+      run.write(file, answered.text());
+      files.add(file);
+      found.addAll(tester.diagnostics());
+      found.addAll(AgentReport.placed(run, answered));
+      results.add(answered);
+      tested += tester.count();
+    }
+
+    /** What exists already has tests where people wrote some. */
+    void testExisting(List<SoftwareNode> existing) {
+      for (SoftwareNode node : existing) {
+        Optional<ComponentTester> tester = tests.written(node.getName());
+        if (tester.isPresent()) {
+          run.progress().step(Stage.IMPLEMENT, "tests of " + node.getName());
+          found.addAll(tester.get().diagnostics());
+          found.addAll(tester.get().run(probe(), GenerateStage.componentFile(run, node)));
+          tested += tester.get().count();
+        }
+      }
+    }
+
+    /** Removes what an earlier run wrote, and names what this one did. */
+    List<String> removeOthers() {
+      found.addAll(run.output().removeOthers(FOLDER, files));
+      found.addAll(run.output().removeOthers(TestFiles.FOLDER, tests.proposed()));
+      List<String> all = new ArrayList<>(files);
+      all.addAll(tests.proposed());
+      return all;
+    }
+
+    private ComponentProbe probe() {
+      return new ComponentProbe(run.python(Stage.IMPLEMENT));
+    }
+  }
+
+  /** The file of a component that is made here. */
+  static String file(String component) {
+    return FOLDER + "/" + component + ".py";
+  }
+
+  private static List<String> names(List<SoftwareNode> nodes) {
+    return nodes.stream().map(SoftwareNode::getName).toList();
   }
 
   /** A person who is asked for one component may as well be asked for all of them. */
-  private static Optional<AgentResult> ask(
-      Supplier<AgentResult> question, List<Diagnostic> awaited) {
+  private static <T> Optional<T> ask(Supplier<T> question, List<Diagnostic> awaited) {
     try {
       return Optional.of(question.get());
     } catch (DiagnosticException e) {
@@ -83,12 +179,16 @@ final class ImplementStage implements StageWork {
     }
   }
 
-  private static String details(
-      RunContext run, List<SoftwareNode> missing, List<AgentResult> results) {
-    return missing.isEmpty()
-        ? "no component is missing"
-        : String.join(", ", missing.stream().map(SoftwareNode::getName).toList())
-            + AgentReport.effort(run, results);
+  private static String details(Work work, List<SoftwareNode> missing, List<AgentResult> asked) {
+    Set<String> corrected = work.run.models().corrections().keySet();
+    String implemented =
+        missing.isEmpty()
+            ? "no component is missing"
+            : String.join(", ", corrected.isEmpty() ? names(missing) : corrected)
+                + (corrected.isEmpty() ? "" : " corrected after the verdict");
+    String tested =
+        work.tested == 0 ? "" : ", " + Coverage.counted(work.tested, "component test") + " passed";
+    return implemented + tested + AgentReport.effort(work.run, asked);
   }
 
   private static EventChain readChain(RunContext run, Path description) {

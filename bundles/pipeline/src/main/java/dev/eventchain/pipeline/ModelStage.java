@@ -56,7 +56,7 @@ final class ModelStage implements StageWork {
   private static StageResult modelByAgent(
       RunContext run, SourceText description, EventChain direct) {
     AgentResult answered =
-        new ModelAgent(run.agent(Stage.MODEL))
+        new ModelAgent(run.models().agent(Stage.MODEL))
             .model(
                 XmiStore.eventchainEcore(),
                 description,

@@ -31,23 +31,16 @@ public final class Pipeline {
               Stage.GENERATE, new GenerateStage(),
               Stage.SIMULATE, new SimulateStage()));
 
+  /** The stages that a corrected component concerns. */
+  private static final List<Stage> CORRECTED =
+      List.of(Stage.IMPLEMENT, Stage.GENERATE, Stage.SIMULATE);
+
   private final RunContext run;
   private final StageMemory memory;
   private final Progress progress;
   private final StandingResults standing;
   private final Map<Stage, StageOutcome> outcomes = new EnumMap<>(Stage.class);
   private Optional<DiagnosticException.Reason> failure = Optional.empty();
-
-  /** What a stage works on, where one that fails does not end the others. */
-  private static final Map<Stage, List<Stage>> NEEDED =
-      new EnumMap<>(
-          Map.of(
-              Stage.IMPLEMENT, List.of(Stage.DESIGN),
-              Stage.MODEL, List.of(Stage.DESIGN),
-              Stage.CONSTRAIN, List.of(Stage.DESIGN),
-              Stage.VALIDATE, List.of(Stage.MODEL, Stage.CONSTRAIN),
-              Stage.GENERATE, List.of(Stage.IMPLEMENT, Stage.VALIDATE),
-              Stage.SIMULATE, List.of(Stage.GENERATE)));
 
   /**
    * How a run ended, with what each of its stages came to.
@@ -119,11 +112,9 @@ public final class Pipeline {
         break;
       }
       boolean possible = failure.isEmpty() || asksMeanwhile(stage) || isTriedAnyway(stage);
-      boolean wanted = run.options().runs(stage) && possible;
-      StageOutcome outcome = wanted ? runGuarded(stage) : notRun(stage);
-      outcomes.put(stage, outcome);
-      progress.ended(stage, outcome.status(), outcome.duration(), outcome.details());
+      end(run.options().runs(stage) && possible ? runGuarded(stage) : notRun(stage));
     }
+    correctByVerdict();
     boolean judged = outcomes.get(Stage.SIMULATE).report().isPresent();
     if (failure.isPresent() && (!judged || run.options().isPartial())) {
       standing.withdraw(stoppedIn());
@@ -139,6 +130,41 @@ public final class Pipeline {
       standing.putReportBack();
     }
     return result;
+  }
+
+  private void end(StageOutcome outcome) {
+    outcomes.put(outcome.stage(), outcome);
+    progress.ended(outcome.stage(), outcome.status(), outcome.duration(), outcome.details());
+  }
+
+  /** As long as a failed verdict changes a component, the stages from there on run again. */
+  private void correctByVerdict() {
+    int rounds = run.project().configuration().repairs();
+    while (rounds-- > 0 && mayBeCorrected()) {
+      long start = System.nanoTime();
+      try {
+        run.models().correct(VerdictCorrection.ask(run, run.models().simulated().orElseThrow()));
+      } catch (DiagnosticException e) {
+        failure = Optional.of(e.reason());
+        end(stopped(Stage.IMPLEMENT, e, start));
+        return;
+      }
+      if (run.models().corrections().isEmpty()) {
+        return;
+      }
+      failure = Optional.empty();
+      for (Stage stage : CORRECTED) {
+        end(failure.isEmpty() ? runGuarded(stage) : notRun(stage));
+      }
+    }
+  }
+
+  private boolean mayBeCorrected() {
+    return failure.equals(Optional.of(DiagnosticException.Reason.FINDINGS))
+        && outcomes.get(Stage.SIMULATE).report().isPresent()
+        && run.options().runs(Stage.IMPLEMENT)
+        && !run.options().isPartial()
+        && run.models().simulated().isPresent();
   }
 
   /**
@@ -160,11 +186,7 @@ public final class Pipeline {
     boolean judged =
         reason == DiagnosticException.Reason.FINDINGS
             || reason == DiagnosticException.Reason.WAITING;
-    return run.project().sample().isPresent()
-        && judged
-        && NEEDED.getOrDefault(stage, List.of()).stream()
-            .map(outcomes::get)
-            .allMatch(each -> each.status() == Status.DONE);
+    return run.project().sample().isPresent() && judged && NeededStages.areDone(stage, outcomes);
   }
 
   /** The verdict of before stands again if a simulation now would have nothing to do. */
@@ -260,7 +282,8 @@ public final class Pipeline {
 
   private boolean mayBeSkipped(Stage stage) {
     boolean records = stage == Stage.SIMULATE && run.options().mcap();
-    boolean asked = run.options().again() || records || isPartial(stage);
+    boolean corrected = stage == Stage.IMPLEMENT && !run.models().corrections().isEmpty();
+    boolean asked = run.options().again() || records || isPartial(stage) || corrected;
     return WORK.get(stage).skippable() && !asked;
   }
 
@@ -337,6 +360,7 @@ public final class Pipeline {
 
   /** A person may have edited what the stage wrote: then that is said again. */
   private StageOutcome unchanged(Stage stage, StageRecord record, long start) {
+    run.models().recall(stage, record.report());
     List<Diagnostic> found = new ArrayList<>(run.takeFindings());
     found.addAll(record.diagnostics());
     for (String name : record.outputs().keySet()) {

@@ -49,6 +49,7 @@ final class ReportData {
     stages();
     model.ifPresent(m -> data.set("chain", ChainPicture.of(m.chain())));
     data.set("validation", validation());
+    data.set("conversations", conversations());
     diagnostics(found);
     JsonNode simulated = report(Stage.SIMULATE);
     data.set("scenarios", run.before().beside(arrayOf(simulated, "scenarios")));
@@ -86,6 +87,13 @@ final class ReportData {
   private static String version() {
     String version = ReportData.class.getPackage().getImplementationVersion();
     return version == null ? "(development)" : version;
+  }
+
+  /** What language models were asked, and what they said. */
+  private ArrayNode conversations() {
+    ArrayNode all = JsonNodeFactory.instance.arrayNode();
+    outcomes.keySet().forEach(stage -> all.addAll(run.models().conversation(stage)));
+    return all;
   }
 
   private void stages() {

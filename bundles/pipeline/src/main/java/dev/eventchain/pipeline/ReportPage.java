@@ -40,7 +40,14 @@ final class ReportPage {
 
   /** In the order in which they make up the script; later parts use earlier ones. */
   private static final List<String> SCRIPTS =
-      List.of("dom.js", "scene.js", "plots.js", "chain.js", "scenarios.js", "report.js");
+      List.of(
+          "dom.js",
+          "scene.js",
+          "plots.js",
+          "chain.js",
+          "scenarios.js",
+          "conversations.js",
+          "report.js");
 
   private static final Set<String> VERDICTS = Set.of("passed", "failed", "incomplete");
 

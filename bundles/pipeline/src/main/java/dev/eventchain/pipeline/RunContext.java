@@ -1,15 +1,10 @@
 package dev.eventchain.pipeline;
 
-import dev.eventchain.agents.AgentContext;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.llm.ChatModel;
-import dev.eventchain.llm.ChatModels;
-import dev.eventchain.llm.ModelAccess;
-import dev.eventchain.llm.Spending;
 import dev.eventchain.m2t.OutputFolder;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.metamodel.EcoreChecks;
@@ -44,7 +39,7 @@ final class RunContext {
   private final Snapshots snapshots = new Snapshots(this);
   private final List<Path> recordings = new ArrayList<>();
   private final List<String> strangers = new ArrayList<>();
-  private final Spending spending;
+  private final ModelWork models;
   private boolean recordsAreLost;
 
   /**
@@ -66,11 +61,7 @@ final class RunContext {
     this.output = output;
     this.progress = progress;
     this.before = before;
-    this.spending =
-        project
-            .sample()
-            .map(Sample::spending)
-            .orElseGet(() -> new Spending(project.configuration().services()));
+    this.models = new ModelWork(this);
   }
 
   /** What the report compares with. */
@@ -247,34 +238,9 @@ final class RunContext {
     }
   }
 
-  /** What an agent works with. */
-  AgentContext agent(Stage stage) {
-    Configuration configuration = project.configuration();
-    ModelAccess access =
-        new ModelAccess(
-            options.llm().orElse(configuration.llm()),
-            project.recordings(),
-            options.record(),
-            configuration.services(),
-            spending,
-            System::getenv,
-            message -> progress.step(stage, message),
-            this::find);
-    ChatModel model =
-        project
-            .sample()
-            .map(run -> run.open(access, stage))
-            .orElseGet(() -> ChatModels.open(access, configuration.models(stage)));
-    return new AgentContext(
-        model,
-        configuration.repairs(),
-        finding -> options.suppressions().accepts(AgentReport.placed(this, finding)),
-        message -> progress.step(stage, message));
-  }
-
-  /** What the calls of language models have cost in this run. */
-  Spending spending() {
-    return spending;
+  /** What the run has to do with language models. */
+  ModelWork models() {
+    return models;
   }
 
   /** Writes a file; what comes of it is a finding of the stage that runs. */

@@ -25,9 +25,11 @@ final class Sample {
   /**
    * An answer.
    *
+   * @param task what it was for, as configurations name it; {@code verdict} where a failed verdict
+   *     had gone back
    * @param repair whether it came after another one had gone back
    */
-  record Call(Stage stage, boolean repair, ChatResponse response) {}
+  record Call(String task, boolean repair, ChatResponse response) {}
 
   /**
    * A run that has not asked yet.
@@ -63,8 +65,8 @@ final class Sample {
     return List.copyOf(calls);
   }
 
-  /** The model that a stage asks. */
-  ChatModel open(ModelAccess usual, Stage stage) {
+  /** The model that is asked for a task. */
+  ChatModel open(ModelAccess usual, String task) {
     ModelAccess access =
         new ModelAccess(
             usual.source(),
@@ -78,7 +80,7 @@ final class Sample {
     ChatModel asked = ChatModels.openRun(access, model, common, number);
     return request -> {
       ChatResponse response = asked.chat(request);
-      add(new Call(stage, request.messages().size() > 1, response));
+      add(new Call(task, request.messages().size() > 1, response));
       return response;
     };
   }

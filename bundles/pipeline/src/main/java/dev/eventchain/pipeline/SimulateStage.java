@@ -207,6 +207,7 @@ final class SimulateStage implements StageWork {
       RunContext run, EventChain chain, List<Scenario> scenarios, List<Diagnostic> found) {
     found.addAll(ComponentCopies.requireSame(run, chain, GeneratedPackage.required(run)));
     SimulationResult result = simulate(run, chain, scenarios);
+    run.models().simulated(result);
     found.addAll(result.diagnostics());
     result.verdicts().forEach(verdict -> found.addAll(verdict.diagnostics()));
     return result;

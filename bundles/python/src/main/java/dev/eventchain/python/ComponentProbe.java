@@ -4,6 +4,7 @@ import com.fasterxml.jackson.core.JsonGenerator;
 import com.fasterxml.jackson.core.json.JsonWriteFeature;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.json.JsonMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
@@ -37,7 +38,7 @@ public final class ComponentProbe {
   private static final Duration WALL_TIME = Duration.ofSeconds(60);
   private static final Duration LONGEST = Duration.ofMinutes(10);
   private static final int MEMORY_MIB = 512;
-  private static final int MAXIMAL_OUTPUT = 1 << 20;
+  private static final int MAXIMAL_OUTPUT = 16 << 20;
 
   private final PythonEnvironment environment;
   private final Duration timeLimit;
@@ -78,11 +79,31 @@ public final class ComponentProbe {
    */
   public List<Diagnostic> check(
       Path file, ComponentSignature signature, List<ComponentCall> calls) {
-    SourceText source = SourceText.read(file);
+    return run(file, signature, calls, List.of()).diagnostics(SourceText.read(file));
+  }
+
+  /**
+   * Makes sequences of calls, each on a new component of the file.
+   *
+   * @return what came of each sequence, in their order; one result with a problem and nothing else
+   *     if reading the file finds something wrong
+   * @throws dev.eventchain.diagnostics.DiagnosticException as {@link #check} does
+   */
+  public List<CallResults> call(
+      Path file, ComponentSignature signature, List<List<ComponentCall>> sequences) {
+    return run(file, signature, List.of(), sequences).results(SourceText.read(file));
+  }
+
+  private ProbeReport run(
+      Path file,
+      ComponentSignature signature,
+      List<ComponentCall> calls,
+      List<List<ComponentCall>> sequences) {
     Path absolute = file.toAbsolutePath().normalize();
+    SourceText.read(absolute); // says what is wrong with a file that cannot be read
+    int count = calls.size() + sequences.stream().mapToInt(each -> each.size() + 1).sum();
     try (WorkFolder folder = WorkFolder.create()) {
-      return run(absolute, request(absolute, signature, calls), calls.size(), folder.path())
-          .diagnostics(source);
+      return run(absolute, request(absolute, signature, calls, sequences), count, folder.path());
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
@@ -116,7 +137,11 @@ public final class ComponentProbe {
     }
   }
 
-  private byte[] request(Path file, ComponentSignature signature, List<ComponentCall> calls)
+  private byte[] request(
+      Path file,
+      ComponentSignature signature,
+      List<ComponentCall> calls,
+      List<List<ComponentCall>> sequences)
       throws IOException {
     ObjectNode request = JSON.createObjectNode();
     request.put("file", file.toString());
@@ -125,16 +150,21 @@ public final class ComponentProbe {
     request.set("outputs", JSON.valueToTree(signature.outputs()));
     request.put("processorSeconds", timeLimit.toMillis() / 1000.0);
     request.put("wallSeconds", wallTime.toMillis() / 1000.0);
-    var list = request.putArray("calls");
+    addCalls(request.putArray("calls"), calls);
+    ArrayNode lists = request.putArray("sequences");
+    sequences.forEach(sequence -> addCalls(lists.addArray(), sequence));
+    return JSON.writer()
+        .without(JsonGenerator.Feature.AUTO_CLOSE_TARGET)
+        .writeValueAsBytes(request);
+  }
+
+  private static void addCalls(ArrayNode list, List<ComponentCall> calls) {
     for (ComponentCall call : calls) {
       ObjectNode entry = list.addObject().put("name", call.name());
       ObjectNode arguments = entry.putObject("arguments");
       call.arguments()
           .forEach((name, value) -> arguments.set(name, JSON.valueToTree(encode(value))));
     }
-    return JSON.writer()
-        .without(JsonGenerator.Feature.AUTO_CLOSE_TARGET)
-        .writeValueAsBytes(request);
   }
 
   /** Arrays as {@code decode} of component_probe.py reads them. */

@@ -1,29 +1,34 @@
 package dev.eventchain.python;
 
 import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.json.JsonReadFeature;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.MissingNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Printable;
 import dev.eventchain.diagnostics.SourceText;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 
 /**
  * What component_probe.py wrote, and how it ended.
  *
- * @param output its findings as a JSON array
+ * @param output its findings and results as a JSON object
  */
 record ProbeReport(String output, ConfinedProcess.Termination end, String errors) {
 
-  private static final ObjectMapper JSON = new ObjectMapper();
+  private static final ObjectMapper JSON =
+      JsonMapper.builder().enable(JsonReadFeature.ALLOW_NON_NUMERIC_NUMBERS).build();
   private static final int LAST_LINES = 300;
 
   /** The findings; a check that did not come to its end is one. */
   List<Diagnostic> diagnostics(SourceText source) {
-    JsonNode findings = parse();
+    JsonNode findings = parse().path("findings");
     if (!end.isSuccess() || !findings.isArray()) {
       return List.of(unfinished(source));
     }
@@ -33,6 +38,25 @@ record ProbeReport(String output, ConfinedProcess.Termination end, String errors
       found.putIfAbsent(kind(finding), finding);
     }
     return found.values().stream().sorted().toList();
+  }
+
+  /** What came of each sequence of calls; a check that did not come to its end is a problem. */
+  List<CallResults> results(SourceText source) {
+    List<Diagnostic> found = diagnostics(source);
+    if (!found.isEmpty()) {
+      return List.of(new CallResults(List.of(), Optional.of(found.get(0))));
+    }
+    List<CallResults> results = new ArrayList<>();
+    for (JsonNode result : parse().path("results")) {
+      List<JsonNode> outputs = new ArrayList<>();
+      result.path("outputs").forEach(outputs::add);
+      Optional<Diagnostic> problem =
+          Optional.of(result.path("problem"))
+              .filter(JsonNode::isObject)
+              .map(finding -> diagnostic(finding, source));
+      results.add(new CallResults(outputs, problem));
+    }
+    return results;
   }
 
   /** Calls that fail alike at the same place are one finding. */
@@ -45,7 +69,7 @@ record ProbeReport(String output, ConfinedProcess.Termination end, String errors
     try {
       return JSON.readTree(output);
     } catch (JsonProcessingException e) {
-      return MissingNode.getInstance(); // a part of an array
+      return MissingNode.getInstance(); // a part of an object
     }
   }
 

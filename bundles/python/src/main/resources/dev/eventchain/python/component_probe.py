@@ -1,9 +1,11 @@
 """Check one component file: read it, import it, make calls. Runs confined; started by ComponentProbe.
 
 Standard input is a JSON object: ``file``, ``class``, ``inputs``, ``outputs``, ``calls`` (``name`` and ``arguments``,
-all made on one component, in order), and for each answer of the component ``processorSeconds`` and ``wallSeconds``.
-Standard output is a JSON array of findings. The component runs in a process of its own, whose output goes to standard
-error: this process runs nothing of it.
+all made on one component, in order), ``sequences`` (lists of such calls, each list made on a component of its own),
+and for each answer of the component ``processorSeconds`` and ``wallSeconds``. Standard output is a JSON object:
+``findings``, and ``results`` with, for each sequence, what its calls returned (``outputs``) and the finding that ended
+it, if one did (``problem``). The component runs in a process of its own, whose output goes to standard error: this
+process runs nothing of it.
 """
 
 from __future__ import annotations
@@ -28,6 +30,7 @@ class Probe:
         self._file: str = request["file"]
         self._component = Component(request["class"], request["inputs"], request["outputs"])
         self._calls: list[dict[str, Any]] = request["calls"]
+        self._sequences: list[list[dict[str, Any]]] = request["sequences"]
         self._limits = Limits(request["processorSeconds"], request["wallSeconds"])
         self._lines = Path(self._file).read_text(encoding="utf-8-sig").split("\n")
 
@@ -54,6 +57,33 @@ class Probe:
             found.append(self._finding(problem, stage, hint))
         return found
 
+    def results(self) -> list[dict[str, Any]]:
+        """Make the calls of each sequence on a new component."""
+        results: list[dict[str, Any]] = []
+        process: ComponentProcess | None = None
+        for calls in self._sequences:
+            outputs: list[Any] = []
+            result: dict[str, Any] = {"outputs": outputs}
+            stage = f"{self._component.class_name}()"
+            try:
+                if process is None:
+                    process = self._process()
+                    process.load()
+                process.make()
+                for call in calls:
+                    stage = f"execute() in the call '{call['name']}'"
+                    found = self._call(process, call, outputs)
+                    if found:
+                        result["problem"] = found[0]._asdict()
+                        break
+            except ComponentError as problem:
+                process = None  # it has ended
+                result["problem"] = self._finding(problem, stage, "")._asdict()
+            results.append(result)
+        if process is not None:
+            process.close()
+        return results
+
     def _process(self) -> ComponentProcess:
         description = {
             "file": self._file,
@@ -64,13 +94,18 @@ class Probe:
         }
         return ComponentProcess(ForkServer.inherited(), description, self._limits)
 
-    def _call(self, process: ComponentProcess, call: dict[str, Any]) -> list[Finding]:
+    def _call(
+        self, process: ComponentProcess, call: dict[str, Any], returned: list[Any] | None = None
+    ) -> list[Finding]:
         arguments = {key: decode(value) for key, value in call["arguments"].items()}
         result = process.call((), arguments)
         outputs = [Output(name) for name in self._component.outputs]
+        problems = component_results.check(result.values, outputs)
+        if returned is not None and not problems:
+            returned.append({name: plain(result.values[name]) for name in self._component.outputs})
         return [
             Finding(rule, result.line, result.column, f"In the call '{call['name']}' execute() {message}.", hint)
-            for rule, message, hint in component_results.check(result.values, outputs)
+            for rule, message, hint in problems
         ]
 
     def _finding(self, problem: ComponentError, stage: str, hint: str) -> Finding:
@@ -100,6 +135,15 @@ def decode(value: Any) -> Any:
     return value
 
 
+def plain(value: Any) -> Any:
+    """Turn an output into what JSON holds; bytes become numbers."""
+    if isinstance(value, (bytes, bytearray)):
+        return list(value)
+    return value.tolist() if hasattr(value, "tolist") else value
+
+
 if __name__ == "__main__":
-    findings = Probe(json.loads(sys.stdin.read())).findings()
-    print(json.dumps([finding._asdict() for finding in findings]))
+    probe = Probe(json.loads(sys.stdin.read()))
+    findings = probe.findings()
+    results = [] if findings else probe.results()
+    print(json.dumps({"findings": [finding._asdict() for finding in findings], "results": results}))

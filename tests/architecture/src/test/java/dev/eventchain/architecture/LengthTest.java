@@ -43,7 +43,6 @@ class LengthTest {
           Map.entry("DeepStack.all", 32L),
           Map.entry("Expression.evaluate", 32L),
           Map.entry("FileCharsets.bytes", 31L),
-          Map.entry("ImplementStage.execute", 36L),
           Map.entry("Linker.declare", 34L),
           Map.entry("ModelComparison.compareContents", 31L),
           Map.entry("ObjectOperations.rows", 31L),

@@ -82,7 +82,7 @@ class EvaluateHandoffTest {
     assertEquals(2, prompts().size(), "the design of each run");
     answer("run-01", "");
     evaluate().expect(4);
-    assertEquals(1 + 2 + 1 + 1 + 1, prompts().size(), "all that does not wait for each other");
+    assertEquals(1 + 2 + 2 + 1 + 1 + 1, prompts().size(), "all that does not wait for each other");
     answer("run-01", "");
     evaluate()
         .expect(4)

@@ -115,7 +115,7 @@ class EvaluateTest {
           "\nprices:\n  ours/authored: {input_per_million: 1000, output_per_million: 2000}\n");
       Program.Ended ended =
           evaluate("--runs", 1, "--models", "ours/authored", "--llm", "live").expect(0);
-      ended.says("ours/authored: 1 of 1 run counted; 90 tokens, cost 0.135");
+      ended.says("ours/authored: 1 of 1 run counted; 126 tokens, cost 0.189");
       assertFalse(ended.out().contains("authored by people"));
       assertEquals(1, json().at("/models/0/overall/withoutRepair/passed").asInt());
       assertTrue(json().at("/models/0/measuresALanguageModel").asBoolean());
@@ -165,8 +165,8 @@ class EvaluateTest {
       program().run(command).expect(0).says("3 of 3 runs counted").says("(as before)");
       int requests = service.requests();
       assertTrue(
-          requests == 15 || requests == 16,
-          () -> requests + " questions, not 5 of each run, and the one that was under way");
+          requests == 21 || requests == 22,
+          () -> requests + " questions, not 7 of each run, and the one that was under way");
     }
   }
 
@@ -209,7 +209,7 @@ class EvaluateTest {
   void aSpentBudgetEndsAllOfIt() throws IOException {
     try (RecordedService service = service("openai")) {
       connect("openai", service);
-      configure("\nbudget: {tokens: 100}\n");
+      configure("\nbudget: {tokens: 140}\n");
       evaluate("--runs", 2, "--models", "ours/a,ours/b", "--llm", "live")
           .expect(3)
           .says("[llm.budget.spent]")

@@ -357,7 +357,7 @@ function page() {
   completeRequirements();
   const findings = diagnosticSection();
   const sections = [errors.length > 0 ? findings : null, scenarioSection(), made("chain"), shown("requirements"), validationSection(),
-    errors.length > 0 ? null : findings, made("measurements"), stageSection(), provenanceSection()].filter(Boolean);
+    errors.length > 0 ? null : findings, made("measurements"), stageSection(), conversationSection(), provenanceSection()].filter(Boolean);
   const links = sections.map((one) => html("li", null, html("a", { href: "#" + one.id }, one.querySelector("h2").textContent)));
   document.querySelector("header").after(html("nav", { class: "contents", "aria-label": "Contents" }, html("ul", null, links)));
   content.replaceChildren(...sections);

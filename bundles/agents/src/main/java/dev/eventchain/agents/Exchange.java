@@ -1,0 +1,21 @@
+package dev.eventchain.agents;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.llm.ChatResponse;
+import java.util.List;
+
+/**
+ * A question to a language model and its answer, as a part of a conversation.
+ *
+ * @param task what the conversation is for
+ * @param file the name of the file that it is to give
+ * @param question the last message to the model
+ * @param findings what was wrong with the answer
+ */
+public record Exchange(
+    String task, String file, String question, ChatResponse answer, List<Diagnostic> findings) {
+  /** Keeps its own copy. */
+  public Exchange {
+    findings = List.copyOf(findings);
+  }
+}

@@ -1,0 +1,56 @@
+package dev.eventchain.agents;
+
+import dev.eventchain.agents.ChainView.Component;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.DocumentFormat;
+import dev.eventchain.documents.JsonLayout;
+import dev.eventchain.modeler.Requirements;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * Proposes the tests of a component from its requirements and its description, without having seen
+ * any code. People may edit what is proposed.
+ */
+public final class TestAgent {
+  private static final PromptTemplate PROMPT = PromptTemplate.load("test/v1");
+
+  private final AgentContext context;
+
+  /** An agent that works with a context. */
+  public TestAgent(AgentContext context) {
+    this.context = context;
+  }
+
+  /**
+   * Proposes tests.
+   *
+   * @param chain the event-chain description
+   * @param component the name of the component in it
+   * @param requirements the functional requirements
+   * @return the tests in JSON, which is YAML, too: see {@link ComponentTester}
+   * @throws IllegalArgumentException if the chain has no such component
+   * @throws dev.eventchain.diagnostics.DiagnosticException FINDINGS if no answer passed its checks;
+   *     and as the model throws
+   */
+  public AgentResult propose(SourceText chain, String component, Requirements requirements) {
+    Component described = ChainView.component(chain, component);
+    Map<String, String> values =
+        Map.of(
+            "requirements", RuleText.items(RequirementCheck.own(described.json(), requirements)),
+            "description", JsonLayout.of(Budgets.without(described.json())));
+    return new RepairLoop(context, "test", AnswerKind.JSON)
+        .run(
+            "tests/" + component + ".json",
+            PROMPT,
+            values,
+            Optional.empty(),
+            text -> check(text, described, requirements));
+  }
+
+  static List<Diagnostic> check(SourceText text, Component component, Requirements requirements) {
+    return ComponentTester.read(text, DocumentFormat.JSON, component, requirements).complaints();
+  }
+}

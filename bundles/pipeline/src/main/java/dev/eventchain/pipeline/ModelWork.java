@@ -1,0 +1,148 @@
+package dev.eventchain.pipeline;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.agents.AgentContext;
+import dev.eventchain.agents.AgentResult;
+import dev.eventchain.agents.Exchange;
+import dev.eventchain.llm.ChatModel;
+import dev.eventchain.llm.ChatModels;
+import dev.eventchain.llm.ModelAccess;
+import dev.eventchain.llm.Spending;
+import dev.eventchain.simulation.SimulationResult;
+import java.util.EnumMap;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * What a run has to do with language models: how its stages ask them, what was said, what it cost,
+ * and what came of a verdict.
+ */
+final class ModelWork {
+  private final RunContext run;
+  private final Spending spending;
+  private final Map<Stage, ArrayNode> conversations = new EnumMap<>(Stage.class);
+  private Map<String, AgentResult> corrections = Map.of();
+  private Optional<SimulationResult> simulated = Optional.empty();
+
+  ModelWork(RunContext run) {
+    this.run = run;
+    this.spending =
+        run.project()
+            .sample()
+            .map(Sample::spending)
+            .orElseGet(() -> new Spending(run.project().configuration().services()));
+  }
+
+  /** What the agent of a stage works with. */
+  AgentContext agent(Stage stage) {
+    return agent(stage, stage.id());
+  }
+
+  /**
+   * What an agent works with.
+   *
+   * @param task which the configuration names models for
+   */
+  AgentContext agent(Stage stage, String task) {
+    return agent(stage, task, task);
+  }
+
+  /** What the correction of a component by a verdict works with. */
+  AgentContext correcting() {
+    return agent(Stage.IMPLEMENT, Stage.IMPLEMENT.id(), "verdict");
+  }
+
+  private AgentContext agent(Stage stage, String task, String purpose) {
+    Configuration configuration = run.project().configuration();
+    ModelAccess access =
+        new ModelAccess(
+            run.options().llm().orElse(configuration.llm()),
+            run.project().recordings(),
+            run.options().record(),
+            configuration.services(),
+            spending,
+            System::getenv,
+            message -> run.progress().step(stage, message),
+            run::find);
+    ChatModel model =
+        run.project()
+            .sample()
+            .map(sample -> sample.open(access, purpose))
+            .orElseGet(() -> ChatModels.open(access, configuration.models(task)));
+    return new AgentContext(
+        model,
+        configuration.repairs(),
+        finding -> run.options().suppressions().accepts(AgentReport.placed(run, finding)),
+        message -> run.progress().step(stage, message),
+        exchange -> conversation(stage).add(said(exchange)));
+  }
+
+  private static ObjectNode said(Exchange exchange) {
+    ObjectNode said = JsonNodeFactory.instance.objectNode();
+    said.put("task", exchange.task())
+        .put("file", exchange.file())
+        .put("model", exchange.answer().model())
+        .put("provenance", exchange.answer().provenance())
+        .put("question", exchange.question())
+        .put("answer", exchange.answer().text());
+    exchange
+        .answer()
+        .usage()
+        .ifPresent(
+            usage ->
+                said.put("inputTokens", usage.inputTokens())
+                    .put("outputTokens", usage.outputTokens()));
+    ArrayNode findings = said.putArray("findings");
+    exchange
+        .findings()
+        .forEach(
+            finding ->
+                findings
+                    .addObject()
+                    .put("id", finding.id())
+                    .put("severity", finding.severity().toString())
+                    .put("message", finding.message()));
+    return said;
+  }
+
+  /** All that a stage has asked, with the answers; those of earlier runs first. */
+  ArrayNode conversation(Stage stage) {
+    return conversations.computeIfAbsent(stage, each -> JsonNodeFactory.instance.arrayNode());
+  }
+
+  /** Takes up what an earlier run, whose result stands, has asked. */
+  void recall(Stage stage, JsonNode report) {
+    if (report.path("conversation").isArray()) {
+      conversation(stage).removeAll();
+      report.path("conversation").forEach(conversation(stage)::add);
+    }
+  }
+
+  /** Components as a language model corrected them after a verdict, by their names. */
+  Map<String, AgentResult> corrections() {
+    return corrections;
+  }
+
+  /** Takes on components that a language model corrected after a verdict. */
+  void correct(Map<String, AgentResult> corrected) {
+    corrections = Map.copyOf(corrected);
+  }
+
+  /** What was simulated last in this run, if anything was. */
+  Optional<SimulationResult> simulated() {
+    return simulated;
+  }
+
+  /** Remembers what was simulated. */
+  void simulated(SimulationResult result) {
+    simulated = Optional.of(result);
+  }
+
+  /** What the calls of language models have cost in this run. */
+  Spending spending() {
+    return spending;
+  }
+}

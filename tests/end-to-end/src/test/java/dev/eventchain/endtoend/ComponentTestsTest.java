@@ -1,0 +1,112 @@
+package dev.eventchain.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Tests of components: proposed ones, those that people wrote, and what comes of them. */
+class ComponentTestsTest {
+  private static final String DECISION = "tests/Braking_Decision.yaml";
+
+  @TempDir private Path folder;
+  private ProjectCopy project;
+
+  @BeforeEach
+  void copyExample() throws IOException {
+    project = ProjectCopy.of("aeb", folder);
+  }
+
+  private Program.Ended implement() {
+    return new Program().run("run", project.path(), "--to", "implement");
+  }
+
+  @Test
+  void proposedTestsAreRunAndLieInTheOutput() throws IOException {
+    implement().expect(0).says("30 component tests passed");
+    String proposed = Files.readString(project.path().resolve("out").resolve(DECISION));
+    assertTrue(proposed.contains("- name: at the emergency threshold\n"), proposed);
+    implement().expect(0).says("= Implement");
+  }
+
+  /** What people wrote is taken instead, and nobody is asked. */
+  @Test
+  void testsThatPeopleWroteTakeTheirPlace() throws IOException {
+    project.write(
+        DECISION,
+        """
+        tests:
+          - {name: full, requirement: AEB-4, inputs: {ttc: 0.99}, outputs: {braking_force: 1}}
+        """);
+    implement()
+        .expect(0)
+        .says("16 component tests passed")
+        .says("tests/Braking_Decision.yaml:1:1: warning: No test is about AEB-3, none about AEB-5,")
+        .says("none with 'ttc' at 1.0, none with 'ttc' just above 1.0,")
+        .says("[component.tests.gap]");
+    assertFalse(Files.exists(project.path().resolve("out").resolve(DECISION)));
+  }
+
+  @Test
+  void componentThatFailsATestEndsTheRunWithItsLine() throws IOException {
+    project.write(
+        DECISION,
+        """
+        tests:
+          - {name: full, requirement: AEB-4, inputs: {ttc: 0.99}, outputs: {braking_force: 1}}
+          - {name: half, requirement: AEB-4, inputs: {ttc: 1.5}, outputs: {braking_force: 0.7}}
+        """);
+    new Program()
+        .run("run", project.path())
+        .expect(1)
+        .says("tests/Braking_Decision.yaml:3:5")
+        .says("The test 'half' of AEB-4 fails: 'braking_force' is 0.5, not 0.7, with ttc = 1.5.");
+    project.requireNotPassed();
+  }
+
+  @Test
+  void testThatItsRequirementExcludesIsRefused() throws IOException {
+    project.write(
+        DECISION,
+        """
+        tests:
+          - {name: full, requirement: AEB-4, inputs: {ttc: 1.5}, outputs: {braking_force: 1}}
+        """);
+    implement()
+        .expect(1)
+        .says("tests/Braking_Decision.yaml:2:5")
+        .says(
+            "but AEB-4 says \"Partial brake if 1.0s ≤ TTC < 2.0s\". [component.tests.contradiction]");
+  }
+
+  @Test
+  void existingComponentsAreTestedToo() throws IOException {
+    String test =
+        """
+        tests:
+          - {name: all of it, requirement: AEB-6, inputs: {braking_force: 1.0}, outputs: {brake: %s}}
+        """;
+    project.write("tests/Carla_Vehicle_Control.yaml", test.formatted("1.0"));
+    implement().expect(0).says("31 component tests passed");
+    project.write("tests/Carla_Vehicle_Control.yaml", test.formatted("0.5"));
+    implement()
+        .expect(1)
+        .says("tests/Carla_Vehicle_Control.yaml:2:5")
+        .says("'brake' is 1.0, not 0.5, with braking_force = 1.0. [component.test.failed]");
+  }
+
+  @Test
+  void testsOfAComponentThatThereIsNotAreAFinding() throws IOException {
+    project.write("tests/Braking_Decison.yaml", "tests: []\n");
+    implement()
+        .expect(1)
+        .says("The chain has no component 'Braking_Decison', so these tests are not run.")
+        .says("Did you mean `Braking_Decision`?")
+        .says("[component.tests.unused]");
+  }
+}
