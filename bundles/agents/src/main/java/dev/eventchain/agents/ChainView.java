@@ -31,7 +31,11 @@ record ChainView(List<ChainView.Component> components) {
 
     /** What its class has to look like. */
     ComponentSignature signature() {
-      return new ComponentSignature(name, names(inputValues()), names(outputValues()));
+      return new ComponentSignature(
+          name,
+          names(inputValues()),
+          names(outputValues()),
+          outputValues().stream().map(Value::type).toList());
     }
 
     private static List<String> names(List<Value> values) {

@@ -31,7 +31,7 @@ final class ComponentCheck {
 
   private void frequency(Component component) {
     JsonNode frequency = component.json().path("frequency");
-    if (frequency.isMissingNode()) {
+    if (frequency.isMissingNode() || frequency.isNull()) {
       findings.error(
           "agents.frequency",
           component.pointer(),

@@ -29,7 +29,8 @@ import java.util.Map;
  * component.execute.signature}, {@code component.import.forbidden}, {@code
  * component.import.effect}, {@code component.call.forbidden}; and from running it {@code
  * component.raised}, {@code component.timeout}, {@code component.ended}, {@code
- * component.result.type}, {@code component.result.keys}, {@code component.result.nan}.
+ * component.result.type}, {@code component.result.keys}, {@code component.result.nan}, {@code
+ * component.state.shared}.
  */
 public final class ComponentProbe {
 
@@ -112,7 +113,7 @@ public final class ComponentProbe {
   private ProbeReport run(Path file, byte[] request, int calls, Path workFolder)
       throws IOException {
     Path sources = PythonSources.unpack(getClass().getClassLoader(), "dev/eventchain/python");
-    Duration processorTime = timeLimit.multipliedBy(calls + 2L).plusSeconds(2);
+    Duration processorTime = timeLimit.multipliedBy(2L * calls + 3).plusSeconds(2);
     try (ConfinedProcess process =
         ConfinedProcess.on(environment)
             .script(sources.resolve("component_probe.py"))
@@ -148,6 +149,7 @@ public final class ComponentProbe {
     request.put("class", signature.className());
     request.set("inputs", JSON.valueToTree(signature.inputs()));
     request.set("outputs", JSON.valueToTree(signature.outputs()));
+    request.set("types", JSON.valueToTree(signature.outputTypes()));
     request.put("processorSeconds", timeLimit.toMillis() / 1000.0);
     request.put("wallSeconds", wallTime.toMillis() / 1000.0);
     addCalls(request.putArray("calls"), calls);

@@ -1,11 +1,11 @@
 """Check one component file: read it, import it, make calls. Runs confined; started by ComponentProbe.
 
-Standard input is a JSON object: ``file``, ``class``, ``inputs``, ``outputs``, ``calls`` (``name`` and ``arguments``,
-all made on one component, in order), ``sequences`` (lists of such calls, each list made on a component of its own),
-and for each answer of the component ``processorSeconds`` and ``wallSeconds``. Standard output is a JSON object:
-``findings``, and ``results`` with, for each sequence, what its calls returned (``outputs``) and the finding that ended
-it, if one did (``problem``). The component runs in a process of its own, whose output goes to standard error: this
-process runs nothing of it.
+Standard input is a JSON object: ``file``, ``class``, ``inputs``, ``outputs`` and their ``types``, ``calls`` (``name``
+and ``arguments``, all made on one component, in order), ``sequences`` (lists of such calls, each list made on a
+component of its own), and for each answer of the component ``processorSeconds`` and ``wallSeconds``. Standard output
+is a JSON object: ``findings``, and ``results`` with, for each sequence, what its calls returned (``outputs``) and the
+finding that ended it, if one did (``problem``). The component runs in a process of its own, whose output goes to
+standard error: this process runs nothing of it.
 """
 
 from __future__ import annotations
@@ -18,9 +18,13 @@ from pathlib import Path
 from typing import Any
 
 import component_results
+import component_values
 from component_client import ComponentError, ComponentProcess, ForkServer, Limits
 from component_results import Output
-from component_rules import Component, Finding, check_file
+from component_rules import STATE_HINT, Component, Finding, check_file
+
+REPEATED = 50
+"""How many of the calls are made again on a second object: what differs differs at once."""
 
 
 class Probe:
@@ -29,6 +33,8 @@ class Probe:
     def __init__(self, request: dict[str, Any]) -> None:
         self._file: str = request["file"]
         self._component = Component(request["class"], request["inputs"], request["outputs"])
+        self._outputs = [Output(*each) for each in zip(request["outputs"], request["types"], strict=True)]
+        self._returned: list[Any] = []
         self._calls: list[dict[str, Any]] = request["calls"]
         self._sequences: list[list[dict[str, Any]]] = request["sequences"]
         self._limits = Limits(request["processorSeconds"], request["wallSeconds"])
@@ -52,6 +58,9 @@ class Probe:
             for call in self._calls:
                 stage = f"execute() in the call '{call['name']}'"
                 found += self._call(process, call)
+            if not found:
+                stage = f"a second {name}()"
+                found += self._check_state(process)
             process.close()
         except ComponentError as problem:
             found.append(self._finding(problem, stage, hint))
@@ -99,14 +108,26 @@ class Probe:
     ) -> list[Finding]:
         arguments = {key: decode(value) for key, value in call["arguments"].items()}
         result = process.call((), arguments)
-        outputs = [Output(name) for name in self._component.outputs]
-        problems = component_results.check(result.values, outputs)
+        if len(self._returned) < REPEATED:
+            self._returned.append(result.values)
+        problems = component_results.check(result.values, self._outputs)
         if returned is not None and not problems:
             returned.append({name: plain(result.values[name]) for name in self._component.outputs})
         return [
             Finding(rule, result.line, result.column, f"In the call '{call['name']}' execute() {message}.", hint)
             for rule, message, hint in problems
         ]
+
+    def _check_state(self, process: ComponentProcess) -> list[Finding]:
+        """What a component remembers outside of its object shows in a second one."""
+        process.make()
+        for call, first in zip(self._calls, self._returned, strict=False):
+            arguments = {key: decode(value) for key, value in call["arguments"].items()}
+            second = process.call((), arguments)
+            if component_values.write(second.values) != component_values.write(first):
+                message = f"In the call '{call['name']}' a second object returns something else than the first one did."
+                return [Finding("component.state.shared", second.line, second.column, message, STATE_HINT)]
+        return []
 
     def _finding(self, problem: ComponentError, stage: str, hint: str) -> Finding:
         line = max(1, problem.line)
@@ -121,7 +142,7 @@ class Probe:
             return Finding(problem.identifier, line, column, message, hint)
         if problem.identifier.startswith("component.result."):
             where = stage.removeprefix("execute() in the call ")
-            hint = problem.hint or component_results.keys_hint([Output(name) for name in self._component.outputs])
+            hint = problem.hint or component_results.keys_hint(self._outputs)
             return Finding(problem.identifier, line, problem.column, f"In the call {where} {problem}.", hint)
         return Finding(problem.identifier, line, column, f"{stage}: {problem}.", problem.hint)
 

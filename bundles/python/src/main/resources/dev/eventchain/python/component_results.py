@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from array import array
+from collections.abc import Collection
 from typing import Any, NamedTuple
 
 _INTEGERS = frozenset({f"{sign}int{bits}" for sign in ("", "u") for bits in (8, 16, 32, 64)} | {"char"})
@@ -37,13 +38,19 @@ def check(values: Any, outputs: list[Output]) -> list[Problem]:
     if type(values) is not dict:
         expected = keys_hint(outputs)
         return [Problem("component.result.type", f"returned {type(values).__name__}, not dict", expected)]
+    wrong = check_keys(values, outputs)
+    return wrong or [problem for output in outputs for problem in _check_output(output, values[output.name])]
+
+
+def check_keys(keys: Collection[Any], outputs: list[Output]) -> list[Problem]:
+    """What is wrong with the keys of the dict that `execute` returns."""
     names = [output.name for output in outputs]
-    missing = [name for name in names if name not in values]
-    extra = [str(key) for key in values if key not in names]
-    if missing or extra:
-        parts = [f"{word} {', '.join(keys)}" for word, keys in (("without", missing), ("with", extra)) if keys]
-        return [Problem("component.result.keys", f"returned a dict {' and '.join(parts)}", keys_hint(outputs))]
-    return [problem for output in outputs for problem in _check_output(output, values[output.name])]
+    missing = [name for name in names if name not in keys]
+    extra = [str(key) for key in keys if key not in names]
+    if not missing and not extra:
+        return []
+    parts = [f"{word} {', '.join(keys)}" for word, keys in (("without", missing), ("with", extra)) if keys]
+    return [Problem("component.result.keys", f"returned a dict {' and '.join(parts)}", keys_hint(outputs))]
 
 
 def _check_output(output: Output, value: Any) -> list[Problem]:
@@ -53,12 +60,25 @@ def _check_output(output: Output, value: Any) -> list[Problem]:
     if declared in _NUMBERS and (isinstance(value, bool) or not isinstance(value, (int, float))):
         hint = f"Return a number: '{name}' is declared as {declared}."
         return [Problem("component.result.type", f"returned {_shown(value)} for '{name}'", hint)]
+    kinds = _kinds(declared)
+    if kinds and not isinstance(value, kinds[1:]) and not (kinds[0] == "a sequence" and hasattr(value, "tolist")):
+        hint = f"Return {kinds[0]}: '{name}' is declared as {declared}."
+        return [Problem("component.result.type", f"returned {_shown(value)} for '{name}'", hint)]
     if isinstance(value, float) and not math.isfinite(value):
         hint = "Return a finite number in every case."
         return [Problem("component.result.nan", f"returned {value} for '{name}'", hint)]
     if isinstance(value, (list, array)) or hasattr(value, "tolist"):
         return _check_elements(name, value)
     return []
+
+
+def _kinds(declared: str) -> tuple[Any, ...]:
+    """What a value of a declared type is in words, and the types of Python that it may have; empty for any."""
+    if declared.endswith("]"):
+        return "a sequence", list, tuple, array, bytes, bytearray
+    if declared in ("bool", "boolean"):
+        return "a truth value", bool, int
+    return ("a text", str) if declared.partition("<")[0] in ("string", "wstring") else ()
 
 
 def _check_elements(name: str, values: Any) -> list[Problem]:

@@ -9,13 +9,22 @@ import ast
 from collections.abc import Callable, Iterable, Iterator
 from typing import NamedTuple
 
+import component_results
 from component_reach import reach
+from component_results import Output
 
 # Built-in functions that make a constant out of constants.
 CONSTANT_MAKERS = frozenset(
     {"abs", "bool", "bytes", "complex", "dict", "float", "frozenset", "int", "len", "list", "max", "min", "pow"}
     | {"range", "round", "set", "sorted", "str", "sum", "tuple", "zip"}
 )
+STATE_HINT = (
+    "Keep what is remembered in fields of self that __init__ sets: not in globals, in attributes of the class or in "
+    "defaults of parameters."
+)
+
+_KINDS: dict[type[ast.AST], str] = {ast.Tuple: "tuple", ast.List: "list", ast.Set: "set", ast.JoinedStr: "str"}
+"""Expressions that are no dict whatever is in them."""
 
 
 class Finding(NamedTuple):
@@ -97,6 +106,9 @@ class Rules:
                 message = "Importing the file must only define things; this statement does something."
                 hint = "Put it into a method of the class, or into a constant made of constants."
                 yield self._finding("component.import.effect", problem, message, hint)
+        for shared in [node for node in ast.walk(self._tree) if isinstance(node, ast.Global)]:
+            message = f"A component must not change {_names(shared.names)} outside of its object."
+            yield self._finding("component.state.shared", shared, message, STATE_HINT)
         for cls in [node for node in ast.walk(self._tree) if isinstance(node, ast.ClassDef)]:
             for node in cls.body:
                 if isinstance(node, (ast.For, ast.While, ast.With, ast.Try)):
@@ -181,9 +193,28 @@ class Rules:
         missing = [name for name in inputs if name not in named]
         if missing:
             yield self._signature(node, f"execute() does not take {_names(missing)}.")
+        first = [argument.arg for argument in (*node.args.posonlyargs, *node.args.args)][:1]
+        if not _is_static(node) and first[0] in inputs:
+            yield self._signature(node, f"execute() is a method: its first parameter is self, not '{first[0]}'.")
         extra = [name for name in _required(node) if name not in inputs]
         if extra:
             yield self._signature(node, f"execute() takes {_names(extra)}, which nobody gives it.")
+        for returned in _returns(node):
+            yield from self._result(returned)
+
+    def _result(self, node: ast.Return) -> Iterator[Finding]:
+        """What a `return` gives in any case, also one that no trial reaches."""
+        value, outputs = node.value, [Output(name) for name in self._component.outputs]
+        if isinstance(value, ast.Dict):
+            keys = [key.value for key in value.keys if isinstance(key, ast.Constant)]
+            if len(keys) == len(value.keys):
+                for rule, message, hint in component_results.check_keys(keys, outputs):
+                    yield self._finding(rule, node, f"execute() {message} here.", hint)
+        elif value is None or isinstance(value, ast.Constant) or type(value) in _KINDS:
+            constant = type(value.value if isinstance(value, ast.Constant) else None).__name__
+            kind = constant if value is None or isinstance(value, ast.Constant) else _KINDS[type(value)]
+            message = f"execute() returned {kind}, not dict."
+            yield self._finding("component.result.type", node, message, component_results.keys_hint(outputs))
 
     def _signature(self, node: ast.AST, message: str) -> Finding:
         expected = f"def execute({', '.join(['self', *self._component.inputs])}):"
@@ -244,6 +275,17 @@ def _required(node: ast.FunctionDef | ast.AsyncFunctionDef) -> list[str]:
         needed = needed[1:] if positional[:1] == needed[:1] else needed
     keyword = zip(node.args.kwonlyargs, node.args.kw_defaults, strict=True)
     return [*needed, *(argument.arg for argument, default in keyword if default is None)]
+
+
+def _returns(function: ast.FunctionDef | ast.AsyncFunctionDef) -> Iterator[ast.Return]:
+    """The return statements of a function, not those of functions inside it."""
+    pending: list[ast.AST] = list(function.body)
+    while pending:
+        node = pending.pop(0)
+        if isinstance(node, ast.Return):
+            yield node
+        elif not isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Lambda)):
+            pending += ast.iter_child_nodes(node)
 
 
 def _imported_names(tree: ast.Module) -> Iterator[str]:

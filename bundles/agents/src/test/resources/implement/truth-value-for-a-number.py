@@ -1,0 +1,3 @@
+class Time_Left:
+    def execute(self, distances, speed):
+        return {"time_left": speed > 0.0}
