@@ -1,4 +1,4 @@
-"""Serves a model with llama.cpp's HTTP server until standard input ends: `python serve.py MODEL KEY`.
+"""Serves a model with llama.cpp's HTTP server until standard input ends: `python serve.py MODEL KEY CONTEXT`.
 
 The first line of standard output that begins with READY has the address.
 """
@@ -16,7 +16,7 @@ def main() -> None:
     parameters.model.path = sys.argv[1]
     parameters.api_keys = [sys.argv[2]]
     parameters.model_alias = {"tiny-random"}
-    parameters.n_ctx = 8192
+    parameters.n_ctx = int(sys.argv[3])
     parameters.n_parallel = 2
     parameters.hostnames = ["127.0.0.1"]
     parameters.port = 0

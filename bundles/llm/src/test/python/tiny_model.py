@@ -1,4 +1,4 @@
-"""Writes a language model of 0.5 MB with random weights, for tests of the wire: `python tiny_model.py FILE`.
+"""Writes a language model of 0.5 MB with random weights, for tests of the wire: `python tiny_model.py FILE CONTEXT`.
 
 It says nonsense of printable characters. The first dimension of its embeddings is constant, so that the first column of
 the output layer is a bias: no raw bytes, now and then a quotation mark, a bracket or the end.
@@ -11,7 +11,7 @@ import sys
 import gguf
 import numpy as np
 
-DIMENSION, LAYERS, HEADS, FEED_FORWARD, CONTEXT = 64, 2, 4, 128, 8192
+DIMENSION, LAYERS, HEADS, FEED_FORWARD = 64, 2, 4, 128
 GAIN = 0.6  # of a bias; the norm in front of the output layer multiplies the constant by 5 to 7
 BIASES = {b'"': 1.0, b"}": 1.0, b"]": 0.45, b"</s>": 1.2, b"\\": -3.0, "\u2581".encode(): -3.0}
 TEMPLATE = (
@@ -32,7 +32,7 @@ def vocabulary() -> tuple[list[bytes], list[int]]:
 def describe(writer: gguf.GGUFWriter, tokens: list[bytes], types: list[int]) -> None:
     """Write what the model is like."""
     writer.add_name("tiny-random")
-    writer.add_context_length(CONTEXT)
+    writer.add_context_length(int(sys.argv[2]))
     writer.add_embedding_length(DIMENSION)
     writer.add_block_count(LAYERS)
     writer.add_feed_forward_length(FEED_FORWARD)

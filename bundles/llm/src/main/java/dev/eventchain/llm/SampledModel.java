@@ -80,12 +80,19 @@ final class SampledModel implements ChatModel {
     return one.text().equals(other.text()) && reason == other.finishReason();
   }
 
-  /** Who has nothing else to ask. */
+  /**
+   * Who has nothing else to ask. A conversation that does not go on from an answer as it came, but
+   * begins with one of ours, has answers by the number of the run: none counts twice.
+   */
   static ChatModel nothingElse(ModelName model, RecordingFolder recordings, int run) {
     return request -> {
       ObjectNode json = RequestJson.of(model, request);
       RequestKey key = RequestKey.of(json);
       Optional<Recording> recording = recordings.find(request.task(), model, key);
+      Optional<ChatResponse> own = recordings.sample(request.task(), model, key, run);
+      if (own.isPresent()) {
+        return own.get();
+      }
       if (recording.isEmpty()) {
         throw MissingRecording.of(recordings, request.task(), model, json);
       }

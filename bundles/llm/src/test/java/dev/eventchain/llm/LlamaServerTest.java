@@ -9,6 +9,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.fixtures.LlamaServer;
 import dev.eventchain.llm.ChatResponse.FinishReason;
 import java.io.IOException;
 import java.net.URI;
@@ -30,13 +31,14 @@ import org.junit.jupiter.params.provider.ValueSource;
 class LlamaServerTest {
 
   private static final String KEY = "sk-of-this-server";
+  private static final int CONTEXT = 8_192;
   private static final Duration LONG = Duration.ofMinutes(5);
 
   private static LlamaServer server;
 
   @BeforeAll
   static void start() throws IOException, InterruptedException {
-    server = LlamaServer.start(KEY);
+    server = LlamaServer.start(KEY, CONTEXT);
   }
 
   @AfterAll

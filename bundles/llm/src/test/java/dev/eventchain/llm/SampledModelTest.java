@@ -75,6 +75,17 @@ class SampledModelTest {
     }
   }
 
+  /**
+   * As one about a verdict, which shows the component and not the answer that it was taken from.
+   */
+  @Test
+  void aConversationThatBeginsOtherwiseTakesAnswersByTheNumberOfTheRun() {
+    record(after("ours"), "one", "two");
+    assertEquals("one", ask(run("replay", 0), after("ours")));
+    assertEquals("two", ask(run("replay", 1), after("ours")));
+    assertThrows(DiagnosticException.class, () -> ask(run("replay", 2), after("ours")));
+  }
+
   @Test
   void whatIsNotRecordedIsAskedAndRecordedApart() {
     record(QUESTION, "one");

@@ -118,7 +118,7 @@ public final class Evaluation {
    * @param table what it came to, for people
    * @param diagnostics what keeps it from being whole, or from being an evaluation
    * @param failure why it is not whole, if it is not
-   * @param files what was written for people and for programs
+   * @param files what was written for people
    */
   public record Result(
       String table, List<Diagnostic> diagnostics, Optional<Reason> failure, List<Path> files) {}

@@ -44,11 +44,12 @@ final class EvaluationResult {
 
   Evaluation.Result write() {
     folder.write(EvaluationFolder.JSON, EvaluationJson.of(project, options, rows, runs));
+    folder.write(EvaluationFolder.PAGE, EvaluationPage.of(project, options, rows, runs));
     return new Evaluation.Result(
         EvaluationText.of(project.configuration(), rows),
         findings(),
         failure(),
-        List.of(folder.path(EvaluationFolder.JSON)));
+        List.of(folder.path(EvaluationFolder.PAGE)));
   }
 
   private boolean anyCounted() {

@@ -125,14 +125,16 @@ final class EvaluationRun {
   private Optional<Done> stopped(Pipeline.Ended ended, Sample asked, Path folder) {
     Optional<Reason> failure = ended.result().failure();
     List<Diagnostic> last = lastFailure(ended);
-    if (failure.equals(Optional.of(Reason.UNAVAILABLE))) {
-      if (!last.get(0).id().startsWith("llm.")) {
-        throw new DiagnosticException(Reason.UNAVAILABLE, last);
-      }
-      return Optional.of(uncounted(State.UNREACHABLE, last.get(0).message(), last));
-    }
-    if (last.stream().map(Diagnostic::id).anyMatch(UNRECORDED::contains)) {
+    List<Diagnostic> unasked = unasked(ended);
+    if (unasked.stream().map(Diagnostic::id).anyMatch(UNRECORDED::contains)) {
       return Optional.of(uncounted(State.UNRECORDED, State.UNRECORDED.words(), List.of()));
+    }
+    if (failure.equals(Optional.of(Reason.UNAVAILABLE)) && !unasked.isEmpty()) {
+      return Optional.of(uncounted(State.UNREACHABLE, unasked.get(0).message(), unasked));
+    }
+    if (failure.equals(Optional.of(Reason.UNAVAILABLE)) || !unasked.isEmpty()) {
+      throw new DiagnosticException(
+          failure.orElse(Reason.INPUT), unasked.isEmpty() ? last : unasked);
     }
     if (failure.equals(Optional.of(Reason.INPUT))) {
       requireFault(Reason.INPUT, asked, last, isBelow(folder, last));
@@ -171,6 +173,15 @@ final class EvaluationRun {
         .map(StageOutcome::diagnostics)
         .reduce((earlier, later) -> later)
         .orElse(List.of());
+  }
+
+  /** Why an answer could not be had, in whatever stage, and be it one after repair. */
+  private static List<Diagnostic> unasked(Pipeline.Ended ended) {
+    return ended.outcomes().values().stream()
+        .filter(outcome -> outcome.status() == Status.FAILED)
+        .flatMap(outcome -> outcome.diagnostics().stream())
+        .filter(each -> each.severity() == Severity.ERROR && each.id().startsWith("llm."))
+        .toList();
   }
 
   private static List<Diagnostic> awaited(Pipeline.Ended ended) {

@@ -48,7 +48,7 @@ final class EvaluationText {
 
   private void add(EvaluationRow row) {
     out.append(Printable.line(row.model())).append(row.authored() ? " (authored)" : "");
-    out.append(": ").append(String.join("; ", facts(row))).append('\n');
+    out.append(": ").append(String.join("; ", facts(row, configuration))).append('\n');
     if (row.counted().isEmpty()) {
       return;
     }
@@ -64,8 +64,9 @@ final class EvaluationText {
     classes("mended by repair", row.classes(EvaluatedRun::returned));
   }
 
-  private List<String> facts(EvaluationRow row) {
-    return List.of(counted(row), cost(row), seconds(row)).stream()
+  /** How many runs of a row count, and what they took. */
+  static List<String> facts(EvaluationRow row, Configuration configuration) {
+    return List.of(counted(row), cost(row, configuration), seconds(row)).stream()
         .filter(fact -> !fact.isEmpty())
         .toList();
   }
@@ -84,7 +85,7 @@ final class EvaluationText {
         + (others.isEmpty() ? "" : " (" + others + ")");
   }
 
-  private String cost(EvaluationRow row) {
+  private static String cost(EvaluationRow row, Configuration configuration) {
     Usage usage = row.usage();
     if (usage.calls() == 0) {
       return "";
@@ -143,7 +144,8 @@ final class EvaluationText {
         : "not counted: " + Printable.line(run.reason());
   }
 
-  private static String word(Grade grade) {
+  /** A grade for people. */
+  static String word(Grade grade) {
     return switch (grade) {
       case PASSED -> "passed";
       case FAILED -> "failed";

@@ -123,7 +123,8 @@ final class ReportPage {
     return text.toString();
   }
 
-  private static String resource(String name) {
+  /** A part of the pages that stands in a file of its own. */
+  static String resource(String name) {
     try (InputStream stream = ReportPage.class.getResourceAsStream("report/" + name)) {
       return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
     } catch (IOException e) {

@@ -73,7 +73,9 @@ final class VerdictCorrection {
       AgentResult answered = correct(node, present);
       return answered.text().equals(present.text()) ? Optional.empty() : Optional.of(answered);
     } catch (DiagnosticException e) {
-      if (e.reason() == Reason.WAITING) {
+      // Of an evaluation nobody knows what it would have come to.
+      boolean evaluated = run.project().sample().isPresent() && e.reason() != Reason.FINDINGS;
+      if (e.reason() == Reason.WAITING || evaluated) {
         throw e;
       }
       Diagnostic first = e.diagnostics().get(0);

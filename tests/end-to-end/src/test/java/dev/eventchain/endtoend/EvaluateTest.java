@@ -7,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import com.networknt.schema.JsonSchema;
 import com.networknt.schema.JsonSchemaFactory;
 import com.networknt.schema.SpecVersion.VersionFlag;
 import java.io.IOException;
@@ -18,6 +19,7 @@ import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -31,6 +33,8 @@ class EvaluateTest {
   private static final String LABEL = "authored by people: no evaluation of a language model";
 
   private static final String KEY = "sk-not-to-be-seen-anywhere";
+
+  private static JsonSchema schema;
 
   @TempDir Path folder;
   private Path project;
@@ -50,6 +54,10 @@ class EvaluateTest {
 
   private JsonNode json() throws IOException {
     return MAPPER.readTree(project.resolve("out/evaluation/evaluation.json").toFile());
+  }
+
+  private String page() throws IOException {
+    return Files.readString(project.resolve("out/evaluation/evaluation.html"));
   }
 
   /** The results without what depends on the machine. */
@@ -85,8 +93,10 @@ class EvaluateTest {
     String row = "1/1 21–100 % 1/1 21–100 % 1/1 21–100 %";
     assertTrue(table.contains(" without repair " + row + "\n with repair " + row), table);
     JsonNode json = json();
-    assertEquals(Set.of(), schema().validate(json));
+    assertEquals(Set.of(), schema.validate(json));
     assertTrue(json.path("label").asText().contains(LABEL));
+    assertTrue(page().contains("The answers are " + LABEL));
+    assertTrue(page().contains("<a href=\"authored/run-01/report.html\">authored 1</a>"));
     assertFalse(json.at("/models/0/measuresALanguageModel").asBoolean(true));
     assertEquals("the run's own chain", json.at("/runs/0/implementedFor").asText());
     JsonNode again = again(json);
@@ -101,9 +111,10 @@ class EvaluateTest {
     return json();
   }
 
-  private static com.networknt.schema.JsonSchema schema() {
-    String schema = new Program().run("evaluate", "--schema").expect(0).out();
-    return JsonSchemaFactory.getInstance(VersionFlag.V202012).getSchema(schema);
+  @BeforeAll
+  static void readSchema() {
+    String text = new Program().run("evaluate", "--schema").expect(0).out();
+    schema = JsonSchemaFactory.getInstance(VersionFlag.V202012).getSchema(text);
   }
 
   @ParameterizedTest
@@ -119,7 +130,7 @@ class EvaluateTest {
       assertFalse(ended.out().contains("authored by people"));
       assertEquals(1, json().at("/models/0/overall/withoutRepair/passed").asInt());
       assertTrue(json().at("/models/0/measuresALanguageModel").asBoolean());
-      assertEquals(Set.of(), schema().validate(json()));
+      assertEquals(Set.of(), schema.validate(json()));
       try (Stream<Path> files = Files.walk(project)) {
         assertTrue(files.filter(Files::isRegularFile).noneMatch(EvaluateTest::holdsTheKey));
       }
@@ -174,19 +185,21 @@ class EvaluateTest {
   @Test
   void nonsenseScoresNothing() throws IOException {
     String source = "command:echo '[{\"name\": \"A\"}]'";
-    evaluate("--runs", 2, "--models", "../x,a/b", "--llm", source)
+    evaluate("--runs", 2, "--models", "../x,a/<b>", "--llm", source)
         .expect(0)
         .says("design: agents.requirement.unsatisfied 2x")
         .says("nothing to judge")
         .says("[evaluation.reference.missing]");
-    assertEquals(Set.of(), schema().validate(json()));
+    assertEquals(Set.of(), schema.validate(json()));
     assertEquals(0, json().at("/models/1/chainModel/withRepair/passed").asInt(-1));
     assertEquals(2, json().at("/models/1/chainModel/withRepair/judged").asInt());
+    assertTrue(page().contains("a/&lt;b&gt;") && !page().contains("<b>"));
+    assertFalse(page().contains("<script"));
     try (Stream<Path> files = Files.list(folder)) {
       assertEquals(List.of(project), files.toList());
     }
     new Program().run("run", project, "--to", "design").expect(0);
-    Program.Ended ended = evaluate("--runs", 1, "--models", "a/b", "--llm", source).expect(0);
+    Program.Ended ended = evaluate("--runs", 1, "--models", "a/<b>", "--llm", source).expect(0);
     ended.says("implement: ");
     assertEquals(1, json().at("/models/0/functionCode/withRepair/judged").asInt());
     assertEquals("chain.json of the latest run", json().at("/runs/0/implementedFor").asText());
@@ -200,9 +213,39 @@ class EvaluateTest {
     Program.Ended ended = evaluate("--runs", 2, "--models", "ours/a,ours/b", "--llm", "live");
     ended.expect(3).says("[llm.service.unreachable]").says("not answered: 1, not begun: 1");
     assertFalse(ended.out().contains("%"), ended::out);
-    assertEquals(Set.of(), schema().validate(json()));
+    assertTrue(page().contains("Nothing was counted") && !page().contains("How often"));
+    assertEquals(Set.of(), schema.validate(json()));
     evaluate("--models", "ours/a").expect(1).says("[evaluation.nothing.counted]");
     evaluate("--models", "elsewhere/a", "--llm", "live").expect(2).says("[llm.service.unknown]");
+  }
+
+  /** A wrong answer is the model's fault; that it was not asked again is not. */
+  @Test
+  void whatCannotBeRepairedForWantOfAnAnswerDoesNotCount() throws IOException {
+    Path program = folder.resolve("once.sh");
+    Path asked = folder.resolve("asked");
+    Files.writeString(
+        program,
+        "cat > /dev/null\ntest -e %s && exit 1\ntouch %s\necho '[]'\n".formatted(asked, asked));
+    evaluate("--runs", 1, "--models", "a", "--llm", "command:sh " + program)
+        .expect(3)
+        .says("[llm.command.failed]")
+        .says("0 of 1 run counted (not answered: 1)");
+    replaceAnswers("design", "[]");
+    evaluate("--runs", 1)
+        .expect(1)
+        .says("0 of 1 run counted (no recorded answer: 1)")
+        .says("[evaluation.nothing.counted]");
+  }
+
+  private void replaceAnswers(String task, String text) throws IOException {
+    try (Stream<Path> files = Files.list(project.resolve("recordings").resolve(task))) {
+      for (Path file : files.toList()) {
+        ObjectNode recording = (ObjectNode) MAPPER.readTree(file.toFile());
+        ((ObjectNode) recording.at("/samples/0")).putArray("text").add(text);
+        MAPPER.writeValue(file.toFile(), recording);
+      }
+    }
   }
 
   @Test
