@@ -136,9 +136,11 @@ final class ImplementStage implements StageWork {
         Optional<ComponentTester> tester = tests.written(node.getName());
         if (tester.isPresent()) {
           run.progress().step(Stage.IMPLEMENT, "tests of " + node.getName());
+          Path file = GenerateStage.componentFile(run, node);
+          List<Diagnostic> failed = tester.get().run(probe().ofExisting(), file);
           found.addAll(tester.get().diagnostics());
-          found.addAll(tester.get().run(probe(), GenerateStage.componentFile(run, node)));
-          tested += tester.get().count();
+          found.addAll(failed);
+          tested += failed.isEmpty() ? tester.get().count() : 0;
         }
       }
     }

@@ -45,13 +45,14 @@ public final class ComponentProbe {
   private final Duration timeLimit;
   private final Duration wallTime;
   private final Confinement confinement;
+  private final boolean existing;
 
   /**
    * Checks components on this Python: two seconds of processor time for the import and for each
    * call, and a minute on the clock, since a component that waits uses none.
    */
   public ComponentProbe(PythonEnvironment environment) {
-    this(environment, Duration.ofSeconds(2), WALL_TIME, Confinement.detect());
+    this(environment, Duration.ofSeconds(2), WALL_TIME, Confinement.detect(), false);
   }
 
   ComponentProbe(
@@ -59,15 +60,33 @@ public final class ComponentProbe {
       Duration timeLimit,
       Duration wallTime,
       Confinement confinement) {
+    this(environment, timeLimit, wallTime, confinement, false);
+  }
+
+  private ComponentProbe(
+      PythonEnvironment environment,
+      Duration timeLimit,
+      Duration wallTime,
+      Confinement confinement,
+      boolean existing) {
     this.environment = environment;
     this.timeLimit = timeLimit;
     this.wallTime = wallTime;
     this.confinement = confinement;
+    this.existing = existing;
   }
 
   /** The same with another limit of processor time for the import and for each call. */
   public ComponentProbe withTimeLimit(Duration newTimeLimit) {
-    return new ComponentProbe(environment, newTimeLimit, wallTime, confinement);
+    return new ComponentProbe(environment, newTimeLimit, wallTime, confinement, existing);
+  }
+
+  /**
+   * The same for components that people wrote: they may import and call what generated ones must
+   * not, and import what lies beside them.
+   */
+  public ComponentProbe ofExisting() {
+    return new ComponentProbe(environment, timeLimit, wallTime, confinement, true);
   }
 
   /**
@@ -118,7 +137,7 @@ public final class ComponentProbe {
         ConfinedProcess.on(environment)
             .script(sources.resolve("component_probe.py"))
             .components(0)
-            .readable(file)
+            .readable(existing ? file.getParent() : file)
             .workFolder(workFolder)
             .limits(new ConfinedProcess.Limits(LONGEST, processorTime, MEMORY_MIB))
             .confinement(confinement)
@@ -147,6 +166,7 @@ public final class ComponentProbe {
     ObjectNode request = JSON.createObjectNode();
     request.put("file", file.toString());
     request.put("class", signature.className());
+    request.put("existing", existing);
     request.set("inputs", JSON.valueToTree(signature.inputs()));
     request.set("outputs", JSON.valueToTree(signature.outputs()));
     request.set("types", JSON.valueToTree(signature.outputTypes()));

@@ -1,9 +1,10 @@
 """Check one component file: read it, import it, make calls. Runs confined; started by ComponentProbe.
 
 Standard input is a JSON object: ``file``, ``class``, ``inputs``, ``outputs`` and their ``types``, ``calls`` (``name``
-and ``arguments``, all made on one component, in order), ``sequences`` (lists of such calls, each list made on a
-component of its own), and for each answer of the component ``processorSeconds`` and ``wallSeconds``. Standard output
-is a JSON object: ``findings``, and ``results`` with, for each sequence, what its calls returned (``outputs``) and the
+and ``arguments``, all made on one component, in order), ``existing`` (whether people wrote it: it may import and call
+what generated ones must not, and import what lies beside it), ``sequences`` (lists of such calls, each list made on a
+component of its own), and for each answer of the component ``processorSeconds`` and ``wallSeconds``. Standard output is
+a JSON object: ``findings``, and ``results`` with, for each sequence, what its calls returned (``outputs``) and the
 finding that ended it, if one did (``problem``). The component runs in a process of its own, whose output goes to
 standard error: this process runs nothing of it.
 """
@@ -26,6 +27,14 @@ from component_rules import STATE_HINT, Component, Finding, check_file
 REPEATED = 50
 """How many of the calls are made again on a second object: what differs differs at once."""
 
+_OF_ALL = {
+    "component.syntax",
+    "component.class.missing",
+    "component.constructor.signature",
+    "component.execute.signature",
+}
+"""What existing components have to keep, too."""
+
 
 class Probe:
     """The checks of one file."""
@@ -36,6 +45,7 @@ class Probe:
         self._outputs = [Output(*each) for each in zip(request["outputs"], request["types"], strict=True)]
         self._returned: list[Any] = []
         self._calls: list[dict[str, Any]] = request["calls"]
+        self._existing: bool = request["existing"]
         self._sequences: list[list[dict[str, Any]]] = request["sequences"]
         self._limits = Limits(request["processorSeconds"], request["wallSeconds"])
         self._lines = Path(self._file).read_text(encoding="utf-8-sig").split("\n")
@@ -43,6 +53,8 @@ class Probe:
     def findings(self) -> list[Finding]:
         """Make all checks; those that run the component only when reading it found nothing wrong."""
         findings = check_file(self._file, self._component)
+        if self._existing:
+            findings = [finding for finding in findings if finding.id in _OF_ALL]
         return findings or self._try_component()
 
     def _try_component(self) -> list[Finding]:
@@ -98,7 +110,7 @@ class Probe:
             "file": self._file,
             "module": "component",
             "class": self._component.class_name,
-            "path": [],
+            "path": [str(Path(self._file).parent)] if self._existing else [],
             "sources": [self._file],
         }
         return ComponentProcess(ForkServer.inherited(), description, self._limits)
