@@ -72,7 +72,8 @@ public final class ModelAgent {
             Map.entry("existing components", existing(base)),
             Map.entry("event chain", description.text()));
     return new RepairLoop(context, "model", AnswerKind.JSON)
-        .run(FILE, PROMPT, values, Optional.empty(), text -> check(text, direct));
+        .run(
+            FILE, PROMPT, values, Optional.of(ModelSchema.of(direct)), text -> check(text, direct));
   }
 
   static List<Diagnostic> check(SourceText text, EventChain direct) {

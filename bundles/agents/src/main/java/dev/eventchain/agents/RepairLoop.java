@@ -1,6 +1,5 @@
 package dev.eventchain.agents;
 
-import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.agents.AgentResult.Attempt;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
@@ -8,6 +7,7 @@ import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.llm.AnswerSchema;
 import dev.eventchain.llm.ChatMessage;
 import dev.eventchain.llm.ChatRequest;
 import dev.eventchain.llm.ChatResponse;
@@ -55,7 +55,7 @@ final class RepairLoop {
       String file,
       PromptTemplate template,
       Map<String, String> values,
-      Optional<JsonNode> schema,
+      Optional<AnswerSchema> schema,
       Function<SourceText, List<Diagnostic>> check) {
     ChatMessage prompt = ChatMessage.user(template.render(values));
     return run(file, template.name(), List.of(prompt), schema, check);

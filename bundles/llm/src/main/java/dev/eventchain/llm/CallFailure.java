@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.time.Duration;
 import java.util.Optional;
+import java.util.regex.Pattern;
 
 /**
  * Why a call of a service gave no answer. Thrown through the client library, which knows nothing of
@@ -44,6 +45,11 @@ final class CallFailure extends RuntimeException {
     }
   }
 
+  /** What services call the schema, or what they make of it. */
+  private static final Pattern SCHEMA =
+      Pattern.compile(
+          "schema|response[_ ]?format|output_(format|config)|\\bgrammar", Pattern.CASE_INSENSITIVE);
+
   private final Kind kind;
   private final String hint;
   private final transient Optional<Duration> retryAfter;
@@ -57,6 +63,22 @@ final class CallFailure extends RuntimeException {
 
   CallFailure(Kind kind, String message, String hint) {
     this(kind, message, hint, Optional.empty());
+  }
+
+  /**
+   * The same failure of a request with a JSON Schema: if the service names that, its own words say
+   * little to whoever never saw it.
+   */
+  CallFailure ofSchema() {
+    if (kind != Kind.REJECTED || !SCHEMA.matcher(getMessage()).find()) {
+      return this;
+    }
+    return new CallFailure(
+        kind,
+        "the service does not take the JSON Schema of the answer that goes along with this task: "
+            + getMessage(),
+        "Ask another model or service for this task, or see whether the service's 'wire' in"
+            + " eventchain.yaml is right.");
   }
 
   Kind kind() {

@@ -85,7 +85,21 @@ public final class ChatModels {
 
   private FallbackModel.Named open(String model) {
     ModelName name = modelName(model);
-    return new FallbackModel.Named(name.toString(), open(name));
+    ChatModel opened = open(name);
+    AnswerSchema.Shape shape = shape(name);
+    return new FallbackModel.Named(name.toString(), request -> opened.chat(request.in(shape)));
+  }
+
+  /**
+   * What the model takes, however its answers come here: recordings of it are found again by
+   * replay. A model of no service is one that somebody tells of the schema.
+   */
+  private AnswerSchema.Shape shape(ModelName name) {
+    return access
+        .services()
+        .service(name.provider())
+        .map(service -> service.wire().shape())
+        .orElse(AnswerSchema.Shape.TOLD);
   }
 
   private ChatModel open(ModelName name) {

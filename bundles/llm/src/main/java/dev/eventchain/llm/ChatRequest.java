@@ -1,6 +1,5 @@
 package dev.eventchain.llm;
 
-import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.llm.ChatMessage.Role;
 import java.util.List;
 import java.util.Objects;
@@ -13,11 +12,11 @@ import java.util.Optional;
  *     digits and hyphens
  * @param messages the conversation so far, ending with a message of the user
  * @param schema the JSON Schema that the answer must satisfy, when it must; the order of its
- *     properties matters
+ *     properties matters, since it steers what a model writes
  * @param sampling how the model is to choose its words
  */
 public record ChatRequest(
-    String task, List<ChatMessage> messages, Optional<JsonNode> schema, Sampling sampling) {
+    String task, List<ChatMessage> messages, Optional<AnswerSchema> schema, Sampling sampling) {
   /** Checks what the parameters promise. */
   public ChatRequest {
     if (!task.matches("[a-z0-9][a-z0-9-]*")) {
@@ -34,5 +33,10 @@ public record ChatRequest(
   /** A request without a schema and with the provider's sampling. */
   public static ChatRequest of(String task, List<ChatMessage> messages) {
     return new ChatRequest(task, messages, Optional.empty(), Sampling.DEFAULT);
+  }
+
+  /** The request as a model takes it: with its schema in that shape only. */
+  ChatRequest in(AnswerSchema.Shape shape) {
+    return new ChatRequest(task, messages, schema.map(all -> all.in(shape)), sampling);
   }
 }

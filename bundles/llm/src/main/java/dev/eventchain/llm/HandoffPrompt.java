@@ -1,6 +1,7 @@
 package dev.eventchain.llm;
 
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.JsonLayout;
 import dev.eventchain.llm.ChatMessage.Role;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -50,8 +51,9 @@ final class HandoffPrompt {
         .schema()
         .ifPresent(
             schema ->
-                out.append("\n\nThe answer must satisfy this JSON Schema:\n\n")
-                    .append(schema.toPrettyString().replace("\r\n", "\n")));
+                out.append("\n\nThe answer must satisfy this JSON Schema:\n\n```json\n")
+                    .append(JsonLayout.of(schema.chosen()))
+                    .append("\n```"));
     return out.toString();
   }
 

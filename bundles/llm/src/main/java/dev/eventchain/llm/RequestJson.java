@@ -28,7 +28,7 @@ final class RequestJson {
           .put("role", message.role().name().toLowerCase(Locale.ROOT))
           .put("content", message.content());
     }
-    json.set("schema", request.schema().orElse(JSON.nullNode()));
+    json.set("schema", request.schema().map(AnswerSchema::chosen).orElse(JSON.nullNode()));
     json.set("sampling", sampling(request.sampling()));
     return json;
   }

@@ -72,7 +72,11 @@ final class ServiceCall implements StreamingChatResponseHandler {
     } catch (RuntimeException e) {
       problem = problem == null ? e : problem;
     }
-    transport.throwFailure();
+    try {
+      transport.throwFailure();
+    } catch (CallFailure failure) {
+      throw request.schema().isPresent() ? failure.ofSchema() : failure;
+    }
     if (problem != null) {
       throw unreadable(problem);
     }
@@ -98,7 +102,7 @@ final class ServiceCall implements StreamingChatResponseHandler {
                         .jsonSchema(
                             JsonSchema.builder()
                                 .name(request.task())
-                                .rootElement(JsonRawSchema.from(schema.toString()))
+                                .rootElement(JsonRawSchema.from(schema.chosen().toString()))
                                 .build())
                         .build()));
     return builder.build();

@@ -1,5 +1,6 @@
 package dev.eventchain.llm;
 
+import dev.eventchain.llm.AnswerSchema.Shape;
 import dev.langchain4j.model.anthropic.AnthropicStreamingChatModel;
 import dev.langchain4j.model.chat.StreamingChatModel;
 import dev.langchain4j.model.googleai.GoogleAiGeminiStreamingChatModel;
@@ -13,21 +14,21 @@ import java.util.Optional;
 /** How a service is spoken to. */
 enum Wire {
   /** OpenAI itself, which limits the hidden reasoning together with the answer. */
-  OPENAI("openai") {
+  OPENAI("openai", Shape.NESTED) {
     @Override
     StreamingChatModel model(Call call) {
       return openAi(call).maxCompletionTokens(call.maximumTokens()).build();
     }
   },
   /** Whoever speaks as OpenAI once did: Groq, vLLM, llama.cpp and many more. */
-  OPENAI_COMPATIBLE("openai-compatible") {
+  OPENAI_COMPATIBLE("openai-compatible", Shape.NESTED) {
     @Override
     StreamingChatModel model(Call call) {
       return openAi(call).maxTokens(call.maximumTokens()).build();
     }
   },
   /** Google's Gemini. */
-  GEMINI("gemini") {
+  GEMINI("gemini", Shape.FLAT) {
     @Override
     StreamingChatModel model(Call call) {
       return GoogleAiGeminiStreamingChatModel.builder()
@@ -42,7 +43,7 @@ enum Wire {
     }
   },
   /** Anthropic, whose client cuts answers at 1,024 tokens unless it is told otherwise. */
-  ANTHROPIC("anthropic") {
+  ANTHROPIC("anthropic", Shape.FLAT) {
     @Override
     StreamingChatModel model(Call call) {
       return AnthropicStreamingChatModel.builder()
@@ -56,7 +57,7 @@ enum Wire {
     }
   },
   /** Ollama, by its own protocol. */
-  OLLAMA("ollama") {
+  OLLAMA("ollama", Shape.NESTED) {
     @Override
     StreamingChatModel model(Call call) {
       return OllamaStreamingChatModel.builder()
@@ -89,9 +90,21 @@ enum Wire {
       int maximumTokens) {}
 
   private final String id;
+  private final Shape shape;
 
-  Wire(String id) {
+  Wire(String id, Shape shape) {
     this.id = id;
+    this.shape = shape;
+  }
+
+  /**
+   * The shape of the schema that a service takes. Anthropic's knows no recursion, and takes 16
+   * properties with alternatives and 24 that are not required; Gemini's follows a recursion only in
+   * properties that are not required. The others want every property to be required, or turn the
+   * schema into a grammar.
+   */
+  Shape shape() {
+    return shape;
   }
 
   /** What stands in configurations. */

@@ -123,7 +123,7 @@ final class FakeService implements BeforeAllCallback, BeforeEachCallback, AfterA
     return new ChatRequest(
         "design",
         question().messages(),
-        Optional.of(new ObjectMapper().readTree(schema)),
+        Optional.of(AnswerSchema.of(new ObjectMapper().readTree(schema))),
         Sampling.DEFAULT);
   }
 }

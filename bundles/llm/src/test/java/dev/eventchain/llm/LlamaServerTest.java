@@ -70,7 +70,8 @@ class LlamaServerTest {
       String text, Optional<JsonNode> schema, int tokens, long seed) {
     Sampling sampling =
         new Sampling(OptionalDouble.of(1.0), OptionalInt.of(tokens), OptionalLong.of(seed));
-    return new ChatRequest("design", List.of(ChatMessage.user(text)), schema, sampling);
+    return new ChatRequest(
+        "design", List.of(ChatMessage.user(text)), schema.map(AnswerSchema::of), sampling);
   }
 
   @ParameterizedTest

@@ -70,7 +70,8 @@ class RequestKeyTest {
   private static RequestKey key(ModelName model, String prompt, String schema, Sampling sampling) {
     Optional<JsonNode> json = Optional.ofNullable(schema).map(RequestKeyTest::parse);
     ChatRequest request =
-        new ChatRequest("design", List.of(ChatMessage.user(prompt)), json, sampling);
+        new ChatRequest(
+            "design", List.of(ChatMessage.user(prompt)), json.map(AnswerSchema::of), sampling);
     return RequestKey.of(RequestJson.of(model, request));
   }
 

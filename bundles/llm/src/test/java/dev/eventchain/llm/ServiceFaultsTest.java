@@ -121,6 +121,30 @@ class ServiceFaultsTest {
   @CsvSource(
       delimiter = '|',
       value = {
+        "400 | {'error': {'message': 'Invalid schema for response_format model'}} | true",
+        "400 | {'error': {'message': 'This model does not support response format'}} | true",
+        "400 | {'error': {'message': 'output_config.format.schema: too complex'}} | true",
+        "400 | {'error': 'failed to parse grammar'} | true",
+        "400 | {'error': {'message': 'too long a context'}} | false",
+        "401 | {'error': {'message': 'no schema for you'}} | false"
+      })
+  void aSchemaThatIsRefusedIsCalledThat(int status, String body, boolean named) throws IOException {
+    ChatRequest withSchema = FakeService.questionWithSchema();
+    for (Wire wire : Wire.values()) {
+      SERVICE.server().resetAll();
+      SERVICE.answers(aResponse().withStatus(status).withBody(body.replace('\'', '"')));
+      ChatModel model = SERVICE.model(wire);
+      DiagnosticException e = assertThrows(DiagnosticException.class, () -> model.chat(withSchema));
+      String message = e.diagnostics().get(0).message();
+      assertEquals(named, message.contains("does not take the JSON Schema"), message);
+      assertFalse(finding(model).message().contains("does not take the JSON Schema"), message);
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
         "401 | {'error': {'message': 'Incorrect key sk-secret-0123456789'}} | llm.key.refused"
             + " | Incorrect key ***",
         "403 | {'error': {'message': 'no right'}} | llm.key.refused | no right",

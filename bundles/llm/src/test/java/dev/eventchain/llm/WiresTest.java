@@ -3,13 +3,19 @@ package dev.eventchain.llm;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
+import static org.junit.jupiter.api.Assertions.fail;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.github.tomakehurst.wiremock.verification.LoggedRequest;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.Document;
+import dev.eventchain.documents.DocumentFormat;
+import dev.eventchain.documents.FindingIds;
 import dev.eventchain.llm.ChatResponse.FinishReason;
 import dev.eventchain.llm.ChatResponse.Usage;
 import java.io.IOException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.extension.RegisterExtension;
@@ -66,6 +72,64 @@ class WiresTest {
     List<JsonNode> schemas = sent.findParents("properties");
     assertEquals(1, schemas.size(), sent::toPrettyString);
     assertTrue(schemas.get(0).path("properties").has("answer"), sent::toPrettyString);
+  }
+
+  /** Each service takes one shape, in a field of its own. */
+  @ParameterizedTest
+  @CsvSource({
+    "OPENAI, nested, /response_format/json_schema/schema",
+    "OPENAI_COMPATIBLE, nested, /response_format/json_schema/schema",
+    "GEMINI, flat, /generationConfig/responseJsonSchema",
+    "ANTHROPIC, flat, /output_config/format/schema",
+    "OLLAMA, nested, /format"
+  })
+  void theShapeOfTheSchemaIsThatOfTheService(Wire wire, String shape, String field)
+      throws IOException {
+    SERVICE.answers(wire, "good");
+    ModelAccess usual = ModelAccess.of("live", Path.of("target/no-recordings"), false);
+    String key = "services: {fake: {wire: %s, url: '%s', key: %s}}";
+    ModelServices services =
+        ModelServices.read(
+            Document.parse(
+                    SourceText.of(
+                        "eventchain.yaml",
+                        key.formatted(
+                            wire.id(), SERVICE.service(wire).url(), FakeService.VARIABLE)),
+                    DocumentFormat.YAML,
+                    FindingIds.all("x"),
+                    finding -> fail(finding.toString()))
+                .object("", finding -> fail(finding.toString()))
+                .orElseThrow());
+    ModelAccess access =
+        new ModelAccess(
+            usual.source(),
+            usual.recordings(),
+            false,
+            services,
+            new Spending(services),
+            name -> FakeService.KEY,
+            usual.progress(),
+            usual.findings());
+    ObjectMapper mapper = new ObjectMapper();
+    JsonNode nested = mapper.readTree(schema("nested"));
+    JsonNode flat = mapper.readTree(schema("flat"));
+    ChatRequest request =
+        new ChatRequest(
+            "design",
+            FakeService.question().messages(),
+            Optional.of(new AnswerSchema(nested, flat)),
+            Sampling.DEFAULT);
+    ChatModels.open(access, List.of("fake/some-model")).chat(request);
+    JsonNode sent = mapper.readTree(SERVICE.requests().get(0).getBodyAsString());
+    assertEquals(mapper.readTree(schema(shape)), sent.at(field), sent::toPrettyString);
+  }
+
+  private static String schema(String description) {
+    return """
+        {"type": "object", "properties": {"answer": {"type": "string"}}, "required": ["answer"],
+         "additionalProperties": false, "description": "%s"}
+        """
+        .formatted(description);
   }
 
   @ParameterizedTest

@@ -49,6 +49,34 @@ final class AttributeValues {
     this.findings = findings;
   }
 
+  /**
+   * What values of a type are in JSON, as JSON Schema calls it: integer, number, boolean or string;
+   * empty for types whose values cannot be written.
+   */
+  static Optional<String> jsonType(EDataType type) {
+    Class<?> javaType = type.getInstanceClass();
+    if (type instanceof EEnum eEnum) {
+      return eEnum.getELiterals().isEmpty() ? Optional.empty() : Optional.of("string");
+    }
+    if (isText(type)) {
+      return Optional.of("string");
+    }
+    if (REALS.contains(javaType)) {
+      return Optional.of("number");
+    }
+    if (INTEGER_BITS.containsKey(javaType)) {
+      return Optional.of("integer");
+    }
+    if (TRUTH_VALUES.contains(javaType)) {
+      return Optional.of("boolean");
+    }
+    return FROM_TEXT.contains(javaType) ? Optional.of("string") : Optional.empty();
+  }
+
+  private static boolean isText(EDataType type) {
+    return type.getInstanceClass() == null || type.getInstanceClass() == String.class;
+  }
+
   /** Sets an attribute to a JSON value; {@code null} leaves it unset. */
   void set(EObject object, EAttribute attribute, JsonNode value, String pointer) {
     if (value.isNull()) {
@@ -91,6 +119,9 @@ final class AttributeValues {
     Class<?> javaType = type.getInstanceClass();
     if (type instanceof EEnum eEnum) {
       return literal(attribute, eEnum, value, pointer);
+    }
+    if (isText(type)) {
+      return fromText(attribute, value, pointer);
     }
     if (REALS.contains(javaType)) {
       return real(attribute, value, pointer);
@@ -159,7 +190,7 @@ final class AttributeValues {
     if (!value.isTextual()) {
       return mismatch(attribute, "a text", value, pointer);
     }
-    if (type.getInstanceClass() == null || type.getInstanceClass() == String.class) {
+    if (isText(type)) {
       return Optional.of(value.asText());
     }
     try {

@@ -3,15 +3,18 @@ package dev.eventchain.modeler;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
-import java.util.ArrayDeque;
-import java.util.Deque;
+import java.util.Collection;
+import java.util.Date;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
-import java.util.TreeMap;
 import org.eclipse.emf.ecore.EAttribute;
 import org.eclipse.emf.ecore.EClass;
-import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EDataType;
 import org.eclipse.emf.ecore.EEnum;
 import org.eclipse.emf.ecore.EEnumLiteral;
@@ -22,176 +25,244 @@ import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
 /**
- * The JSON Schema of the nested instance models that {@link InstanceModeler} reads, derived from a
- * metamodel. It keeps to what providers of language models accept in their strict modes: the root
- * is an object, every property is required (optional ones may be null), no others are allowed, and
- * of the combining keywords only {@code anyOf} is used.
+ * The JSON Schema of the instance models that {@link InstanceModeler} reads, derived from a
+ * metamodel, in two shapes. Both keep to what providers of language models accept in their strict
+ * modes: the root is an object, no other properties than those that are named are allowed, of the
+ * combining keywords only {@code anyOf} is used, and numbers, texts and arrays have no bounds.
+ *
+ * <p>Features that are derived or transient and those that name the container are left out, and of
+ * a pair of opposite references the one that comes first in the metamodel stays. What a schema
+ * cannot say is said by the modeler: how many values a feature takes, whether a number fits its
+ * type, whether an id is that of an object of the right class.
  */
 public final class MetamodelSchema {
 
   private static final JsonNodeFactory JSON = JsonNodeFactory.instance;
 
-  private static final Set<Class<?>> INTEGERS =
-      Set.of(
-          byte.class,
-          Byte.class,
-          short.class,
-          Short.class,
-          int.class,
-          Integer.class,
-          long.class,
-          Long.class,
-          java.math.BigInteger.class);
-  private static final Set<Class<?>> REALS =
-      Set.of(double.class, Double.class, float.class, Float.class, java.math.BigDecimal.class);
-
+  private final Collection<? extends EPackage> metamodels;
   private final EClass root;
-  private final List<EClass> concrete;
-  private final Map<String, EClass> needed = new TreeMap<>();
+  private final Set<EStructuralFeature> without = new HashSet<>();
+  private final Set<EStructuralFeature> demanded = new HashSet<>();
+  private final Map<EClass, List<String>> ids = new HashMap<>();
 
-  private MetamodelSchema(EClass root) {
+  private MetamodelSchema(Collection<? extends EPackage> metamodels, EClass root) {
+    this.metamodels = metamodels;
     this.root = root;
-    this.concrete =
-        root.getEPackage().getEClassifiers().stream()
-            .filter(EClass.class::isInstance)
-            .map(EClass.class::cast)
-            .filter(eClass -> !eClass.isAbstract())
-            .toList();
   }
 
   /**
-   * The schema of an object of a class and everything that it can contain. Features that are
-   * derived or transient and those that name the container are left out, and of a pair of opposite
-   * references the one that comes first in the metamodel stays.
+   * The schema of an object of a class and of everything that it can contain.
    *
+   * @param metamodels those that the instance modeler is given
    * @param root a concrete class
    */
-  public static ObjectNode nested(EClass root) {
-    return new MetamodelSchema(root).build();
+  public static MetamodelSchema of(Collection<? extends EPackage> metamodels, EClass root) {
+    return new MetamodelSchema(metamodels, root);
   }
 
-  private ObjectNode build() {
-    ObjectNode schema = object(root);
-    ObjectNode definitions = JSON.objectNode();
-    Map<String, ObjectNode> made = new TreeMap<>();
-    Deque<String> open = new ArrayDeque<>(needed.keySet());
-    while (!open.isEmpty()) {
-      String name = open.poll();
-      if (!made.containsKey(name)) {
-        made.put(name, object(needed.get(name)));
-        open.addAll(needed.keySet());
+  /** Leaves features out that nobody is asked for. */
+  public MetamodelSchema without(Collection<? extends EStructuralFeature> features) {
+    without.addAll(features);
+    return this;
+  }
+
+  /** Demands features that the metamodel leaves open. */
+  public MetamodelSchema demanding(Collection<? extends EStructuralFeature> features) {
+    demanded.addAll(features);
+    return this;
+  }
+
+  /**
+   * States the ids of all objects of a class, which then become an enumeration. They stay free
+   * where they could not be ids: if one is blank, or names two objects.
+   */
+  public MetamodelSchema knowing(EClass eClass, List<String> known) {
+    ids.put(eClass, List.copyOf(known));
+    return this;
+  }
+
+  /**
+   * Contained objects stand in the feature that contains them, each class is a definition. Every
+   * property is required, and those that the metamodel does not demand may be null: for services
+   * that follow pointers and want each property to be written.
+   */
+  public ObjectNode nested() {
+    return new Shape(true).nested();
+  }
+
+  /**
+   * An array for each class; features hold the ids of what they contain. There is no definition and
+   * no recursion, and what the metamodel does not demand is not required: for services that know no
+   * recursion, or count the alternatives of a schema.
+   */
+  public ObjectNode flat() {
+    return new Shape(false).flat();
+  }
+
+  /** One schema in the making. */
+  private final class Shape {
+
+    private final boolean nested;
+    private final SchemaClasses classes = new SchemaClasses(metamodels, root, without);
+
+    Shape(boolean nested) {
+      this.nested = nested;
+    }
+
+    ObjectNode nested() {
+      ObjectNode schema = object(root);
+      ObjectNode definitions = JSON.objectNode();
+      for (EClass eClass : classes.contained()) {
+        definitions.set(definition(eClass), object(eClass));
       }
+      if (!definitions.isEmpty()) {
+        schema.set("$defs", definitions);
+      }
+      return EnumLimits.keep(schema);
     }
-    made.forEach(definitions::set);
-    if (!definitions.isEmpty()) {
-      schema.set("$defs", definitions);
-    }
-    return schema;
-  }
 
-  private ObjectNode object(EClass eClass) {
-    ObjectNode properties = JSON.objectNode();
-    properties.set("eClass", string().set("enum", JSON.arrayNode().add(eClass.getName())));
-    properties.set("id", string().put("description", "A name that no other object has."));
-    for (EStructuralFeature feature : eClass.getEAllStructuralFeatures()) {
-      if (isWritten(feature)) {
-        ObjectNode property = feature(feature);
-        String documentation = documentation(feature);
+    ObjectNode flat() {
+      ObjectNode properties = JSON.objectNode();
+      for (EClass eClass : classes.used()) {
+        properties.set(classes.name(eClass), array(object(eClass)));
+      }
+      return EnumLimits.keep(closed(properties, names(properties)));
+    }
+
+    private ObjectNode object(EClass eClass) {
+      ObjectNode properties = JSON.objectNode();
+      Set<String> required = new LinkedHashSet<>();
+      if (nested) {
+        properties.set(InstanceObjects.CLASS, oneOf(List.of(classes.name(eClass))));
+        required.add(InstanceObjects.CLASS);
+      }
+      if (SchemaClasses.hasId(eClass)) {
+        properties.set(InstanceObjects.ID, id(eClass));
+        required.add(InstanceObjects.ID);
+      }
+      for (EStructuralFeature feature : classes.features(eClass)) {
+        boolean optional = isOptional(feature);
+        ObjectNode property = values(feature);
         properties.set(
             feature.getName(),
-            documentation.isEmpty() ? property : property.put("description", documentation));
+            described(optional && nested ? orNull(property) : property, feature));
+        if (nested || !optional) {
+          required.add(feature.getName());
+        }
       }
+      ObjectNode schema = closed(properties, required);
+      String documentation = documentation(eClass);
+      return documentation.isEmpty() ? schema : schema.put("description", documentation);
     }
-    ObjectNode schema = JSON.objectNode().put("type", "object");
-    String documentation = documentation(eClass);
-    if (!documentation.isEmpty()) {
-      schema.put("description", documentation);
+
+    private ObjectNode id(EClass eClass) {
+      EStructuralFeature key = SchemaClasses.key(eClass);
+      Optional<ObjectNode> known = known(List.of(eClass));
+      ObjectNode id =
+          known.orElseGet(
+              () ->
+                  key == null ? type("string") : dataType(((EAttribute) key).getEAttributeType()));
+      return id.put("description", "A name that no other object has.");
     }
-    schema.set("properties", properties);
-    ArrayNode required = schema.putArray("required");
-    properties.fieldNames().forEachRemaining(required::add);
-    return schema.put("additionalProperties", false);
+
+    /** Arrays are written, if empty. */
+    private boolean isOptional(EStructuralFeature feature) {
+      return !feature.isMany() && !feature.isRequired() && !demanded.contains(feature);
+    }
+
+    private ObjectNode values(EStructuralFeature feature) {
+      ObjectNode value =
+          feature instanceof EAttribute attribute
+              ? dataType(attribute.getEAttributeType())
+              : target((EReference) feature);
+      return feature.isMany() ? array(value) : value;
+    }
+
+    private ObjectNode target(EReference reference) {
+      List<EClass> targets = classes.targets(reference);
+      if (!nested || !reference.isContainment()) {
+        return known(targets).orElseGet(() -> type("string"));
+      }
+      if (targets.size() == 1) {
+        return pointer(targets.get(0));
+      }
+      ObjectNode any = JSON.objectNode();
+      ArrayNode alternatives = any.putArray("anyOf");
+      targets.forEach(target -> alternatives.add(pointer(target)));
+      return any;
+    }
+
+    private ObjectNode pointer(EClass eClass) {
+      return JSON.objectNode().put("$ref", "#/$defs/" + definition(eClass));
+    }
+
+    /** Without a character that means something in a pointer; unlike those of other classes. */
+    private String definition(EClass eClass) {
+      String name = classes.name(eClass);
+      return name.matches("[\\w.]+")
+          ? name
+          : eClass.getName() + "_" + classes.contained().indexOf(eClass);
+    }
   }
 
-  private static boolean isWritten(EStructuralFeature feature) {
-    boolean isKey = feature.getName().equals(InstanceObjects.ID); // The object's id is its value.
-    if (isKey || !InstanceObjects.isWritable(feature) || feature.isTransient()) {
-      return false;
+  /** The ids of all objects of some classes; empty if those of one are not known. */
+  private Optional<ObjectNode> known(List<EClass> targets) {
+    List<String> all = ids.values().stream().flatMap(List::stream).toList();
+    boolean clear = all.stream().noneMatch(String::isBlank) && Set.copyOf(all).size() == all.size();
+    List<List<String>> known = targets.stream().map(ids::get).toList();
+    if (!clear || known.stream().anyMatch(Objects::isNull)) {
+      return Optional.empty();
     }
-    return !(feature instanceof EReference reference)
-        || (!reference.isContainer() && !isSecondOfPair(reference));
-  }
-
-  private static boolean isSecondOfPair(EReference reference) {
-    EReference opposite = reference.getEOpposite();
-    if (opposite == null || reference.isContainment()) {
-      return false;
-    }
-    return position(opposite) < position(reference);
-  }
-
-  private static long position(EReference reference) {
-    EClass owner = reference.getEContainingClass();
-    EPackage ePackage = owner.getEPackage();
-    return (long) ePackage.getEClassifiers().indexOf(owner) << 32 | reference.getFeatureID();
-  }
-
-  private ObjectNode feature(EStructuralFeature feature) {
-    ObjectNode single =
-        feature instanceof EAttribute attribute
-            ? dataType(attribute.getEAttributeType())
-            : target((EReference) feature);
-    if (feature.isMany()) {
-      return JSON.objectNode().put("type", "array").set("items", single);
-    }
-    return feature.isRequired() ? single : orNull(single);
-  }
-
-  private ObjectNode target(EReference reference) {
-    if (!reference.isContainment()) {
-      return string();
-    }
-    List<EClass> options =
-        concrete.stream().filter(c -> reference.getEReferenceType().isSuperTypeOf(c)).toList();
-    options.forEach(option -> needed.put(option.getName(), option));
-    if (options.size() == 1) {
-      return pointer(options.get(0));
-    }
-    ObjectNode any = JSON.objectNode();
-    ArrayNode alternatives = any.putArray("anyOf");
-    options.forEach(option -> alternatives.add(pointer(option)));
-    return any;
-  }
-
-  private static ObjectNode pointer(EClassifier eClass) {
-    return JSON.objectNode().put("$ref", "#/$defs/" + eClass.getName());
+    List<String> values = known.stream().flatMap(List::stream).toList();
+    return values.isEmpty() ? Optional.empty() : Optional.of(oneOf(values));
   }
 
   private static ObjectNode dataType(EDataType type) {
     if (type instanceof EEnum eEnum) {
-      ArrayNode literals = JSON.arrayNode();
-      eEnum.getELiterals().stream().map(EEnumLiteral::getName).forEach(literals::add);
-      return string().set("enum", literals);
+      return oneOf(eEnum.getELiterals().stream().map(EEnumLiteral::getName).toList());
     }
-    Class<?> javaType = type.getInstanceClass();
-    if (INTEGERS.contains(javaType)) {
-      return JSON.objectNode().put("type", "integer");
-    }
-    if (REALS.contains(javaType)) {
-      return JSON.objectNode().put("type", "number");
-    }
-    boolean truth = javaType == boolean.class || javaType == Boolean.class;
-    return truth ? JSON.objectNode().put("type", "boolean") : string();
+    ObjectNode schema = type(AttributeValues.jsonType(type).orElseThrow());
+    return type.getInstanceClass() == Date.class ? schema.put("format", "date") : schema;
   }
 
-  private static ObjectNode string() {
-    return JSON.objectNode().put("type", "string");
+  private static ObjectNode closed(ObjectNode properties, Collection<String> required) {
+    ObjectNode schema = type("object");
+    schema.set("properties", properties);
+    ArrayNode names = schema.putArray("required");
+    required.forEach(names::add);
+    return schema.put("additionalProperties", false);
+  }
+
+  private static Set<String> names(ObjectNode properties) {
+    Set<String> names = new LinkedHashSet<>();
+    properties.fieldNames().forEachRemaining(names::add);
+    return names;
+  }
+
+  private static ObjectNode array(ObjectNode items) {
+    return type("array").set("items", items);
+  }
+
+  private static ObjectNode type(String name) {
+    return JSON.objectNode().put("type", name);
+  }
+
+  private static ObjectNode oneOf(List<String> values) {
+    ObjectNode schema = type("string");
+    ArrayNode literals = schema.putArray("enum");
+    values.forEach(literals::add);
+    return schema;
   }
 
   private static ObjectNode orNull(ObjectNode schema) {
     ObjectNode nullable = JSON.objectNode();
-    nullable.putArray("anyOf").add(schema).add(JSON.objectNode().put("type", "null"));
+    nullable.putArray("anyOf").add(schema).add(type("null"));
     return nullable;
+  }
+
+  private static ObjectNode described(ObjectNode schema, EModelElement element) {
+    String documentation = documentation(element);
+    return documentation.isEmpty() ? schema : schema.put("description", documentation);
   }
 
   private static String documentation(EModelElement element) {
