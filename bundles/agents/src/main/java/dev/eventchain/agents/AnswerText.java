@@ -8,6 +8,7 @@ import dev.eventchain.llm.ChatResponse.FinishReason;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
 
 /**
@@ -48,6 +49,11 @@ record AnswerText(Optional<SourceText> artefact, List<Diagnostic> problems) {
       return JsonAnswer.search(file, text);
     }
     return bare(kind, file, text.lines().toList());
+  }
+
+  /** With another form of the artefact. */
+  AnswerText map(UnaryOperator<SourceText> form) {
+    return new AnswerText(artefact.map(form), problems);
   }
 
   private static AnswerText fenced(AnswerKind kind, String file, FencedBlocks blocks) {

@@ -4,6 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.JsonLayout;
+import dev.eventchain.modeler.EventChainSchema;
 import dev.eventchain.modeler.JsonDocument;
 import java.util.Set;
 
@@ -17,9 +18,9 @@ final class Budgets {
 
   private Budgets() {}
 
-  /** The same components without budgets. */
+  /** The same components without budgets, as an array. */
   static String without(SourceText components) {
-    JsonNode json = JsonDocument.parse(components).root().deepCopy();
+    JsonNode json = EventChainSchema.components(JsonDocument.parse(components).root()).deepCopy();
     json.forEach(Budgets::remove);
     return JsonLayout.of(json) + "\n";
   }

@@ -2,6 +2,7 @@ package dev.eventchain.agents;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.modeler.EventChainSchema;
 import dev.eventchain.modeler.JsonDocument;
 import dev.eventchain.python.ComponentSignature;
 import java.util.ArrayList;
@@ -58,7 +59,8 @@ record ChainView(List<ChainView.Component> components) {
    */
   record Value(String name, String type, String unit, String pointer) {}
 
-  static ChainView of(JsonNode chain) {
+  static ChainView of(JsonNode description) {
+    JsonNode chain = EventChainSchema.components(description);
     List<Component> components = new ArrayList<>();
     for (int i = 0; i < chain.size(); i++) {
       components.add(component(chain.get(i), "/" + i));

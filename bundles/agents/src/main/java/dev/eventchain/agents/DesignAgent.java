@@ -7,6 +7,7 @@ import dev.eventchain.documents.Document;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.modeler.EventChainReader;
+import dev.eventchain.modeler.EventChainSchema;
 import dev.eventchain.modeler.JsonDocument;
 import dev.eventchain.modeler.Modeled;
 import dev.eventchain.modeler.Requirements;
@@ -65,11 +66,12 @@ public final class DesignAgent {
             "message types", types.definitions(),
             "message packages", types.packages());
     return new RepairLoop(context, "design", AnswerKind.JSON)
+        .reading(DesignSchema::asArray)
         .run(
             FILE,
             PROMPT,
             values,
-            Optional.empty(),
+            Optional.of(DesignSchema.of(requirements, base, messages)),
             text -> check(text, requirements, base, messages));
   }
 
@@ -85,7 +87,7 @@ public final class DesignAgent {
             .check(chain.root(), chain.origins()::locate)
             .diagnostics());
     Document json = JsonDocument.parse(text);
-    if (json.root().isArray()) {
+    if (EventChainSchema.components(json.root()).isArray()) {
       diagnostics.addAll(new ChainCheck(requirements, base).check(json));
     }
     return diagnostics;

@@ -71,6 +71,8 @@ final class JsonAnswer {
           : found(file, node);
     } catch (IOException e) {
       return broken(file, rest, e);
+    } catch (NumberFormatException e) {
+      return number(file);
     }
   }
 
@@ -92,7 +94,7 @@ final class JsonAnswer {
     }
     try (JsonParser parser = TOLERANT.createParser(text.substring(start.getAsInt()))) {
       return TOLERANT.readTree(parser) != null;
-    } catch (IOException e) {
+    } catch (IOException | NumberFormatException e) {
       return false;
     }
   }
@@ -106,6 +108,8 @@ final class JsonAnswer {
       return node.isContainerNode() ? found(file, node) : AnswerText.nothing(AnswerKind.JSON, file);
     } catch (IOException e) {
       return broken(file, text, e);
+    } catch (NumberFormatException e) {
+      return number(file);
     }
   }
 
@@ -115,6 +119,12 @@ final class JsonAnswer {
     List<Diagnostic> problems = new ArrayList<>();
     Document.parse(found.artefact().orElseThrow(), DocumentFormat.JSON, IDS, problems::add);
     return problems.isEmpty() ? found : new AnswerText(Optional.empty(), problems);
+  }
+
+  /** The parser lets exponents through that no number can have. */
+  private static AnswerText number(String file) {
+    return AnswerText.problem(
+        "agents.answer.json", "This is not JSON: the exponent of a number is out of range.", file);
   }
 
   private static AnswerText broken(String file, String text, IOException e) {

@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 
 /**
  * Asks, checks the answer, and sends what was found back into the same conversation until the
@@ -28,6 +29,7 @@ final class RepairLoop {
   private final AgentContext context;
   private final String task;
   private final AnswerKind kind;
+  private UnaryOperator<SourceText> reading = UnaryOperator.identity();
 
   /**
    * Prepares a loop.
@@ -39,6 +41,12 @@ final class RepairLoop {
     this.context = context;
     this.task = task;
     this.kind = kind;
+  }
+
+  /** Turns the artefact of each answer into the form that is checked and kept. */
+  RepairLoop reading(UnaryOperator<SourceText> form) {
+    reading = form;
+    return this;
   }
 
   /**
@@ -80,7 +88,7 @@ final class RepairLoop {
       context.progress().accept(announcement(file, attempts));
       ChatResponse response =
           ask(file, new ChatRequest(task, messages, schema, Sampling.DEFAULT), attempts);
-      AnswerText answer = AnswerText.extract(kind, file, response);
+      AnswerText answer = AnswerText.extract(kind, file, response).map(reading);
       List<Diagnostic> findings =
           answer.artefact().map(check).orElse(List.of()).stream().sorted().toList();
       List<Diagnostic> all = answer.problems().isEmpty() ? findings : answer.problems();

@@ -95,5 +95,5 @@ class AnswerSchemasTest {
         .validate(answer);
   }
 
-  private static final Set<String> TASKS = Set.of("model");
+  private static final Set<String> TASKS = Set.of("design", "model");
 }

@@ -1,6 +1,7 @@
 package dev.eventchain.agents;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
@@ -61,5 +62,27 @@ class DesignCheckTest {
     assertEquals(1, prompt.split("new one with 20 Hz", -1).length - 1);
     String repair = model.requests.get(1).messages().get(2).content();
     assertEquals(1, repair.split("reads /sensor/distance", -1).length - 1);
+  }
+
+  /**
+   * As strict modes give it: an object around the array, and null where there is nothing to say.
+   */
+  @Test
+  void anAnswerInTheShapeOfTheSchemaBecomesTheArray() {
+    String array = SourceText.read(RESOURCES.resolve("design/valid.json")).text();
+    String value = "\"field\":";
+    assertTrue(array.contains(value));
+    String withNulls = array.replace(value, "\"safe_value\": null, " + value);
+    AgentResult asArray = design(array);
+    assertTrue(asArray.text().startsWith("["));
+    assertEquals(asArray.text(), design("{\"components\": " + array + "}").text());
+    AgentResult result = design("```json\n{\"components\": " + withNulls + "}\n```");
+    assertEquals(1, result.attempts().size());
+    assertEquals(asArray.text(), result.text());
+  }
+
+  private static AgentResult design(String answer) {
+    return new DesignAgent(AgentContext.of(new ScriptedModel().answer(answer)))
+        .design("Test", 20.0, REQUIREMENTS, Optional.empty(), SOFTWARE, MESSAGES);
   }
 }

@@ -5,15 +5,17 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 
 /**
- * The JSON Schema of an answer in the shapes that services take. Which one is sent is decided by
- * the model that is asked; answers in either say the same.
+ * The JSON Schema of an answer in the shapes that models take. Which one is sent is decided by the
+ * model that is asked; answers in each say the same.
  *
  * @param nested with definitions and pointers to them; every property is required, and may be null
  *     where there is nothing to say
  * @param flat without recursion and with few alternatives; what there is nothing to say of is left
  *     out
+ * @param told where nothing enforces it, as in a chat window: as nested, but people are spared what
+ *     strict modes ask for. What would be null or empty need not be written
  */
-public record AnswerSchema(JsonNode nested, JsonNode flat) {
+public record AnswerSchema(JsonNode nested, JsonNode flat, JsonNode told) {
 
   /** What a model takes. */
   enum Shape {
@@ -31,11 +33,11 @@ public record AnswerSchema(JsonNode nested, JsonNode flat) {
         return schema.flat;
       }
     },
-    /** Nested, but nobody is made to write what says nothing: nothing enforces the schema. */
+    /** Nobody is made to write what says nothing. */
     TOLD {
       @Override
       JsonNode of(AnswerSchema schema) {
-        JsonNode told = schema.nested.deepCopy();
+        JsonNode told = schema.told.deepCopy();
         relax(told);
         return told;
       }
@@ -44,9 +46,14 @@ public record AnswerSchema(JsonNode nested, JsonNode flat) {
     abstract JsonNode of(AnswerSchema schema);
   }
 
+  /** One that is told as it is nested. */
+  public AnswerSchema(JsonNode nested, JsonNode flat) {
+    this(nested, flat, nested);
+  }
+
   /** One that is the same in every shape. */
   static AnswerSchema of(JsonNode schema) {
-    return new AnswerSchema(schema, schema);
+    return new AnswerSchema(schema, schema, schema);
   }
 
   /** With nothing but a shape. */

@@ -5,26 +5,34 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.fasterxml.jackson.core.StreamReadFeature;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import com.networknt.schema.JsonSchema;
+import com.networknt.schema.JsonSchemaFactory;
+import com.networknt.schema.SpecVersion;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.fixtures.LlamaServer;
 import dev.eventchain.llm.ChatResponse.FinishReason;
 import java.io.IOException;
 import java.net.URI;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.OptionalLong;
+import java.util.Set;
 import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** A real server: what it streams, refuses and limits. */
@@ -101,6 +109,27 @@ class LlamaServerTest {
     }
     assertTrue(response.usage().orElseThrow().outputTokens() > 0);
     assertEquals("tiny-random", response.model());
+  }
+
+  /** The schemas of the tasks, in both shapes, with what the example knows. */
+  @ParameterizedTest
+  @CsvSource({"design, nested", "design, flat", "model, nested", "model, flat"})
+  void theSchemasOfTheTasksAreSatisfied(String task, String shape) throws IOException {
+    Path file =
+        Path.of("../agents/src/test/resources/schemas/aeb.%s.%s.json".formatted(task, shape));
+    JsonNode schema = new ObjectMapper().readTree(file.toFile());
+    JsonSchema validator =
+        JsonSchemaFactory.getInstance(SpecVersion.VersionFlag.V202012).getSchema(schema);
+    for (long seed = 1; seed <= 4; seed++) {
+      ChatResponse response = model().chat(request("Go.", Optional.of(schema), 6_000, seed));
+      assertEquals(FinishReason.STOP, response.finishReason(), response::text);
+      JsonNode answer =
+          JsonMapper.builder()
+              .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
+              .build()
+              .readTree(response.text());
+      assertEquals(Set.of(), validator.validate(answer), response::text);
+    }
   }
 
   @Test

@@ -42,11 +42,11 @@ import org.eclipse.emf.ecore.util.EcoreUtil;
 
 /**
  * Turns an event-chain description into a model, directly. The description is the JSON array of the
- * paper's Appendix A; we add {@code frequency} (Hz), {@code requirements} (ids), {@code type},
- * {@code unit}, {@code maximum_age} (ms) and {@code safe_value} of values, {@code consumer}
- * ("external") and {@code requirements} of outputs that leave the chain, and {@code
- * worst_case_execution_time}, {@code best_case_execution_time} (ms) and {@code memory} (MiB) of
- * components, all optional.
+ * paper's Appendix A, or the object around it of {@link EventChainSchema}; we add {@code frequency}
+ * (Hz), {@code requirements} (ids), {@code type}, {@code unit}, {@code maximum_age} (ms) and {@code
+ * safe_value} of values, {@code consumer} ("external") and {@code requirements} of outputs that
+ * leave the chain, and {@code worst_case_execution_time}, {@code best_case_execution_time} (ms) and
+ * {@code memory} (MiB) of components, all optional.
  *
  * <p>Each element's origin is its JSON pointer in the description, so that what is found in the
  * model later points back to it.
@@ -161,7 +161,7 @@ public final class EventChainReader {
   static Modeled<EventChain> readExisting(Document components) {
     EventChainReader reader = new EventChainReader(components, OptionalDouble.empty());
     reader.requirementsKnown = false;
-    reader.readArray();
+    reader.read(components.objects(reader.diagnostics::add));
     return reader.result();
   }
 
@@ -179,16 +179,17 @@ public final class EventChainReader {
   }
 
   private void readComponents() {
-    readArray();
-    if (text.root().isArray() && text.root().isEmpty()) {
+    read(EventChainSchema.objects(text, diagnostics::add));
+    JsonNode components = EventChainSchema.components(text.root());
+    if (components.isArray() && components.isEmpty()) {
       find("modeler.chain.empty", "The description holds no component.", text.at(""));
     }
     linkNextSteps();
   }
 
-  private void readArray() {
+  private void read(List<ObjectReader> components) {
     origins.put(chain, text.at(""));
-    text.objects(diagnostics::add).forEach(this::readComponent);
+    components.forEach(this::readComponent);
     refuseDuplicates(chain.getSoftware());
   }
 

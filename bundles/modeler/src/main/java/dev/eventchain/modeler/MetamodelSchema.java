@@ -93,7 +93,8 @@ public final class MetamodelSchema {
   /**
    * An array for each class; features hold the ids of what they contain. There is no definition and
    * no recursion, and what the metamodel does not demand is not required: for services that know no
-   * recursion, or count the alternatives of a schema.
+   * recursion, or count the alternatives of a schema. Objects of classes with a feature {@code id}
+   * that is no text and no whole number cannot be named, and are left out.
    */
   public ObjectNode flat() {
     return new Shape(false).flat();
@@ -103,10 +104,11 @@ public final class MetamodelSchema {
   private final class Shape {
 
     private final boolean nested;
-    private final SchemaClasses classes = new SchemaClasses(metamodels, root, without);
+    private final SchemaClasses classes;
 
     Shape(boolean nested) {
       this.nested = nested;
+      this.classes = new SchemaClasses(metamodels, root, without, !nested);
     }
 
     ObjectNode nested() {

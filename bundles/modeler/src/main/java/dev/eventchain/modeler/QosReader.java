@@ -11,6 +11,7 @@ import dev.eventchain.metamodel.eventchain.History;
 import dev.eventchain.metamodel.eventchain.Liveliness;
 import dev.eventchain.metamodel.eventchain.QosProfile;
 import dev.eventchain.metamodel.eventchain.Reliability;
+import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
 import java.util.function.Function;
@@ -23,6 +24,9 @@ final class QosReader {
 
   private static final String NAME = "qos_profile";
   private static final String DEFAULT = "default";
+
+  /** What stands for the profile {@code default} with that reliability. */
+  static final List<String> RELIABILITIES = List.of("reliable", "best_effort");
 
   private QosReader() {}
 

@@ -19,6 +19,7 @@ final class SchemaClasses {
 
   private final EClass root;
   private final Set<EStructuralFeature> without;
+  private final boolean byId;
   private final ClassIndex index;
   private final List<EClass> all = new ArrayList<>();
   private final Set<EClass> contained = new HashSet<>();
@@ -27,11 +28,16 @@ final class SchemaClasses {
    * The classes of a root object and of everything that it can contain.
    *
    * @param without features that are left out
+   * @param byId whether objects are contained by their ids, so that those without cannot be
    */
   SchemaClasses(
-      Collection<? extends EPackage> metamodels, EClass root, Set<EStructuralFeature> without) {
+      Collection<? extends EPackage> metamodels,
+      EClass root,
+      Set<EStructuralFeature> without,
+      boolean byId) {
     this.root = root;
     this.without = without;
+    this.byId = byId;
     this.index = new ClassIndex(metamodels);
     metamodels.forEach(this::add);
     Deque<EClass> open = new ArrayDeque<>(List.of(root));
@@ -69,13 +75,17 @@ final class SchemaClasses {
   List<EClass> targets(EReference reference) {
     return reference.isContainment()
         ? concrete(reference)
-        : used().stream().filter(reference.getEReferenceType()::isSuperTypeOf).toList();
+        : used().stream()
+            .filter(SchemaClasses::hasId)
+            .filter(reference.getEReferenceType()::isSuperTypeOf)
+            .toList();
   }
 
   private List<EClass> concrete(EReference reference) {
     return all.stream()
         .filter(eClass -> !eClass.isAbstract() && !eClass.isInterface())
         .filter(reference.getEReferenceType()::isSuperTypeOf)
+        .filter(eClass -> !byId || hasId(eClass))
         .toList();
   }
 
@@ -141,7 +151,9 @@ final class SchemaClasses {
         && isWritten(opposite);
   }
 
+  /** By lists: feature ids are not there before a class was looked at. */
   private long position(EReference reference) {
-    return (long) all.indexOf(reference.getEContainingClass()) << 32 | reference.getFeatureID();
+    EClass owner = reference.getEContainingClass();
+    return (long) all.indexOf(owner) << 32 | owner.getEStructuralFeatures().indexOf(reference);
   }
 }

@@ -17,9 +17,11 @@ import dev.eventchain.metamodel.eventchain.EventchainPackage;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.IntStream;
 import org.eclipse.emf.ecore.EClass;
@@ -33,7 +35,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 
 class MetamodelSchemaTest {
 
-  private static final int INSTANCES = 300;
+  private static final int INSTANCES = 60;
 
   /** What a schema can keep a model from saying. */
   private static final Set<String> STRUCTURAL =
@@ -135,26 +137,33 @@ class MetamodelSchemaTest {
   @EnumSource
   void aModelIsTheSameInBothShapes(Metamodel metamodel) {
     EPackage loaded = metamodel.load();
-    MetamodelSchema schema = metamodel.schema(loaded);
+    ObjectNode nested = metamodel.schema(loaded).nested();
+    ObjectNode flat = metamodel.schema(loaded).flat();
+    JsonSchema nestedValidator = validator(nested);
+    JsonSchema flatValidator = validator(flat);
     int objects = 0;
     for (int seed = 0; seed < INSTANCES; seed++) {
-      JsonNode instance = new RandomJson(schema.nested(), seed).next();
+      JsonNode instance = new RandomJson(nested, seed).next();
       EObject model = read(loaded, instance).root().get(0);
       // What refers to nothing, though it must, cannot be written; who is their own spouse, and
       // then
       // another's, is something else to each of them.
       if (isComplete(model) && isMutual(model)) {
-        checkWritten(loaded, model, schema.nested());
-        checkWritten(loaded, model, schema.flat());
+        checkWritten(loaded, model, nested, nestedValidator);
+        // It has no id, and cannot be contained by it.
+        Optional.ofNullable(model.eClass().getEStructuralFeature("plaque"))
+            .ifPresent(model::eUnset);
+        checkWritten(loaded, model, flat, flatValidator);
         objects += count(model);
       }
     }
     assertTrue(objects > INSTANCES, "objects: " + objects);
   }
 
-  private static void checkWritten(EPackage metamodel, EObject model, ObjectNode schema) {
+  private static void checkWritten(
+      EPackage metamodel, EObject model, ObjectNode schema, JsonSchema validator) {
     JsonNode written = InstanceJson.of(model, schema);
-    assertEquals(Set.of(), validator(schema).validate(written), written::toPrettyString);
+    assertEquals(Set.of(), validator.validate(written), written::toPrettyString);
     Modeled<List<EObject>> again = read(metamodel, written);
     assertEquals(
         List.of(),
@@ -179,7 +188,7 @@ class MetamodelSchemaTest {
                 each ->
                     ModelMatch.values(object, each).stream()
                         .map(target -> ModelMatch.values(target, each.getEOpposite()))
-                        .allMatch(back -> back.contains(object)))
+                        .allMatch(back -> Collections.frequency(back, object) == 1))
         && object.eContents().stream().allMatch(MetamodelSchemaTest::isMutual);
   }
 

@@ -10,7 +10,7 @@ import java.util.Random;
 final class RandomJson {
 
   private static final JsonNodeFactory JSON = JsonNodeFactory.instance;
-  private static final int DEEPEST = 12;
+  private static final int DEEPEST = 6;
   private static final int IDS = 15;
 
   private final JsonNode schema;
@@ -81,7 +81,7 @@ final class RandomJson {
 
   private ArrayNode array(JsonNode part, int depth) {
     ArrayNode array = JSON.arrayNode();
-    int size = depth > DEEPEST ? 0 : random.nextInt(4);
+    int size = depth > DEEPEST ? 0 : random.nextInt(3);
     for (int i = 0; i < size; i++) {
       array.add(value(part.get("items"), depth + 1));
     }

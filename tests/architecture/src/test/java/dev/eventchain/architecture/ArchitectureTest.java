@@ -52,7 +52,7 @@ class ArchitectureTest {
               Map.entry("python", 9),
               Map.entry("llm", 11),
               Map.entry("m2t", 5),
-              Map.entry("modeler", 9),
+              Map.entry("modeler", 10),
               Map.entry("analysis", 2),
               Map.entry("simulation", 8),
               Map.entry("agents", 9),

@@ -1,0 +1,70 @@
+package dev.eventchain.agents;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.JsonLayout;
+import dev.eventchain.llm.AnswerSchema;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.messages.RosNames;
+import dev.eventchain.metamodel.Signal;
+import dev.eventchain.modeler.EventChainSchema;
+import dev.eventchain.modeler.JsonDocument;
+import dev.eventchain.modeler.Requirements;
+import dev.eventchain.modeler.SoftwareBase;
+import java.util.Iterator;
+import java.util.List;
+import java.util.SortedSet;
+import java.util.stream.Stream;
+
+/** The schema of a designed chain, and the way back from it to the array of the paper. */
+final class DesignSchema {
+
+  private DesignSchema() {}
+
+  /**
+   * The schema.
+   *
+   * @param base what it uses is allowed, whether its definition is known or not: the checks say
+   *     what is wrong with it, and the answer cannot help it
+   */
+  static AnswerSchema of(Requirements requirements, SoftwareBase base, MessageCatalog messages) {
+    List<String> ids = requirements.items().stream().map(Requirements.Item::id).toList();
+    SortedSet<String> types = messages.names();
+    Stream.concat(
+            base.messageTypes().stream(),
+            base.signals().orElse(List.of()).stream().map(Signal::messageType))
+        .filter(RosNames::isMessageType)
+        .map(RosNames::fullMessageType)
+        .forEach(types::add);
+    EventChainSchema schema = EventChainSchema.of(ids, types);
+    return new AnswerSchema(schema.nested(), schema.flat(), schema.array());
+  }
+
+  /**
+   * An answer in the shape of the schema as the description that people know: the array, without
+   * what is null. Any other answer stays as it is.
+   */
+  static SourceText asArray(SourceText answer) {
+    JsonNode json = JsonDocument.parse(answer).root();
+    JsonNode components = EventChainSchema.components(json);
+    boolean isWrapped = json.isObject() && json.size() == 1 && components.isArray();
+    if (!isWrapped) {
+      return answer;
+    }
+    JsonNode array = components.deepCopy();
+    removeNulls(array);
+    return SourceText.of(answer.name(), JsonLayout.of(array) + "\n");
+  }
+
+  private static void removeNulls(JsonNode node) {
+    if (node instanceof ObjectNode object) {
+      for (Iterator<JsonNode> values = object.elements(); values.hasNext(); ) {
+        if (values.next().isNull()) {
+          values.remove();
+        }
+      }
+    }
+    node.forEach(DesignSchema::removeNulls);
+  }
+}
