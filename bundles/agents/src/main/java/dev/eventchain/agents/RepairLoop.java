@@ -80,7 +80,7 @@ final class RepairLoop {
       String file,
       String prompt,
       List<ChatMessage> conversation,
-      Optional<JsonNode> schema,
+      Optional<AnswerSchema> schema,
       Function<SourceText, List<Diagnostic>> check) {
     List<ChatMessage> messages = new ArrayList<>(conversation);
     List<Attempt> attempts = new ArrayList<>();
