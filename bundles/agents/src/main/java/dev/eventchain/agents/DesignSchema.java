@@ -14,7 +14,8 @@ import dev.eventchain.modeler.Requirements;
 import dev.eventchain.modeler.SoftwareBase;
 import java.util.Iterator;
 import java.util.List;
-import java.util.SortedSet;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.stream.Stream;
 
 /** The schema of a designed chain, and the way back from it to the array of the paper. */
@@ -30,7 +31,7 @@ final class DesignSchema {
    */
   static AnswerSchema of(Requirements requirements, SoftwareBase base, MessageCatalog messages) {
     List<String> ids = requirements.items().stream().map(Requirements.Item::id).toList();
-    SortedSet<String> types = messages.names();
+    Set<String> types = new TreeSet<>(messages.names());
     Stream.concat(
             base.messageTypes().stream(),
             base.signals().orElse(List.of()).stream().map(Signal::messageType))
