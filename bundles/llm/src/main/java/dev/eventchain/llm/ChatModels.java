@@ -63,16 +63,19 @@ public final class ChatModels {
   public static ChatModel openRun(ModelAccess access, String model, Path common, int run) {
     ChatModels opening = new ChatModels(access);
     ModelName name = modelName(model);
-    RecordingFolder shared = new RecordingFolder(common);
+    return opening.inShape(name, opening.openRun(name, new RecordingFolder(common), run));
+  }
+
+  private ChatModel openRun(ModelName name, RecordingFolder shared, int run) {
     String source = access.source();
     if (source.equals("replay")) {
       return new SampledModel(name, shared, run, SampledModel.nothingElse(name, shared, run));
     }
     if (source.startsWith(COMMAND) || source.equals("live")) {
-      ChatModel asking = source.equals("live") ? opening.lazily(name) : opening.program(name);
-      return opening.recorded(new RecordedFirst(name, opening.recordings, asking), name);
+      ChatModel asking = source.equals("live") ? lazily(name) : program(name);
+      return recorded(new RecordedFirst(name, recordings, asking), name);
     }
-    return new SampledModel(name, shared, run, opening.open(name));
+    return new SampledModel(name, shared, run, open(name));
   }
 
   /** The source may be a model. */
@@ -85,9 +88,13 @@ public final class ChatModels {
 
   private FallbackModel.Named open(String model) {
     ModelName name = modelName(model);
-    ChatModel opened = open(name);
+    return new FallbackModel.Named(name.toString(), inShape(name, open(name)));
+  }
+
+  /** Asks in the shape of the schema that the model takes, before keys are computed. */
+  private ChatModel inShape(ModelName name, ChatModel opened) {
     AnswerSchema.Shape shape = shape(name);
-    return new FallbackModel.Named(name.toString(), request -> opened.chat(request.in(shape)));
+    return request -> opened.chat(request.in(shape));
   }
 
   /**

@@ -34,7 +34,7 @@ enum Wire {
       return GoogleAiGeminiStreamingChatModel.builder()
           .httpClientBuilder(call.transport().builder())
           .baseUrl(call.url())
-          .apiKey(call.key())
+          .apiKey(call.keyOrNone())
           .modelName(call.model())
           .temperature(call.temperature())
           .seed(call.seed())
@@ -49,7 +49,7 @@ enum Wire {
       return AnthropicStreamingChatModel.builder()
           .httpClientBuilder(call.transport().builder())
           .baseUrl(call.url())
-          .apiKey(call.key())
+          .apiKey(call.keyOrNone())
           .modelName(call.model())
           .temperature(call.temperature())
           .maxTokens(call.maximumTokens())
@@ -87,7 +87,12 @@ enum Wire {
       String model,
       Double temperature,
       Integer seed,
-      int maximumTokens) {}
+      int maximumTokens) {
+    /** The client libraries refuse to send nothing. */
+    String keyOrNone() {
+      return key.isEmpty() ? "none" : key;
+    }
+  }
 
   private final String id;
   private final Shape shape;
@@ -127,7 +132,7 @@ enum Wire {
     return OpenAiStreamingChatModel.builder()
         .httpClientBuilder(call.transport().builder())
         .baseUrl(call.url())
-        .apiKey(call.key().isEmpty() ? "none" : call.key())
+        .apiKey(call.keyOrNone())
         .modelName(call.model())
         .temperature(call.temperature())
         .seed(call.seed())

@@ -159,4 +159,14 @@ class WiresTest {
     assertTrue(sent.getHeaders().toString().contains(FakeService.KEY), wire::id);
     assertFalse(sent.getUrl().contains(FakeService.KEY), wire::id);
   }
+
+  @ParameterizedTest
+  @EnumSource
+  void aServiceMayWantNoKey(Wire wire) throws IOException {
+    SERVICE.answers(wire, "good");
+    ModelService keyed = SERVICE.service(wire);
+    ModelService open = ModelService.of("fake", wire, keyed.url(), Optional.empty());
+    assertEquals(
+        FinishReason.STOP, SERVICE.model(open).chat(FakeService.question()).finishReason());
+  }
 }
