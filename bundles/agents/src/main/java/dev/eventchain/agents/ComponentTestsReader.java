@@ -33,6 +33,9 @@ final class ComponentTestsReader {
   /** The calls of one test. */
   private static final int MOST_CALLS = 10_000;
 
+  /** The values of its inputs, elements of arrays counted one by one. */
+  private static final int MOST_VALUES = 5_000_000;
+
   private static final int MOST_VARIED = 4;
 
   private final Map<String, Value> inputs;
@@ -88,9 +91,22 @@ final class ComponentTestsReader {
     List<Map<String, JsonNode>> calls = test.has("steps") ? steps(test) : single(test);
     Map<String, TestExpectation> expected = expectations(test);
     test.refuseOthers();
+    if (calls.size() > MOST_CALLS || values(calls) > MOST_VALUES) {
+      String message =
+          "A test has at most %d calls, with %d values in all.".formatted(MOST_CALLS, MOST_VALUES);
+      test.find(FORMAT, message, test.location());
+      return Optional.empty();
+    }
     return calls.isEmpty() || expected.isEmpty()
         ? Optional.empty()
         : Optional.of(new Case(name, requirement, calls, expected, test.location()));
+  }
+
+  private static long values(List<Map<String, JsonNode>> calls) {
+    return calls.stream()
+        .flatMap(call -> call.values().stream())
+        .mapToLong(value -> value.isArray() ? value.size() : value.path("count").asLong(1))
+        .sum();
   }
 
   private List<Map<String, JsonNode>> single(ObjectReader test) {
@@ -109,7 +125,7 @@ final class ComponentTestsReader {
       step.refuseOthers();
       if (given.isPresent()) {
         Map<String, JsonNode> written = complete(given.get(), before);
-        for (int i = 0; i < repeat && calls.size() < MOST_CALLS; i++) {
+        for (int i = 0; i < repeat && calls.size() <= MOST_CALLS; i++) {
           before = inCall(written, i);
           calls.add(before);
         }
