@@ -56,7 +56,7 @@ final class ComponentTestRun {
     }
     List<CallResults> results = probe.call(file, component.signature(), sequences);
     if (results.size() != sequences.size()) {
-      return results.get(0).problem().stream().toList();
+      return List.of(results.get(0).problem().orElseThrow()); // the probe says why
     }
     List<Diagnostic> found = new ArrayList<>();
     int next = 0;
@@ -72,6 +72,11 @@ final class ComponentTestRun {
       found.addAll(sameAgain(tests.tests().get(0), results.get(0), results.get(next)));
     }
     return found;
+  }
+
+  /** The calls of the first test or property; none if there is no test. */
+  List<ComponentCall> first() {
+    return sequences.isEmpty() ? List.of() : sequences.get(0);
   }
 
   private List<Diagnostic> judge(Case test, CallResults result) {

@@ -100,6 +100,21 @@ public final class ComponentTester {
     return new ComponentTestRun(component, tests).run(probe, file);
   }
 
+  /**
+   * Runs the tests on a component that was never called before, such as one that a person has
+   * edited. If it cannot be called as the first test asks, the others are left out: it might hang
+   * in each of them.
+   *
+   * @param file its Python file
+   * @return what keeps the component from passing the calls of the first test, at its place in the
+   *     component; if nothing does, as {@link #run}
+   */
+  public List<Diagnostic> check(ComponentProbe probe, Path file) {
+    ComponentTestRun run = new ComponentTestRun(component, tests);
+    List<Diagnostic> found = probe.check(file, component.signature(), run.first());
+    return found.isEmpty() ? run.run(probe, file) : found;
+  }
+
   /** Whether a place is in the file of the tests. */
   boolean holds(SourceLocation place) {
     return place.file().equals(source.name());

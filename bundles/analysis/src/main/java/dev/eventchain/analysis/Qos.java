@@ -39,11 +39,27 @@ final class Qos {
     if (profile.isSetDepth()) {
       settings = settings.withDepth(profile.getDepth());
     }
-    boolean timed =
-        profile.isSetDeadline() && profile.getDeadline() > 0 && profile.getDeadline() < LONGEST_MS;
-    return timed
-        ? settings.withDeadline(Duration.ofNanos(Math.round(profile.getDeadline() * 1e6)))
-        : settings;
+    return timed(settings, profile);
+  }
+
+  private static QosSettings timed(QosSettings untimed, QosProfile profile) {
+    QosSettings settings = untimed;
+    if (isTime(profile.getDeadline())) {
+      settings = settings.withDeadline(duration(profile.getDeadline()));
+    }
+    if (isTime(profile.getLeaseDuration())) {
+      settings = settings.withLease(duration(profile.getLeaseDuration()));
+    }
+    return settings;
+  }
+
+  /** What is not set is zero. */
+  private static boolean isTime(double milliseconds) {
+    return milliseconds > 0 && milliseconds < LONGEST_MS;
+  }
+
+  private static Duration duration(double milliseconds) {
+    return Duration.ofNanos(Math.round(milliseconds * 1e6));
   }
 
   /** How people find a profile again: "profile sensor_data". */

@@ -5,7 +5,6 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.util.List;
-import java.util.Set;
 import java.util.function.Consumer;
 
 /**
@@ -13,8 +12,6 @@ import java.util.function.Consumer;
  * a finding: its answers are not those of the model that was wanted.
  */
 final class FallbackModel implements ChatModel {
-  private static final Set<String> FINAL = Set.of("llm.budget.spent", "llm.price.missing");
-
   private final List<Named> models;
   private final Consumer<Diagnostic> findings;
 
@@ -58,7 +55,7 @@ final class FallbackModel implements ChatModel {
 
   private static boolean leavesOthers(DiagnosticException e) {
     String id = e.diagnostics().get(0).id();
-    return (e.reason() == Reason.UNAVAILABLE && !FINAL.contains(id))
+    return (e.reason() == Reason.UNAVAILABLE && !Spending.ENDS.contains(id))
         || id.equals("llm.recording.missing");
   }
 }

@@ -8,11 +8,15 @@ import dev.eventchain.llm.ChatResponse.Usage;
 import java.math.BigDecimal;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 
 /** What the calls of a run have cost, and what they may cost. Safe for threads. */
 public final class Spending {
+  /** The findings after which a run asks nobody any more: what may be spent is spent. */
+  public static final Set<String> ENDS = Set.of("llm.budget.spent", "llm.price.missing");
+
   private final ModelServices services;
   private final SortedMap<String, Line> lines = new TreeMap<>();
 

@@ -183,6 +183,7 @@ public final class EventChainSchema {
           .maybe("depth", type("integer"))
           .maybe("deadline", type("number").put("description", "ms"))
           .maybe("liveliness", oneOf(names(Liveliness.VALUES)))
+          .maybe("lease_duration", type("number").put("description", "ms"))
           .closed();
     }
 

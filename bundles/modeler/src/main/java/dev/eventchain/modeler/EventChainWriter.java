@@ -12,6 +12,7 @@ import dev.eventchain.metamodel.eventchain.QosProfile;
 import dev.eventchain.metamodel.eventchain.Requirement;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import java.util.List;
+import java.util.Locale;
 import java.util.Objects;
 import java.util.Optional;
 import org.eclipse.emf.ecore.EStructuralFeature;
@@ -111,10 +112,14 @@ public final class EventChainWriter {
     for (EStructuralFeature policy :
         EventchainPackage.Literals.QOS_PROFILE.getEStructuralFeatures()) {
       if (policy.isUnsettable() && qos.eIsSet(policy)) {
-        json.putPOJO(policy.getName(), plain(qos.eGet(policy)));
+        json.putPOJO(snakeCase(policy.getName()), plain(qos.eGet(policy)));
       }
     }
     return json.size() == 1 && json.has("profile") ? json.get("profile") : json;
+  }
+
+  private static String snakeCase(String feature) {
+    return feature.replaceAll("(?=[A-Z])", "_").toLowerCase(Locale.ROOT);
   }
 
   private static Object plain(Object value) {

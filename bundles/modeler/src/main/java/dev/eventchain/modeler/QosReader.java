@@ -92,6 +92,7 @@ final class QosReader {
         .wholeNumber("depth", NumberRange.of(0, Integer.MAX_VALUE))
         .ifPresent(depth -> qos.setDepth((int) depth));
     object.number("deadline", NumberRange.atLeast(0)).ifPresent(qos::setDeadline);
+    object.number("lease_duration", NumberRange.atLeast(0)).ifPresent(qos::setLeaseDuration);
     object.refuseOthers();
     return qos;
   }

@@ -31,12 +31,14 @@ class EventChainWriterTest {
     String json =
         """
         [{"name": "A", "input": [], "output": [{"topic": "/a", "message_type": "std_msgs/msg/Float32",
-          "qos_profile": {"profile": "sensor_data", "reliability": "RELIABLE", "depth": 3, "deadline": 50.0},
+          "qos_profile": {"profile": "sensor_data", "reliability": "RELIABLE", "depth": 3, "deadline": 50.0,
+            "liveliness": "MANUAL_BY_TOPIC", "lease_duration": 75.0},
           "values": [{"name": "a", "field": "data"}]}]}]
         """;
     EventChain chain = read(SourceText.of("a.json", json));
     String written = EventChainWriter.write(chain);
     assertTrue(written.contains("\"reliability\": \"RELIABLE\""), written);
+    assertTrue(written.contains("\"lease_duration\": 75.0"), written);
     assertEquals(xmi(chain), xmi(read(SourceText.of("b.json", written))));
   }
 

@@ -10,6 +10,7 @@ import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainFactory;
 import dev.eventchain.metamodel.eventchain.History;
+import dev.eventchain.metamodel.eventchain.Liveliness;
 import dev.eventchain.metamodel.eventchain.QosProfile;
 import dev.eventchain.metamodel.eventchain.Reliability;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
@@ -122,6 +123,13 @@ class RoundTripTest {
     }
     if (random.nextBoolean()) {
       qos.setDepth(random.nextInt(1000));
+    }
+    if (random.nextBoolean()) {
+      qos.setDeadline(random.nextDouble() * 1000);
+    }
+    if (random.nextBoolean()) {
+      qos.setLiveliness(Liveliness.MANUAL_BY_TOPIC);
+      qos.setLeaseDuration(random.nextDouble() * 1000);
     }
     return qos;
   }

@@ -47,6 +47,7 @@ class Braking_Decision_node:
                 Policy.Durability.Volatile,
                 Policy.History.KeepLast(10),
                 Policy.Deadline(duration(milliseconds=100.0)),
+                Policy.Liveliness.Automatic(lease_duration=duration(milliseconds=150.0)),
                 Policy.DataRepresentation(use_cdrv0_representation=True),
             ),
         )

@@ -70,7 +70,6 @@ class TTC_Calculation_node:
                 Policy.Reliability.Reliable(max_blocking_time=duration(infinite=True)),
                 Policy.Durability.Volatile,
                 Policy.History.KeepLast(1),
-                Policy.Liveliness.Automatic(lease_duration=duration(infinite=True)),
                 Policy.DataRepresentation(use_cdrv0_representation=True),
             ),
         )
@@ -82,6 +81,7 @@ class TTC_Calculation_node:
                 Policy.Durability.Volatile,
                 Policy.History.KeepLast(10),
                 Policy.Deadline(duration(milliseconds=100.0)),
+                Policy.Liveliness.Automatic(lease_duration=duration(milliseconds=150.0)),
                 Policy.DataRepresentation(use_cdrv0_representation=True),
             ),
         )

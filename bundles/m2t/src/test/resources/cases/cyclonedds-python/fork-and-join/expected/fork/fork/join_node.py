@@ -58,6 +58,7 @@ class Join_node:
                 Policy.Reliability.Reliable(max_blocking_time=duration(infinite=True)),
                 Policy.Durability.Volatile,
                 Policy.History.KeepLast(10),
+                Policy.Liveliness.ManualByTopic(lease_duration=duration(milliseconds=300.0)),
                 Policy.DataRepresentation(use_cdrv0_representation=True),
             ),
         )

@@ -73,6 +73,7 @@ class Left_node:
                     max_samples_per_instance=-1,
                 ),
                 Policy.History.KeepAll,
+                Policy.Liveliness.Automatic(lease_duration=duration(infinite=True)),
                 Policy.DataRepresentation(use_cdrv0_representation=True),
             ),
         )

@@ -57,7 +57,6 @@ class Right_node:
                 Policy.Reliability.BestEffort,
                 Policy.Durability.Volatile,
                 Policy.History.KeepLast(5),
-                Policy.Liveliness.ManualByTopic(lease_duration=duration(infinite=True)),
                 Policy.DataRepresentation(use_cdrv0_representation=True),
             ),
         )
@@ -68,6 +67,7 @@ class Right_node:
                 Policy.Reliability.Reliable(max_blocking_time=duration(infinite=True)),
                 Policy.Durability.Volatile,
                 Policy.History.KeepLast(10),
+                Policy.Liveliness.ManualByTopic(lease_duration=duration(milliseconds=200.0)),
                 Policy.DataRepresentation(use_cdrv0_representation=True),
             ),
         )

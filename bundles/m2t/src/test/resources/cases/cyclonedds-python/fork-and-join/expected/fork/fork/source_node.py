@@ -40,6 +40,7 @@ class Source_node:
                     max_samples_per_instance=-1,
                 ),
                 Policy.History.KeepLast(3),
+                Policy.Liveliness.Automatic(lease_duration=duration(infinite=True)),
                 Policy.DataRepresentation(use_cdrv0_representation=True),
             ),
         )

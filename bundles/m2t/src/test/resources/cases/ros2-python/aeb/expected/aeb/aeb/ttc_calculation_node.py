@@ -90,7 +90,6 @@ class TTC_Calculation_node(rclpy.node.Node):
                 durability=rclpy.qos.DurabilityPolicy.VOLATILE,
                 history=rclpy.qos.HistoryPolicy.KEEP_LAST,
                 depth=1,
-                liveliness=rclpy.qos.LivelinessPolicy.AUTOMATIC,
             ),
         )
         self.publisher_aeb_ttc = self.create_publisher(

@@ -74,7 +74,6 @@ SUBSCRIPTIONS = {
             durability=rclpy.qos.DurabilityPolicy.VOLATILE,
             history=rclpy.qos.HistoryPolicy.KEEP_LAST,
             depth=1,
-            liveliness=rclpy.qos.LivelinessPolicy.AUTOMATIC,
         ),
     ),
 }

@@ -92,6 +92,8 @@ class Steering_node(rclpy.node.Node):
                 history=rclpy.qos.HistoryPolicy.KEEP_LAST,
                 depth=1,
                 deadline=rclpy.duration.Duration(seconds=0.5),
+                liveliness=rclpy.qos.LivelinessPolicy.AUTOMATIC,
+                liveliness_lease_duration=rclpy.duration.Duration(seconds=0.6),
             ),
         )
         self.create_subscription(
@@ -103,6 +105,7 @@ class Steering_node(rclpy.node.Node):
                 durability=rclpy.qos.DurabilityPolicy.VOLATILE,
                 history=rclpy.qos.HistoryPolicy.KEEP_LAST,
                 depth=10,
+                liveliness_lease_duration=rclpy.duration.Duration(seconds=0.2505),
             ),
         )
         self.publisher_steering_angle = self.create_publisher(

@@ -80,6 +80,8 @@ class Vehicle_Detection_node(rclpy.node.Node):
                 history=rclpy.qos.HistoryPolicy.KEEP_LAST,
                 depth=1,
                 deadline=rclpy.duration.Duration(seconds=0.2),
+                liveliness=rclpy.qos.LivelinessPolicy.MANUAL_BY_TOPIC,
+                liveliness_lease_duration=rclpy.duration.Duration(seconds=0.25),
             ),
         )
         self.publisher_vehicles_urgent = self.create_publisher(
@@ -90,6 +92,7 @@ class Vehicle_Detection_node(rclpy.node.Node):
                 durability=rclpy.qos.DurabilityPolicy.VOLATILE,
                 history=rclpy.qos.HistoryPolicy.KEEP_LAST,
                 depth=10,
+                liveliness_lease_duration=rclpy.duration.Duration(seconds=0.25),
             ),
         )
         frequency = self.get_parameter("frequency").value

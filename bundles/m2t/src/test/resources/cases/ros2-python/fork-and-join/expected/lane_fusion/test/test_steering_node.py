@@ -91,6 +91,8 @@ SUBSCRIPTIONS = {
             history=rclpy.qos.HistoryPolicy.KEEP_LAST,
             depth=1,
             deadline=rclpy.duration.Duration(seconds=0.5),
+            liveliness=rclpy.qos.LivelinessPolicy.AUTOMATIC,
+            liveliness_lease_duration=rclpy.duration.Duration(seconds=0.6),
         ),
     ),
     "/vehicles/urgent": (
@@ -100,6 +102,7 @@ SUBSCRIPTIONS = {
             durability=rclpy.qos.DurabilityPolicy.VOLATILE,
             history=rclpy.qos.HistoryPolicy.KEEP_LAST,
             depth=10,
+            liveliness_lease_duration=rclpy.duration.Duration(seconds=0.2505),
         ),
     ),
 }

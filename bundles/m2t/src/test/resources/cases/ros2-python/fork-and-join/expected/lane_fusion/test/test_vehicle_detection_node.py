@@ -110,6 +110,8 @@ PUBLICATIONS = {
             history=rclpy.qos.HistoryPolicy.KEEP_LAST,
             depth=1,
             deadline=rclpy.duration.Duration(seconds=0.2),
+            liveliness=rclpy.qos.LivelinessPolicy.MANUAL_BY_TOPIC,
+            liveliness_lease_duration=rclpy.duration.Duration(seconds=0.25),
         ),
     ),
     "/vehicles/urgent": (
@@ -119,6 +121,7 @@ PUBLICATIONS = {
             durability=rclpy.qos.DurabilityPolicy.VOLATILE,
             history=rclpy.qos.HistoryPolicy.KEEP_LAST,
             depth=10,
+            liveliness_lease_duration=rclpy.duration.Duration(seconds=0.25),
         ),
     ),
 }
