@@ -1,7 +1,7 @@
 """Write random messages of every standard type, as rosbags serializes them: `random_messages.py FILE`.
 
-One JSON object a line: `type`, `cdr` (hexadecimal), and `value` as nested lists and objects. Floating-point numbers
-stand as text, so that infinities and NaN survive.
+One JSON object a line: `type`, its `hash`, `cdr` and `cdr_big_endian` (hexadecimal), and `value` as nested lists and
+objects. Floating-point numbers stand as text, so that infinities and NaN survive.
 """
 
 from __future__ import annotations
@@ -86,8 +86,14 @@ def main(target: Path) -> None:
         for name in sorted(store.fielddefs):
             for _ in range(INSTANCES):
                 made = message(name)
-                cdr = bytes(store.serialize_cdr(made, name, little_endian=True))
-                file.write(json.dumps({"type": name, "cdr": cdr.hex(), "value": plain(made)}) + "\n")
+                line = {
+                    "type": name,
+                    "hash": store.hash_rihs01(name),
+                    "cdr": bytes(store.serialize_cdr(made, name, little_endian=True)).hex(),
+                    "cdr_big_endian": bytes(store.serialize_cdr(made, name, little_endian=False)).hex(),
+                    "value": plain(made),
+                }
+                file.write(json.dumps(line) + "\n")
 
 
 if __name__ == "__main__":

@@ -40,4 +40,15 @@ public final class CdrCodec {
   public static MessageValue decode(MessageType type, byte[] bytes, int offset, int length) {
     return new CdrReader(bytes, offset, length).read(type);
   }
+
+  /**
+   * Makes sure that bytes hold a message of this type and nothing else but up to three bytes of
+   * padding, without reading its values.
+   *
+   * @throws IllegalArgumentException if they end too early or go on after it, have another
+   *     representation or a truth value that is neither 0 nor 1, or the type has a {@code wstring}
+   */
+  public static void requireMessage(MessageType type, byte[] bytes) {
+    new CdrReader(bytes, 0, bytes.length).requireMessage(type);
+  }
 }

@@ -11,6 +11,9 @@ import java.util.List;
 /** Reads one message as CDR. */
 final class CdrReader {
 
+  /** On the wire a message is padded to a multiple of this. */
+  private static final int PADDED = 4;
+
   private final ByteBuffer buffer;
   private final int start;
 
@@ -21,17 +24,34 @@ final class CdrReader {
 
   MessageValue read(MessageType type) {
     try {
-      int representation = buffer.getShort();
-      buffer.getShort();
-      if (representation != 0 && representation != 1) {
-        throw new IllegalArgumentException(
-            "Representation " + representation + " is not plain CDR (0 or 1).");
-      }
-      buffer.order(representation == 1 ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
+      readHeader();
       return message(type);
     } catch (BufferUnderflowException e) {
       throw tooShort(type);
     }
+  }
+
+  void requireMessage(MessageType type) {
+    try {
+      readHeader();
+      skip(type);
+    } catch (BufferUnderflowException e) {
+      throw tooShort(type);
+    }
+    if (buffer.remaining() >= PADDED) {
+      throw new IllegalArgumentException(
+          "%d bytes follow on the message %s.".formatted(buffer.remaining(), type));
+    }
+  }
+
+  private void readHeader() {
+    int representation = buffer.getShort();
+    buffer.getShort();
+    if (representation != 0 && representation != 1) {
+      throw new IllegalArgumentException(
+          "Representation " + representation + " is not plain CDR (0 or 1).");
+    }
+    buffer.order(representation == 1 ? ByteOrder.LITTLE_ENDIAN : ByteOrder.BIG_ENDIAN);
   }
 
   private static IllegalArgumentException tooShort(MessageType type) {
@@ -86,16 +106,68 @@ final class CdrReader {
     }
   }
 
-  private Object several(FieldType type) {
-    int count = type.shape() == FieldType.Shape.ARRAY ? type.size() : align(4).getInt();
-    int bytes = type.kind().bytes();
-    // A string or a message takes at least one byte, so a wrong count ends here and not in memory.
-    if (count < 0 || (long) count * Math.max(1, bytes) > buffer.remaining()) {
-      throw new BufferUnderflowException();
+  private void skip(MessageType type) {
+    if (type.fields().isEmpty()) {
+      skip(1, 1);
     }
-    if (type.shape() == FieldType.Shape.SEQUENCE && type.size() > 0 && count > type.size()) {
+    for (MessageType.Field field : type.fields()) {
+      FieldType each = field.type();
+      int count = each.shape() == FieldType.Shape.SINGLE ? 1 : count(each);
+      if (!Values.isList(each.kind())) {
+        skip(each.kind().bytes(), count);
+        if (each.kind() == FieldType.Kind.BOOL) {
+          requireTruthValues(count);
+        }
+        continue;
+      }
+      for (int i = 0; i < count; i++) {
+        switch (each.kind()) {
+          case MESSAGE -> skip(each.message().orElseThrow());
+          case STRING -> skip(1, count(align(4).getInt(), 1));
+          default -> throw new IllegalArgumentException("A wstring has no agreed form in CDR.");
+        }
+      }
+    }
+  }
+
+  private void skip(int size, int count) {
+    if (count > 0) {
+      align(size);
+      int bytes = Math.multiplyExact(size, count(count, size));
+      buffer.position(buffer.position() + bytes);
+    }
+  }
+
+  /** Those before the position are false or true, nothing else. */
+  private void requireTruthValues(int count) {
+    for (int i = buffer.position() - count; i < buffer.position(); i++) {
+      if ((buffer.get(i) & ~1) != 0) {
+        throw new IllegalArgumentException(
+            "A truth value is 0 or 1, not " + (buffer.get(i) & 0xFF) + ".");
+      }
+    }
+  }
+
+  /** How many values an array or a sequence has. */
+  private int count(FieldType type) {
+    boolean array = type.shape() == FieldType.Shape.ARRAY;
+    // A string or a message takes at least one byte, so a wrong count ends here and not in memory.
+    int count = count(array ? type.size() : align(4).getInt(), Math.max(1, type.kind().bytes()));
+    if (!array && type.size() > 0 && count > type.size()) {
       throw new IllegalArgumentException(count + " values do not fit into " + type + ".");
     }
+    return count;
+  }
+
+  private int count(int count, int size) {
+    if (count < 0 || (long) count * size > buffer.remaining()) {
+      throw new BufferUnderflowException();
+    }
+    return count;
+  }
+
+  private Object several(FieldType type) {
+    int count = count(type);
     if (!Values.isList(type.kind())) {
       return numbers(type.kind(), count);
     }

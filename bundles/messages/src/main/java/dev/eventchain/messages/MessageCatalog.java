@@ -60,6 +60,17 @@ public final class MessageCatalog {
     return new MessageCatalog(StandardTypes.TEXTS, List.copyOf(folders));
   }
 
+  /**
+   * The standard types, and those of texts.
+   *
+   * @param texts definitions by full names; they hide standard types
+   */
+  public static MessageCatalog ofTexts(Map<String, String> texts) {
+    Map<String, String> all = new HashMap<>(StandardTypes.TEXTS);
+    all.putAll(texts);
+    return new MessageCatalog(all, List.of());
+  }
+
   private void list(Path folder) {
     try (Stream<Path> found = Files.walk(folder, FileVisitOption.FOLLOW_LINKS)) {
       for (Path file : found.filter(MessageCatalog::isDefinition).sorted().toList()) {

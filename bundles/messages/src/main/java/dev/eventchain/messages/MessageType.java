@@ -64,6 +64,15 @@ public final class MessageType {
     return constants;
   }
 
+  /**
+   * The hash of the type as nodes of ROS 2 (Iron or later) announce it, {@code RIHS01_} and 64
+   * hexadecimal digits. Types with the same hash have the same fields, so that they understand each
+   * other's bytes.
+   */
+  public String hash() {
+    return TypeHash.of(this);
+  }
+
   /** The position of a field, or -1. */
   int indexOf(String field) {
     return indices.getOrDefault(field, -1);

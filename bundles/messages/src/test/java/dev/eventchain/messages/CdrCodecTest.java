@@ -2,6 +2,7 @@ package dev.eventchain.messages;
 
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -11,8 +12,10 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
@@ -64,6 +67,87 @@ class CdrCodecTest {
           HexFormat.of().formatHex(CdrCodec.encode(made)),
           type::name);
     }
+  }
+
+  @Test
+  void bytesInBigEndianOrderAreReadToo() throws IOException {
+    int different = 0;
+    for (String line : messagesOfRosbags()) {
+      JsonNode expected = JSON.readTree(line);
+      MessageType type = CATALOG.find(expected.get("type").asText()).orElseThrow();
+      byte[] bytes = HexFormat.of().parseHex(expected.get("cdr_big_endian").asText());
+      assertEquals(0, bytes[1], type::name);
+      assertEquals(PlainMessages.read(type, expected.get("value")), CdrCodec.decode(type, bytes));
+      different += expected.get("cdr").equals(expected.get("cdr_big_endian")) ? 0 : 1;
+    }
+    assertTrue(different >= 150, "only " + different + " differ from little-endian ones");
+  }
+
+  @Test
+  void aMessageIsRecognizedByItsLengthWithoutBeingRead() throws IOException {
+    for (String line : messagesOfRosbags()) {
+      JsonNode expected = JSON.readTree(line);
+      MessageType type = CATALOG.find(expected.get("type").asText()).orElseThrow();
+      for (String order : List.of("cdr", "cdr_big_endian")) {
+        byte[] bytes = HexFormat.of().parseHex(expected.get(order).asText());
+        CdrCodec.requireMessage(type, bytes);
+        CdrCodec.requireMessage(type, Arrays.copyOf(bytes, bytes.length + 3));
+        for (int length : new int[] {0, 3, bytes.length - 1, bytes.length + 4}) {
+          byte[] wrong = Arrays.copyOf(bytes, length);
+          assertThrows(
+              IllegalArgumentException.class,
+              () -> CdrCodec.requireMessage(type, wrong),
+              () -> type + " with " + length + " of " + bytes.length + " bytes");
+        }
+      }
+    }
+  }
+
+  @Test
+  void countsThatAreNoCountsAreNotRecognized() {
+    MessageType type = CATALOG.find("std_msgs/msg/Float64MultiArray").orElseThrow();
+    for (String count : List.of("ffffff7f", "ffffffff", "00000080", "00000020")) {
+      byte[] bytes = HexFormat.of().parseHex("00010000" + count + "00000000".repeat(8));
+      assertThrows(
+          IllegalArgumentException.class, () -> CdrCodec.requireMessage(type, bytes), count);
+    }
+  }
+
+  @Test
+  void typeHashesAreThoseOfRosbags() throws IOException {
+    int compared = 0;
+    for (String line : messagesOfRosbags()) {
+      JsonNode expected = JSON.readTree(line);
+      MessageType type = CATALOG.find(expected.get("type").asText()).orElseThrow();
+      if (!usesChar(type)) { // rosbags takes it for a type of its own, ROS 2 for uint8
+        assertEquals(expected.get("hash").asText(), type.hash(), type::name);
+        compared++;
+      }
+    }
+    assertTrue(compared >= 700, "only " + compared);
+  }
+
+  private static boolean usesChar(MessageType type) {
+    return type.fields().stream()
+        .map(MessageType.Field::type)
+        .anyMatch(
+            field ->
+                field.kind() == FieldType.Kind.CHAR
+                    || field.message().filter(CdrCodecTest::usesChar).isPresent());
+  }
+
+  @Test
+  void theHashOfCharIsThatOfUint8() {
+    MessageCatalog catalog =
+        MessageCatalog.ofTexts(
+            Map.of("std_msgs/msg/Char", "uint8 data\n", "std_msgs/msg/UInt8", "char data\n"));
+    for (String name : List.of("std_msgs/msg/Char", "std_msgs/msg/UInt8")) {
+      assertEquals(
+          CATALOG.find(name).orElseThrow().hash(), catalog.find(name).orElseThrow().hash());
+    }
+    assertNotEquals(
+        CATALOG.find("std_msgs/msg/Char").orElseThrow().hash(),
+        CATALOG.find("std_msgs/msg/UInt8").orElseThrow().hash());
   }
 
   @Test
