@@ -25,9 +25,14 @@ final class Bubblewrap {
 
   private Bubblewrap() {}
 
-  /** The part of the command line before the program. */
-  static List<String> command(Collection<Path> readable, Path workFolder) {
+  /**
+   * The part of the command line before the program.
+   *
+   * @param network whether the program has the network of this machine instead of none
+   */
+  static List<String> command(Collection<Path> readable, Path workFolder, boolean network) {
     List<String> line = new ArrayList<>(List.of("bwrap", "--unshare-all", "--die-with-parent"));
+    line.addAll(network ? List.of("--share-net") : List.of());
     line.addAll(List.of("--new-session", "--cap-drop", "ALL"));
     for (String library : LIBRARIES) {
       show(line, Path.of(library));

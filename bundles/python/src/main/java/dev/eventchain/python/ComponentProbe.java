@@ -106,12 +106,13 @@ public final class ComponentProbe {
    * Makes sequences of calls, each on a new component of the file.
    *
    * @return what came of each sequence, in their order; one result with a problem and nothing else
-   *     if reading the file finds something wrong
+   *     if reading the file finds something wrong, or the calls were not all made
    * @throws dev.eventchain.diagnostics.DiagnosticException as {@link #check} does
    */
   public List<CallResults> call(
       Path file, ComponentSignature signature, List<List<ComponentCall>> sequences) {
-    return run(file, signature, List.of(), sequences).results(SourceText.read(file));
+    return run(file, signature, List.of(), sequences)
+        .results(SourceText.read(file), sequences.size());
   }
 
   private ProbeReport run(

@@ -1,5 +1,6 @@
 package dev.eventchain.python;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
@@ -36,6 +37,7 @@ final class ConfinedCommand {
   private boolean hooks = true;
   private boolean components;
   private int turn;
+  private JsonNode preparation;
 
   ConfinedCommand(PythonEnvironment environment) {
     this.environment = environment;
@@ -76,6 +78,12 @@ final class ConfinedCommand {
     pythonPath.add(harness);
   }
 
+  void preparation(String module, JsonNode settings) {
+    ObjectNode described = JSON.createObjectNode();
+    described.put("module", module).set("settings", settings);
+    preparation = described;
+  }
+
   void withoutKernel() {
     kernel = false;
   }
@@ -109,7 +117,7 @@ final class ConfinedCommand {
       visible.add(harness);
       visible.addAll(pythonPath);
       visible.addAll(readable);
-      line.addAll(Bubblewrap.command(visible, workFolder));
+      line.addAll(Bubblewrap.command(visible, workFolder, preparation != null));
     }
     line.add(environment.executable().toString());
     line.addAll(List.of("-c", START, harness.toString(), description(chosen)));
@@ -134,6 +142,9 @@ final class ConfinedCommand {
     description.put("components", components);
     description.put("turn", turn);
     description.put("parent", ProcessHandle.current().pid());
+    if (preparation != null) {
+      description.set("preparation", preparation);
+    }
     return description.toString();
   }
 

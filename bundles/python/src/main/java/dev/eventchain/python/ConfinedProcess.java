@@ -1,5 +1,6 @@
 package dev.eventchain.python;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -18,10 +19,11 @@ import java.util.stream.Stream;
  * A Python process that runs a program which nobody trusts.
  *
  * <p>It reads Python itself, the system's libraries and the paths it is given, writes its work
- * folder and nothing else, has no network, starts no processes, and ends when it uses more than its
- * limits, when it is closed, or when this Java ends. It sees no environment variables but those
- * that make it repeatable ({@code PYTHONHASHSEED=0}, UTF-8, no byte code files); home and temporary
- * folder are the work folder. See {@link Confinement} for what this rests on.
+ * folder and nothing else, has no network but what {@link Builder#preparation} made, starts no
+ * processes, and ends when it uses more than its limits, when it is closed, or when this Java ends.
+ * It sees no environment variables but those that make it repeatable ({@code PYTHONHASHSEED=0},
+ * UTF-8, no byte code files); home and temporary folder are the work folder. See {@link
+ * Confinement} for what this rests on.
  *
  * <p>Standard output is the caller's to read; a process that nobody reads stands still until its
  * time is over. Standard error is always read and its first and last parts are kept; one that
@@ -104,9 +106,22 @@ public final class ConfinedProcess implements AutoCloseable {
    * Processor time that it and the processes below it have used so far, of those that still run.
    */
   public Duration processorTime() {
-    return Stream.concat(Stream.of(process.toHandle()), process.descendants())
+    return processes()
         .map(handle -> handle.info().totalCpuDuration().orElse(Duration.ZERO))
         .reduce(Duration.ZERO, Duration::plus);
+  }
+
+  /**
+   * Whether a signal has stopped it, or a process below it, as SIGSTOP does; false where that
+   * cannot be told.
+   */
+  public boolean isStopped() {
+    return processes().anyMatch(handle -> ProcessState.of(handle.pid()).isStopped());
+  }
+
+  /** It and the processes below it. */
+  Stream<ProcessHandle> processes() {
+    return Stream.concat(Stream.of(process.toHandle()), process.descendants());
   }
 
   /** Whether it still runs. */
@@ -185,6 +200,17 @@ public final class ConfinedProcess implements AutoCloseable {
      */
     public Builder components(int turn) {
       command.components(turn);
+      return this;
+    }
+
+    /**
+     * Before it gives up its rights, the process calls {@code prepare} of a module of the {@link
+     * #pythonPath}, one of our own, to make what the program needs and may not make: sockets on
+     * this machine's network, and threads for them. What is made there stays; the program itself
+     * opens no others.
+     */
+    public Builder preparation(String module, JsonNode settings) {
+      command.preparation(module, settings);
       return this;
     }
 

@@ -28,7 +28,11 @@ import java.util.function.Consumer;
 final class EnvironmentFinder {
 
   private static final String RESOURCES = "dev/eventchain/python";
-  private static final List<String> CONTENT = List.of("environment.py", "requirements.txt");
+  private static final String SCRIPT = "environment.py";
+  private static final List<String> PLAIN = List.of(SCRIPT, "requirements.txt");
+  private static final List<String> WITH_CYCLONEDDS =
+      List.of(SCRIPT, "requirements.txt", "requirements-cyclonedds.txt");
+  private static final int CYCLONEDDS_UNAVAILABLE = 4;
   private static final List<String> NAMES =
       List.of("python3", "python3.13", "python3.12", "python3.11", "python3.10", "python3.14");
   private static final String CHECK = "Name a Python that can be started in EVENTCHAIN_PYTHON.";
@@ -43,9 +47,17 @@ final class EnvironmentFinder {
   }
 
   PythonEnvironment find() {
+    return find(PLAIN, List.of());
+  }
+
+  PythonEnvironment findWithCycloneDds() {
+    return find(WITH_CYCLONEDDS, List.of("--cyclonedds"));
+  }
+
+  private PythonEnvironment find(List<String> content, List<String> options) {
     Path python = python();
-    Path remembered = CacheFolder.of(settings).resolve("python-of-" + key(python));
-    return recall(remembered).orElseGet(() -> create(python, remembered));
+    Path remembered = CacheFolder.of(settings).resolve("python-of-" + key(python, content));
+    return recall(remembered).orElseGet(() -> create(python, options, remembered));
   }
 
   private Path python() {
@@ -72,10 +84,10 @@ final class EnvironmentFinder {
   }
 
   /** Changes when the pins or the installed Python change. */
-  private String key(Path python) {
+  private String key(Path python, List<String> content) {
     Sha256 digest = new Sha256();
     try {
-      for (String name : CONTENT) {
+      for (String name : content) {
         try (InputStream input = getClass().getResourceAsStream(name)) {
           digest.add(input.readAllBytes());
         }
@@ -108,11 +120,14 @@ final class EnvironmentFinder {
   private static PythonEnvironment open(Path folder) throws IOException {
     Path executable = folder.resolve("bin/python");
     String version = "";
+    Optional<Path> cycloneDds = Optional.empty();
     Set<Path> installation = new LinkedHashSet<>();
     for (String line : Files.readAllLines(folder.resolve(MARKER))) {
       String value = line.substring(line.indexOf('=') + 1);
       if (line.startsWith("version=")) {
         version = value;
+      } else if (line.startsWith("cyclonedds=")) {
+        cycloneDds = Optional.of(Path.of(value));
       } else {
         installation.add(Path.of(value));
       }
@@ -122,7 +137,7 @@ final class EnvironmentFinder {
     }
     installation.add(folder);
     installation.addAll(links(executable));
-    return new PythonEnvironment(folder, version, List.copyOf(installation));
+    return new PythonEnvironment(folder, version, List.copyOf(installation), cycloneDds);
   }
 
   /** The symbolic links between the environment's Python and the file that is run. */
@@ -136,10 +151,12 @@ final class EnvironmentFinder {
     return links;
   }
 
-  private PythonEnvironment create(Path python, Path remembered) {
-    Path script =
-        PythonSources.unpack(getClass().getClassLoader(), RESOURCES).resolve(CONTENT.get(0));
-    Path executable = Path.of(run(python, script)).toAbsolutePath();
+  private PythonEnvironment create(Path python, List<String> options, Path remembered) {
+    Path script = PythonSources.unpack(getClass().getClassLoader(), RESOURCES).resolve(SCRIPT);
+    List<String> command = new ArrayList<>(List.of(python.toString(), script.toString()));
+    command.addAll(options);
+    command.add("--print-executable");
+    Path executable = Path.of(run(python, command)).toAbsolutePath();
     if (!Files.isExecutable(executable) || Files.isDirectory(executable)) {
       throw unavailable(
           SourceLocation.of(python),
@@ -164,9 +181,8 @@ final class EnvironmentFinder {
     Files.move(unfinished, remembered, StandardCopyOption.ATOMIC_MOVE);
   }
 
-  private String run(Path python, Path script) {
-    ProcessBuilder builder =
-        new ProcessBuilder(python.toString(), script.toString(), "--print-executable");
+  private String run(Path python, List<String> command) {
+    ProcessBuilder builder = new ProcessBuilder(command);
     builder.environment().clear();
     builder.environment().putAll(settings);
     builder.redirectErrorStream(true);
@@ -190,7 +206,8 @@ final class EnvironmentFinder {
           SourceLocation.of(python), "Creating the Python environment was interrupted.", "");
     }
     if (exitCode != 0) {
-      throw unavailable(SourceLocation.of(python), answer.problem(exitCode), answer.hint);
+      String id = exitCode == CYCLONEDDS_UNAVAILABLE ? "dds.unavailable" : "python.unavailable";
+      throw unavailable(id, SourceLocation.of(python), answer.problem(exitCode), answer.hint);
     }
     return answer.last;
   }
@@ -221,8 +238,13 @@ final class EnvironmentFinder {
 
   private static DiagnosticException unavailable(
       SourceLocation place, String message, String hint) {
+    return unavailable("python.unavailable", place, message, hint);
+  }
+
+  private static DiagnosticException unavailable(
+      String id, SourceLocation place, String message, String hint) {
     return new DiagnosticException(
         DiagnosticException.Reason.UNAVAILABLE,
-        Diagnostic.error("python.unavailable", message, place).withHint(hint));
+        Diagnostic.error(id, message, place).withHint(hint));
   }
 }

@@ -40,11 +40,21 @@ record ProbeReport(String output, ConfinedProcess.Termination end, String errors
     return found.values().stream().sorted().toList();
   }
 
-  /** What came of each sequence of calls; a check that did not come to its end is a problem. */
-  List<CallResults> results(SourceText source) {
+  /**
+   * What came of each sequence of calls; a check that did not come to its end, or says something of
+   * another number of sequences, is a problem.
+   *
+   * @param sequences how many there are
+   */
+  List<CallResults> results(SourceText source, int sequences) {
     List<Diagnostic> found = diagnostics(source);
     if (!found.isEmpty()) {
-      return List.of(new CallResults(List.of(), Optional.of(found.get(0))));
+      return problem(found.get(0));
+    }
+    int count = parse().path("results").size();
+    if (count != sequences) {
+      String message = "The check of the component made %s of %s sequences of calls.";
+      return problem(ended(message.formatted(count, sequences), source));
     }
     List<CallResults> results = new ArrayList<>();
     for (JsonNode result : parse().path("results")) {
@@ -57,6 +67,10 @@ record ProbeReport(String output, ConfinedProcess.Termination end, String errors
       results.add(new CallResults(outputs, problem));
     }
     return results;
+  }
+
+  private static List<CallResults> problem(Diagnostic problem) {
+    return List.of(new CallResults(List.of(), Optional.of(problem)));
   }
 
   /** Calls that fail alike at the same place are one finding. */
@@ -82,13 +96,17 @@ record ProbeReport(String output, ConfinedProcess.Termination end, String errors
   }
 
   private Diagnostic unfinished(SourceText source) {
-    String last = errors.substring(Math.max(0, errors.length() - LAST_LINES)).strip();
     String message =
         switch (end.cause()) {
           case OUTPUT -> "The component writes without end.";
           case WALL_TIME -> "The check of the component did not end.";
           default -> "The check of the component ended with " + end.exitCode() + ".";
         };
+    return ended(message, source);
+  }
+
+  private Diagnostic ended(String message, SourceText source) {
+    String last = errors.substring(Math.max(0, errors.length() - LAST_LINES)).strip();
     return Diagnostic.error("component.ended", message, source.at(1, 1))
         .withHint(last.isEmpty() ? "It says nothing about why." : "Its last output:\n" + last);
   }

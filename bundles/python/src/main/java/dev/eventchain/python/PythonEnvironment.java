@@ -2,6 +2,7 @@ package dev.eventchain.python;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
@@ -13,11 +14,14 @@ public final class PythonEnvironment {
   private final Path folder;
   private final String version;
   private final List<Path> installation;
+  private final Optional<Path> cycloneDds;
 
-  PythonEnvironment(Path folder, String version, List<Path> installation) {
+  PythonEnvironment(
+      Path folder, String version, List<Path> installation, Optional<Path> cycloneDds) {
     this.folder = folder;
     this.version = version;
     this.installation = List.copyOf(installation);
+    this.cycloneDds = cycloneDds;
   }
 
   /**
@@ -37,6 +41,19 @@ public final class PythonEnvironment {
     return new EnvironmentFinder(System.getenv(), progress).find();
   }
 
+  /**
+   * As {@link #ensure}, with Eclipse Cyclone DDS; an environment of its own, so that nobody needs
+   * it who stays in simulated time.
+   *
+   * @throws dev.eventchain.diagnostics.DiagnosticException as {@link #ensure}, and {@code
+   *     dds.unavailable} with the reason UNAVAILABLE: Cyclone DDS does not exist for this machine,
+   *     or cannot be downloaded
+   */
+  public static PythonEnvironment ensureWithCycloneDds(Consumer<String> progress) {
+    Confinement unused = Confinement.detect(); // before a minute of downloads
+    return new EnvironmentFinder(System.getenv(), progress).findWithCycloneDds();
+  }
+
   /** The Python of the environment. */
   public Path executable() {
     return folder.resolve("bin").resolve("python");
@@ -45,6 +62,14 @@ public final class PythonEnvironment {
   /** The version of Python, such as {@code 3.11.7}. */
   public String version() {
     return version;
+  }
+
+  /**
+   * The library libddsc of Eclipse Cyclone DDS; empty unless the environment was made with it. It
+   * has been loaded once, by this Python.
+   */
+  public Optional<Path> cycloneDds() {
+    return cycloneDds;
   }
 
   /** What a process has to be able to read to run this Python, besides the system's libraries. */

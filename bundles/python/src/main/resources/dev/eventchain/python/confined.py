@@ -3,8 +3,9 @@
 The only argument of :func:`main` is a JSON object: ``work`` (the folder that may be written, and the current one),
 ``readable`` (paths), ``path`` (for ``sys.path``), ``script`` or ``module``, ``arguments``, ``limits`` (address space,
 file size and processor time, open files), ``enclosed`` (whether bubblewrap holds this process already),
-``components`` (whether the program calls components, which then live in processes of their own) and ``turn`` (which of
-several such programs this is, so that they do not meet on one processor).
+``components`` (whether the program calls components, which then live in processes of their own), ``turn`` (which of
+several such programs this is, so that they do not meet on one processor), and perhaps ``preparation`` with its
+``module``, one of ours, and ``settings`` for its function ``prepare``, which runs ahead of the confinement.
 """
 
 from __future__ import annotations
@@ -44,6 +45,7 @@ def main(description: str) -> None:
         channel, stack = component.settle()
         _give_up_rights(settings, component.folder, here)
         component_process.run(channel, stack, component.description)
+    _prepare(settings)
     parent = here if settings["components"] else None if settings["enclosed"] else settings["parent"]
     _give_up_rights(settings, settings["work"], parent)
     _become(settings)
@@ -80,6 +82,17 @@ def _serve(settings: dict[str, Any]) -> NewProcess | None:
         os._exit(fork_server.ForkServer(ours, program, Path(settings["work"]), settings["path"]).serve())
     except fork_server.NewProcess as new:
         return new.with_traceback(None)
+
+
+def _prepare(settings: dict[str, Any]) -> None:
+    """Make what the program needs and could not make any more, such as sockets. Nothing foreign has run by then."""
+    if "preparation" in settings:
+        import importlib
+
+        before = sys.path
+        sys.path = [*settings["path"], *before]
+        importlib.import_module(settings["preparation"]["module"]).prepare(settings["preparation"]["settings"])
+        sys.path = before
 
 
 def _take_turns(number: int) -> None:

@@ -13,7 +13,8 @@ that talk to others outside of the simulation; each in an environment of its own
 ``EVENTCHAIN_PYTHON`` names the Python to build on; without it this one is used, or a newer one of the PATH if this one
 is too old.
 
-Exit code 3: this machine lacks something; standard error then holds ``error: what`` and ``hint: what to do``.
+Exit code 3: this machine lacks something; standard error then holds ``error: what`` and ``hint: what to do``. Exit code
+4 is the same where only Cyclone DDS cannot be had.
 Only the standard library is used, and nothing newer than Python 3.7, so that an old Python can still say what is wrong.
 """
 
@@ -33,8 +34,17 @@ from typing import NoReturn
 MINIMUM = (3, 10)
 NEWER_NAMES = ("python3.13", "python3.12", "python3.11", "python3.10", "python3.14")
 UNAVAILABLE = 3
+CYCLONEDDS_UNAVAILABLE = 4
 MARKER = "complete.txt"
 HERE = Path(__file__).resolve().parent
+CYCLONEDDS = HERE / "requirements-cyclonedds.txt"
+# Loads the library, for a wheel may be installed and still not fit the system's own libraries.
+LOAD_CYCLONEDDS = """
+import ctypes, os, sys
+from cyclonedds.__library__ import library_path
+ctypes.CDLL(str(library_path))
+print(os.path.realpath(str(library_path)))
+"""
 # Settings that would make pip or Python look or install elsewhere than in the new environment.
 FOREIGN_SETTINGS = (
     "PYTHONHOME",
@@ -56,6 +66,7 @@ class UnavailableError(Exception):
     def __init__(self, message: str, hint: str) -> None:
         super().__init__(message)
         self.hint = hint
+        self.exit_code = UNAVAILABLE
 
 
 def main(arguments: list[str]) -> int:
@@ -67,7 +78,7 @@ def main(arguments: list[str]) -> int:
     except UnavailableError as problem:
         print("error: %s" % problem, file=sys.stderr)
         print("hint: %s" % problem.hint, file=sys.stderr)
-        return UNAVAILABLE
+        return problem.exit_code
     if options.run is not None:
         os.execv(str(executable), [str(executable), *options.run])
     if options.print_executable:
@@ -131,7 +142,7 @@ def ensure(development: bool, cyclonedds: bool = False) -> Path:
     if development:
         requirements.append(HERE / "requirements-development.txt")
     if cyclonedds:
-        requirements.append(HERE / "requirements-cyclonedds.txt")
+        requirements.append(CYCLONEDDS)
     folder = cache_folder() / ("python-" + key(requirements))
     if not is_complete(folder):
         create_once(folder, requirements)
@@ -200,18 +211,46 @@ def create(folder: Path, requirements: list[Path]) -> None:
     """Create the environment in its final place (a virtual environment cannot be moved), marker last."""
     report("creating the Python environment %s (once)" % folder)
     pip = create_empty(folder)
-    command = [*pip, "install", "--no-deps", "--prefer-binary", "--no-input", "--quiet", "--retries", "2"]
-    for file in requirements:
-        command += ["-r", str(file)]
-    run(
-        command,
+    facts = [("version", platform.python_version()), ("prefix", sys.base_prefix), ("libraries", sys.base_exec_prefix)]
+    if CYCLONEDDS in requirements:
+        facts.append(("cyclonedds", install_cyclonedds(folder, pip)))
+    install(
+        pip,
+        [file for file in requirements if file != CYCLONEDDS],
         "the Python packages cannot be installed",
         "allow network access once, or point pip to a mirror with PIP_INDEX_URL or PIP_FIND_LINKS",
     )
-    facts = (("version", platform.python_version()), ("prefix", sys.base_prefix), ("libraries", sys.base_exec_prefix))
     unfinished = folder / (MARKER + ".new")
     unfinished.write_text("".join("%s=%s\n" % fact for fact in facts), encoding="utf-8")
     os.replace(unfinished, folder / MARKER)
+
+
+def install_cyclonedds(folder: Path, pip: list[str]) -> str:
+    """Install Cyclone DDS, before all else because it may not exist here; return the path of its library, libddsc."""
+    try:
+        install(
+            pip,
+            [CYCLONEDDS],
+            "Eclipse Cyclone DDS cannot be installed",
+            "its wheel is for Linux on x86_64, macOS and Windows; where it exists, allow network access once, "
+            "or point pip to a mirror with PIP_INDEX_URL or PIP_FIND_LINKS",
+        )
+        return run(
+            [str(executable_of(folder)), "-c", LOAD_CYCLONEDDS],
+            "the library of Eclipse Cyclone DDS cannot be loaded",
+            "use a system that the wheel of cyclonedds is made for, such as Linux on x86_64 with the GNU C library",
+        ).splitlines()[-1]
+    except UnavailableError as problem:
+        problem.exit_code = CYCLONEDDS_UNAVAILABLE
+        raise
+
+
+def install(pip: list[str], requirements: list[Path], failure: str, hint: str) -> None:
+    """Install what the files name and nothing else."""
+    command = [*pip, "install", "--no-deps", "--prefer-binary", "--no-input", "--quiet", "--retries", "2"]
+    for file in requirements:
+        command += ["-r", str(file)]
+    run(command, failure, hint)
 
 
 def create_empty(folder: Path) -> list[str]:
@@ -238,8 +277,8 @@ def has_module(name: str) -> bool:
     return subprocess.run(command, env=clean_settings(), stderr=subprocess.DEVNULL, check=False).returncode == 0
 
 
-def run(command: list[str], failure: str, hint: str) -> None:
-    """Run a command; if it fails, report the end of what it wrote."""
+def run(command: list[str], failure: str, hint: str) -> str:
+    """Run a command and return what it wrote; if it fails, report the end of that."""
     done = subprocess.run(
         command,
         env=clean_settings(),
@@ -253,6 +292,7 @@ def run(command: list[str], failure: str, hint: str) -> None:
         lines = [line.strip() for line in done.stdout.splitlines() if line.strip()]
         errors = [line for line in lines if line.startswith("ERROR")] or lines[-3:]
         raise UnavailableError("%s: %s" % (failure, " ".join(errors) or "exit code %d" % done.returncode), hint)
+    return done.stdout
 
 
 def clean_settings() -> dict[str, str]:

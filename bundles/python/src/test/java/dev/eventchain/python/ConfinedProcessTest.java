@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import java.io.IOException;
@@ -124,6 +125,62 @@ class ConfinedProcessTest {
       return start(confinement, program, standard());
     } catch (IOException e) {
       throw new java.io.UncheckedIOException(e);
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("dev.eventchain.python.TestEnvironment#confinements")
+  void aPreparationMakesWhatTheProgramMayUseButNotMake(Confinement confinement) throws IOException {
+    Path library = Files.createDirectory(folder.resolve("library"));
+    Files.writeString(
+        library.resolve("before.py"),
+        """
+        import socket, threading
+        def prepare(settings):
+            global ours
+            ours = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+            ours.bind((settings["host"], 0))
+        """);
+    String program =
+        """
+        import socket
+        import before
+        ours, other = before.ours, before.ours.getsockname()
+        before.ours.sendto(b"to myself", other)
+        print(ours.recv(100).decode())
+        try:
+            socket.socket()
+            print("a socket was made")
+        except OSError as refused:
+            print("refused")
+        """;
+    Path script = Files.writeString(folder.resolve("program.py"), program);
+    try (ConfinedProcess process =
+        ConfinedProcess.on(TestEnvironment.PYTHON)
+            .script(script)
+            .pythonPath(library)
+            .preparation("before", JsonNodeFactory.instance.objectNode().put("host", "127.0.0.1"))
+            .workFolder(Files.createDirectory(folder.resolve("work")))
+            .confinement(confinement)
+            .withoutHooks()
+            .start()) {
+      String output = new String(process.stdout().readAllBytes(), StandardCharsets.UTF_8);
+      assertEquals("to myself\nrefused\n", output, process::standardError);
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("dev.eventchain.python.TestEnvironment#confinements")
+  void aProcessThatSomebodyHasStoppedIsSeen(Confinement confinement) throws Exception {
+    String program = "print('here', flush=True); input()";
+    try (ConfinedProcess process = start(confinement, program, standard())) {
+      assertEquals('h', process.stdout().read());
+      assertFalse(process.isStopped());
+      long deepest = process.processes().mapToLong(ProcessHandle::pid).max().orElseThrow();
+      new ProcessBuilder("kill", "-STOP", Long.toString(deepest)).start().waitFor();
+      while (!process.isStopped()) {
+        Thread.sleep(5);
+      }
     }
   }
 

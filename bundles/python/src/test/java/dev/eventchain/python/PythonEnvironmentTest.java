@@ -1,6 +1,7 @@
 package dev.eventchain.python;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -14,7 +15,9 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.api.io.TempDir;
 
 class PythonEnvironmentTest {
@@ -84,6 +87,36 @@ class PythonEnvironmentTest {
     assertTrue(problem.hint().contains("apt-get install python3-venv"), problem.hint());
   }
 
+  @Test
+  void cycloneDdsIsInAnEnvironmentOfItsOwn() throws Exception {
+    PythonEnvironment with = PythonEnvironment.ensureWithCycloneDds(line -> {});
+    Path library = with.cycloneDds().orElseThrow();
+    assertTrue(library.getFileName().toString().startsWith("libddsc"), library.toString());
+    Process process =
+        new ProcessBuilder(
+                with.executable().toString(),
+                "-c",
+                "import ctypes, sys; library = ctypes.CDLL(sys.argv[1]);"
+                    + "library.dds_strretcode.restype = ctypes.c_char_p;"
+                    + "print(library.dds_strretcode(-3).decode())",
+                library.toString())
+            .start();
+    assertEquals("Bad Parameter", process.inputReader(StandardCharsets.UTF_8).readLine());
+    assertEquals(Optional.empty(), TestEnvironment.PYTHON.cycloneDds());
+    assertNotEquals(TestEnvironment.PYTHON.executable(), with.executable());
+  }
+
+  @Test
+  void cycloneDdsThatCannotBeHadIsNamed() throws IOException {
+    Path other = Files.writeString(folder.resolve("constraint"), "cyclonedds==0.10.2\n");
+    Map<String, String> settings =
+        settings(Map.of("XDG_CACHE_HOME", folder + "/cache", "PIP_CONSTRAINT", other.toString()));
+    EnvironmentFinder finder = new EnvironmentFinder(settings, line -> {});
+    Diagnostic problem = failure("dds.unavailable", finder::findWithCycloneDds);
+    assertTrue(problem.message().contains("Cyclone DDS cannot be installed"), problem.message());
+    assertTrue(problem.hint().contains("x86_64"), problem.hint());
+  }
+
   private static final String WITHOUT_VENV =
       "import runpy, sys; sys.argv = sys.argv[1:]; module = runpy.run_path(sys.argv[0]);"
           + "module['main'].__globals__['has_module'] = lambda name: name != 'venv';"
@@ -109,9 +142,13 @@ class PythonEnvironmentTest {
   }
 
   private static Diagnostic failure(Map<String, String> settings) {
-    DiagnosticException failure = assertThrows(DiagnosticException.class, () -> find(settings));
+    return failure("python.unavailable", () -> find(settings));
+  }
+
+  private static Diagnostic failure(String id, Executable attempt) {
+    DiagnosticException failure = assertThrows(DiagnosticException.class, attempt);
     assertEquals(DiagnosticException.Reason.UNAVAILABLE, failure.reason());
-    assertEquals("python.unavailable", failure.diagnostics().get(0).id());
+    assertEquals(id, failure.diagnostics().get(0).id());
     return failure.diagnostics().get(0);
   }
 }
