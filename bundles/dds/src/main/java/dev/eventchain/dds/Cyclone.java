@@ -1,0 +1,116 @@
+package dev.eventchain.dds;
+
+import com.sun.jna.FunctionMapper;
+import com.sun.jna.Library;
+import com.sun.jna.NativeLibrary;
+import com.sun.jna.Pointer;
+import com.sun.jna.ptr.PointerByReference;
+import java.lang.reflect.Method;
+import java.util.Locale;
+
+/**
+ * The functions of libddsc 11 (dds/dds.h, dds/ddsc/dds_public_dynamic_type.h) that are called once
+ * in a while; what is called for each sample stands in {@link Samples}. A name here is that of C in
+ * camel case, without {@code dds_}. Handles are numbers that the library checks; pointers are not.
+ */
+interface Cyclone extends Library {
+
+  /** Names of C: {@code createTopic} is {@code dds_create_topic}. */
+  FunctionMapper NAMES = Cyclone::nameOf;
+
+  private static String nameOf(NativeLibrary library, Method method) {
+    String name = method.getName().replaceAll("([A-Z])", "_$1").toLowerCase(Locale.ROOT);
+    return name.startsWith("ddsi_") ? name : "dds_" + name;
+  }
+
+  int createDomain(int id, String configuration);
+
+  int createParticipant(int domain, Pointer qos, Pointer listener);
+
+  int createTopic(int participant, Pointer descriptor, String name, Pointer qos, Pointer listener);
+
+  int createWriter(int participant, int topic, Pointer qos, Pointer listener);
+
+  int createReader(int participant, int topic, Pointer qos, Pointer listener);
+
+  int createReadcondition(int reader, int mask);
+
+  int createGuardcondition(int owner);
+
+  int setGuardcondition(int guard, boolean triggered);
+
+  int createWaitset(int owner);
+
+  int waitsetAttach(int waitset, int entity, long tag);
+
+  int delete(int entity);
+
+  int getGuid(int entity, byte[] guid);
+
+  int getEntitySertype(int entity, PointerByReference type);
+
+  int getMatchedSubscriptions(int writer, Pointer handles, long count);
+
+  int getMatchedPublications(int reader, Pointer handles, long count);
+
+  int getOfferedIncompatibleQosStatus(int writer, Pointer status);
+
+  int getRequestedIncompatibleQosStatus(int reader, Pointer status);
+
+  int getOfferedDeadlineMissedStatus(int writer, Pointer status);
+
+  int getRequestedDeadlineMissedStatus(int reader, Pointer status);
+
+  int getLivelinessLostStatus(int writer, Pointer status);
+
+  int getLivelinessChangedStatus(int reader, Pointer status);
+
+  int getSampleLostStatus(int reader, Pointer status);
+
+  int assertLiveliness(int entity);
+
+  Pointer createQos();
+
+  void deleteQos(Pointer qos);
+
+  void qsetReliability(Pointer qos, int kind, long maximalBlockingTime);
+
+  void qsetDurability(Pointer qos, int kind);
+
+  void qsetDurabilityService(
+      Pointer qos, long cleanup, int history, int depth, int samples, int instances, int each);
+
+  void qsetHistory(Pointer qos, int kind, int depth);
+
+  void qsetDeadline(Pointer qos, long period);
+
+  void qsetLiveliness(Pointer qos, int kind, long lease);
+
+  void qsetDataRepresentation(Pointer qos, int count, short[] representations);
+
+  void qsetWriterDataLifecycle(Pointer qos, boolean autodispose);
+
+  void qsetUserdata(Pointer qos, byte[] data, long size);
+
+  DynamicTypes.Type.ByValue dynamicTypeCreate(
+      int entity, DynamicTypes.Descriptor.ByValue descriptor);
+
+  int dynamicTypeAddMember(DynamicTypes.Type type, DynamicTypes.Member.ByValue member);
+
+  int dynamicTypeSetExtensibility(DynamicTypes.Type type, int extensibility);
+
+  int dynamicTypeSetNested(DynamicTypes.Type type, boolean nested);
+
+  int dynamicTypeRegister(DynamicTypes.Type type, PointerByReference information);
+
+  int dynamicTypeUnref(DynamicTypes.Type type);
+
+  int freeTypeinfo(Pointer information);
+
+  int createTopicDescriptor(
+      int scope, int participant, Pointer information, long timeout, PointerByReference result);
+
+  void deleteTopicDescriptor(Pointer descriptor);
+
+  Pointer strretcode(int code);
+}

@@ -1,0 +1,142 @@
+package dev.eventchain.dds;
+
+import com.sun.jna.Library;
+import com.sun.jna.Native;
+import com.sun.jna.NativeLibrary;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import java.io.IOException;
+import java.lang.reflect.Method;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** The C library of Eclipse Cyclone DDS in this process; there is one, and it stays. */
+public final class DdsLibrary {
+
+  private static final String ID = "dds.unavailable";
+  private static final String SETTING = "EVENTCHAIN_LIBDDSC";
+  private static final String HINT =
+      "Name a libddsc of Cyclone DDS 11.0.1 in " + SETTING + ", or unset it.";
+
+  /** What this process has loaded; guarded by the class. */
+  private static Optional<DdsLibrary> loaded = Optional.empty();
+
+  private final Path path;
+  private final Cyclone cyclone;
+
+  private DdsLibrary(Path path, Cyclone cyclone) {
+    this.path = path;
+    this.cyclone = cyclone;
+  }
+
+  /**
+   * Loads the library, or returns the loaded one. With the first call one message is sent to
+   * oneself, on loopback, to see that the library's memory is as expected.
+   *
+   * @param path the library of the Python environment; empty for the one that the environment
+   *     variable {@code EVENTCHAIN_LIBDDSC} names
+   * @throws DiagnosticException {@code dds.unavailable} with the reason UNAVAILABLE: there is none,
+   *     it cannot be loaded, it is another version, or this process has loaded another one
+   */
+  public static DdsLibrary load(Optional<Path> path) {
+    return load(path, System.getenv());
+  }
+
+  static synchronized DdsLibrary load(Optional<Path> asked, Map<String, String> settings) {
+    Path path = real(asked.or(() -> named(settings)).orElseThrow(DdsLibrary::missing));
+    if (loaded.isEmpty()) {
+      DdsLibrary library = new DdsLibrary(path, open(path));
+      try {
+        LayoutCheck.run(library);
+      } catch (IllegalStateException | IllegalArgumentException e) {
+        throw unavailable(path, path + " does not work as expected: " + e.getMessage());
+      }
+      loaded = Optional.of(library);
+    } else if (!loaded.get().path.equals(path)) {
+      throw unavailable(path, "This process uses " + loaded.get().path + ", not " + path + ".");
+    }
+    return loaded.get();
+  }
+
+  private static Optional<Path> named(Map<String, String> settings) {
+    String name = settings.getOrDefault(SETTING, "");
+    return name.isEmpty() ? Optional.empty() : Optional.of(Path.of(name));
+  }
+
+  private static DiagnosticException missing() {
+    return new DiagnosticException(
+        DiagnosticException.Reason.UNAVAILABLE,
+        Diagnostic.error(ID, "There is no library of Cyclone DDS.", SourceLocation.NONE)
+            .withHint(HINT));
+  }
+
+  private static DiagnosticException unavailable(Path path, String message) {
+    return new DiagnosticException(
+        DiagnosticException.Reason.UNAVAILABLE,
+        Diagnostic.error(ID, message, SourceLocation.of(path)).withHint(HINT));
+  }
+
+  private static Path real(Path path) {
+    try {
+      if (Files.isRegularFile(path)) {
+        return path.toRealPath();
+      }
+    } catch (IOException e) {
+      throw unavailable(path, path + " cannot be read.");
+    }
+    throw unavailable(path, "The library of Cyclone DDS, " + path + ", is not there.");
+  }
+
+  private static Cyclone open(Path path) {
+    Map<String, Object> options =
+        Map.of(
+            Library.OPTION_FUNCTION_MAPPER, Cyclone.NAMES, Library.OPTION_STRING_ENCODING, "UTF-8");
+    try {
+      if (Native.SIZE_T_SIZE != Long.BYTES) {
+        throw unavailable(path, "Cyclone DDS is used on machines of 64 bits only.");
+      }
+      NativeLibrary library = NativeLibrary.getInstance(path.toString(), options);
+      requireFunctions(path, library);
+      Native.register(Samples.class, library);
+      return Native.load(path.toString(), Cyclone.class, options);
+    } catch (LinkageError e) { // of the library, or of JNA's own
+      throw unavailable(path, path + " cannot be loaded: " + firstLine(e) + ".");
+    }
+  }
+
+  /** All at once: otherwise a function would be missed when it is called. */
+  private static void requireFunctions(Path path, NativeLibrary library) {
+    List<Method> methods = new ArrayList<>(List.of(Cyclone.class.getDeclaredMethods()));
+    methods.addAll(List.of(Samples.class.getDeclaredMethods()));
+    for (Method method : methods) {
+      if (java.lang.reflect.Modifier.isStatic(method.getModifiers())
+          && !java.lang.reflect.Modifier.isNative(method.getModifiers())) {
+        continue;
+      }
+      String name = Cyclone.NAMES.getFunctionName(library, method);
+      try {
+        library.getGlobalVariableAddress(name);
+      } catch (UnsatisfiedLinkError e) {
+        throw unavailable(path, path + " is no Cyclone DDS 11: it has no " + name + ".");
+      }
+    }
+  }
+
+  private static String firstLine(LinkageError problem) {
+    return String.valueOf(problem.getMessage()).lines().findFirst().orElse("").strip();
+  }
+
+  /** Where it was found. */
+  public Path path() {
+    return path;
+  }
+
+  Cyclone cyclone() {
+    return cyclone;
+  }
+}

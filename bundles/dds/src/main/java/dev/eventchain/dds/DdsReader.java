@@ -1,0 +1,228 @@
+package dev.eventchain.dds;
+
+import com.sun.jna.Memory;
+import com.sun.jna.Pointer;
+import dev.eventchain.messages.QosSettings;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+
+/** Reads messages of one topic. Safe for several threads. */
+public final class DdsReader implements AutoCloseable {
+
+  private static final int ANY_STATE = 0x7F;
+  private static final int AT_ONCE = 32;
+  private static final long FOREVER = Long.MAX_VALUE;
+
+  /** {@code dds_sample_info_t}. */
+  private static final long INFORMATION_SIZE = 64;
+
+  private static final long VALID = 12;
+  private static final long STAMP = 16;
+  private static final long PUBLICATION = 32;
+
+  private final DdsParticipant participant;
+  private final Endpoint endpoint;
+  private final int handle;
+  private final byte[] gid;
+  private final int waitset;
+  private final int guard;
+  private final Memory pointers = new Memory((long) AT_ONCE * Long.BYTES);
+  private final Memory information = new Memory(AT_ONCE * INFORMATION_SIZE);
+  private Memory buffer = new Memory(4096);
+  private Optional<Thread> thread = Optional.empty();
+  private boolean closing;
+  private boolean closed;
+
+  DdsReader(DdsParticipant participant, Endpoint endpoint, QosSettings qos) {
+    this.participant = participant;
+    this.endpoint = endpoint;
+    Cyclone cyclone = endpoint.cyclone();
+    handle = endpoint.create(participant, qos, false);
+    gid = endpoint.gid(handle);
+    int condition = endpoint.check(cyclone.createReadcondition(handle, ANY_STATE), "wait");
+    guard = endpoint.check(cyclone.createGuardcondition(participant.handle()), "wait");
+    waitset = endpoint.check(cyclone.createWaitset(participant.handle()), "wait");
+    endpoint.check(cyclone.waitsetAttach(waitset, condition, 1), "wait");
+    endpoint.check(cyclone.waitsetAttach(waitset, guard, 2), "wait");
+  }
+
+  /** The topic. */
+  public String topic() {
+    return endpoint.topic();
+  }
+
+  byte[] gid() {
+    return gid.clone();
+  }
+
+  /** Hands samples over in a thread of its own from now on. */
+  synchronized void start(Consumer<DdsSample> listener) {
+    Thread reading = new Thread(() -> read(listener), "dds-reader " + endpoint.topic());
+    reading.setDaemon(true);
+    thread = Optional.of(reading);
+    reading.start();
+  }
+
+  private void read(Consumer<DdsSample> listener) {
+    while (true) {
+      await(FOREVER);
+      List<DdsSample> samples;
+      synchronized (this) {
+        if (closing) {
+          return;
+        }
+        samples = takeAll();
+      }
+      for (DdsSample sample : samples) {
+        if (isClosing()) {
+          return;
+        }
+        try {
+          listener.accept(sample);
+        } catch (RuntimeException | Error e) {
+          Thread current = Thread.currentThread();
+          current.getUncaughtExceptionHandler().uncaughtException(current, e);
+        }
+      }
+    }
+  }
+
+  private synchronized boolean isClosing() {
+    return closing;
+  }
+
+  /** Until there are samples, or the reader closes. Without the lock: others may close. */
+  private void await(long nanos) {
+    Samples.waitsetWait(waitset, null, 0, nanos);
+  }
+
+  /**
+   * Takes the samples that have come, oldest first, without waiting.
+   *
+   * @throws IllegalStateException if the reader is closed, or has a listener
+   */
+  public synchronized List<DdsSample> take() {
+    requireOpen();
+    if (thread.isPresent()) {
+      throw new IllegalStateException(
+          "The samples of " + endpoint.topic() + " go to its listener.");
+    }
+    return takeAll();
+  }
+
+  /**
+   * Waits for a sample, and takes those that have come.
+   *
+   * @return empty if none came in the time
+   * @throws IllegalStateException if the reader is, or gets, closed, or has a listener
+   */
+  public List<DdsSample> take(Duration timeout) {
+    List<DdsSample> samples = take();
+    if (samples.isEmpty()) {
+      await(timeout.toNanos());
+      samples = take();
+    }
+    return samples;
+  }
+
+  private List<DdsSample> takeAll() {
+    List<DdsSample> samples = new ArrayList<>();
+    int count = AT_ONCE;
+    while (count == AT_ONCE) {
+      count =
+          endpoint.check(
+              Samples.takecdr(handle, pointers, AT_ONCE, information, ANY_STATE), "take samples");
+      for (int i = 0; i < count; i++) {
+        add(samples, pointers.getPointer((long) i * Long.BYTES), i * INFORMATION_SIZE);
+      }
+    }
+    return List.copyOf(samples);
+  }
+
+  private void add(List<DdsSample> samples, Pointer data, long offset) {
+    // What is not valid tells of a writer that is gone, and holds no message.
+    if (information.getByte(offset + VALID) != 0) {
+      int size = Samples.ddsiSerdataSize(data);
+      if (size > buffer.size()) {
+        buffer = new Memory(size * 2L);
+      }
+      Samples.ddsiSerdataToSer(data, 0, size, buffer);
+      samples.add(
+          new DdsSample(
+              buffer.getByteArray(0, size),
+              information.getLong(offset + STAMP),
+              information.getLong(offset + PUBLICATION)));
+    }
+    Samples.ddsiSerdataUnref(data);
+  }
+
+  /** From how many writers samples come. */
+  public synchronized int matched() {
+    requireOpen();
+    return endpoint.check(
+        endpoint.cyclone().getMatchedPublications(handle, null, 0), "count the writers");
+  }
+
+  /**
+   * Waits until writers have been found.
+   *
+   * @return false if there are fewer after the time
+   * @throws IllegalStateException if the reader is, or gets, closed
+   */
+  public boolean waitForMatches(int count, Duration timeout) {
+    return Matches.await(this::matched, count, timeout);
+  }
+
+  /** What has happened since this was called last. */
+  public synchronized List<DdsEvent> events() {
+    requireOpen();
+    return Statuses.ofReader(endpoint.cyclone(), handle);
+  }
+
+  private void requireOpen() {
+    if (closing) {
+      throw new IllegalStateException("The reader of " + endpoint.topic() + " is closed.");
+    }
+  }
+
+  /** Closes it. A listener that is at work is waited for, unless it calls this itself. */
+  @Override
+  public void close() {
+    synchronized (this) {
+      if (closed) {
+        return;
+      }
+      closing = true;
+      endpoint.cyclone().setGuardcondition(guard, true);
+    }
+    // Without the lock, which the thread needs to come to its end.
+    thread.filter(reading -> reading != Thread.currentThread()).ifPresent(DdsReader::join);
+    synchronized (this) {
+      if (closed) {
+        return;
+      }
+      closed = true;
+      endpoint.cyclone().delete(waitset);
+      endpoint.cyclone().delete(guard);
+      endpoint.cyclone().delete(handle);
+    }
+    participant.removed(this, gid);
+  }
+
+  private static void join(Thread reading) {
+    boolean interrupted = false;
+    while (reading.isAlive()) {
+      try {
+        reading.join();
+      } catch (InterruptedException e) {
+        interrupted = true;
+      }
+    }
+    if (interrupted) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}

@@ -1,0 +1,152 @@
+package dev.eventchain.dds;
+
+import com.sun.jna.Memory;
+import com.sun.jna.Pointer;
+import com.sun.jna.ptr.PointerByReference;
+import dev.eventchain.messages.CdrCodec;
+import dev.eventchain.messages.QosSettings;
+import java.time.Duration;
+import java.util.List;
+
+/** Writes messages of one topic. Safe for several threads, which wait for each other. */
+public final class DdsWriter implements AutoCloseable {
+
+  /** {@code ddsi_serdata.timestamp}; {@link LayoutCheck} holds the library to it. */
+  static final long SOURCE_TIMESTAMP = 32;
+
+  private static final int DATA = 2;
+  private static final int VECTOR_SIZE = 16;
+
+  private final DdsParticipant participant;
+  private final Endpoint endpoint;
+  private final int handle;
+  private final byte[] gid;
+  private final Pointer serialType;
+  private final Memory vector = new Memory(VECTOR_SIZE);
+  private Memory buffer = new Memory(4096);
+  private boolean closed;
+
+  DdsWriter(DdsParticipant participant, Endpoint endpoint, QosSettings qos) {
+    this.participant = participant;
+    this.endpoint = endpoint;
+    handle = endpoint.create(participant, qos, true);
+    gid = endpoint.gid(handle);
+    PointerByReference type = new PointerByReference();
+    endpoint.check(endpoint.cyclone().getEntitySertype(handle, type), "describe the type");
+    serialType = type.getValue();
+  }
+
+  /** The topic. */
+  public String topic() {
+    return endpoint.topic();
+  }
+
+  byte[] gid() {
+    return gid.clone();
+  }
+
+  /**
+   * Writes a message with the time of now.
+   *
+   * @param cdr the message as {@link CdrCodec} writes it, header included
+   * @return false if readers that shall miss nothing have not acknowledged earlier samples for 100
+   *     ms, so that this one was not sent
+   * @throws IllegalArgumentException if the bytes are not a message of the type
+   * @throws IllegalStateException if the writer is closed
+   */
+  public synchronized boolean write(byte[] cdr) {
+    Pointer data = serialized(cdr);
+    return isTaken(Samples.writecdr(handle, data));
+  }
+
+  /**
+   * Writes a message with a time of one's own.
+   *
+   * @param sourceTimestamp what readers see, in ns, not negative
+   * @return as {@link #write(byte[])}
+   * @throws IllegalArgumentException as {@link #write(byte[])}, and for a negative time
+   * @throws IllegalStateException if the writer is closed
+   */
+  public synchronized boolean write(byte[] cdr, long sourceTimestamp) {
+    if (sourceTimestamp < 0) {
+      throw new IllegalArgumentException("A source timestamp is not negative: " + sourceTimestamp);
+    }
+    Pointer data = serialized(cdr);
+    data.setLong(SOURCE_TIMESTAMP, sourceTimestamp);
+    return isTaken(Samples.forwardcdr(handle, data));
+  }
+
+  private boolean isTaken(int result) {
+    if (result == Codes.TIMEOUT) {
+      return false;
+    }
+    endpoint.check(result, "write a sample");
+    return true;
+  }
+
+  /** The bytes in the library's memory. */
+  synchronized Pointer serialized(byte[] cdr) {
+    requireOpen();
+    // The library reads no further than the bytes go, and does not notice what is too much.
+    CdrCodec.requireMessage(endpoint.type(), cdr);
+    if (cdr.length > buffer.size()) {
+      buffer = new Memory(cdr.length * 2L);
+    }
+    buffer.write(0, cdr, 0, cdr.length);
+    vector.setPointer(0, buffer);
+    vector.setLong(Long.BYTES, cdr.length);
+    Pointer data = Samples.ddsiSerdataFromSerIov(serialType, DATA, 1, vector, cdr.length);
+    if (data == null) {
+      throw new IllegalArgumentException("The bytes are no message " + endpoint.type() + ".");
+    }
+    return data;
+  }
+
+  /** How many readers get what is written. */
+  public synchronized int matched() {
+    requireOpen();
+    return endpoint.check(
+        endpoint.cyclone().getMatchedSubscriptions(handle, null, 0), "count the readers");
+  }
+
+  /**
+   * Waits until readers have been found.
+   *
+   * @return false if there are fewer after the time
+   * @throws IllegalStateException if the writer is, or gets, closed
+   */
+  public boolean waitForMatches(int count, Duration timeout) {
+    return Matches.await(this::matched, count, timeout);
+  }
+
+  /** What has happened since this was called last. */
+  public synchronized List<DdsEvent> events() {
+    requireOpen();
+    return Statuses.ofWriter(endpoint.cyclone(), handle);
+  }
+
+  /** Says that this writer is alive, which readers see that ask for liveliness by topic. */
+  public synchronized void assertLiveliness() {
+    requireOpen();
+    endpoint.check(endpoint.cyclone().assertLiveliness(handle), "assert the liveliness");
+  }
+
+  private void requireOpen() {
+    if (closed) {
+      throw new IllegalStateException("The writer of " + endpoint.topic() + " is closed.");
+    }
+  }
+
+  /** Closes it; samples that are still to be acknowledged are lost. */
+  @Override
+  public void close() {
+    synchronized (this) {
+      if (closed) {
+        return;
+      }
+      closed = true;
+      endpoint.cyclone().delete(handle);
+    }
+    participant.removed(this, gid);
+  }
+}

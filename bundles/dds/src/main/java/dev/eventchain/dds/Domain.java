@@ -1,0 +1,66 @@
+package dev.eventchain.dds;
+
+import java.util.HashMap;
+import java.util.Map;
+
+/** A domain of this process: made for the first participant, deleted after the last one. */
+final class Domain {
+
+  /** Higher ones leave no ports for many participants (RTPS 2.5, 9.6.2.3). */
+  private static final int HIGHEST = 230;
+
+  /** By number; guarded by the class. */
+  private static final Map<Integer, Domain> DOMAINS = new HashMap<>();
+
+  private final int id;
+  private final String configuration;
+  private final int handle;
+  private int participants;
+
+  private Domain(int id, String configuration, int handle) {
+    this.id = id;
+    this.configuration = configuration;
+    this.handle = handle;
+  }
+
+  /**
+   * Makes or joins one.
+   *
+   * @throws IllegalArgumentException if there is no such domain, or the configuration is refused
+   * @throws IllegalStateException if this process has it with another configuration
+   */
+  static synchronized Domain join(Cyclone cyclone, int id, String configuration) {
+    if (id < 0 || id > HIGHEST) {
+      throw new IllegalArgumentException(
+          "There is no domain " + id + ": they have numbers from 0 to " + HIGHEST + ".");
+    }
+    Domain domain = DOMAINS.get(id);
+    if (domain == null) {
+      int handle = cyclone.createDomain(id, configuration);
+      if (handle < 0) {
+        throw new IllegalArgumentException(
+            "Cyclone DDS refuses domain %d with the configuration %s: %s."
+                .formatted(id, configuration, Codes.text(cyclone, handle)));
+      }
+      domain = new Domain(id, configuration, handle);
+      DOMAINS.put(id, domain);
+    } else if (!domain.configuration.equals(configuration)) {
+      throw new IllegalStateException(
+          "Domain " + id + " is in use in this process, with another configuration.");
+    }
+    domain.participants++;
+    return domain;
+  }
+
+  int id() {
+    return id;
+  }
+
+  static synchronized void leave(Cyclone cyclone, Domain domain) {
+    domain.participants--;
+    if (domain.participants == 0) {
+      DOMAINS.remove(domain.id);
+      cyclone.delete(domain.handle);
+    }
+  }
+}

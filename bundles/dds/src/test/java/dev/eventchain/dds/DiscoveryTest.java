@@ -1,0 +1,113 @@
+package dev.eventchain.dds;
+
+import static org.junit.jupiter.api.Assertions.assertArrayEquals;
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.messages.CdrCodec;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.messages.MessageType;
+import dev.eventchain.messages.MessageValue;
+import dev.eventchain.messages.QosSettings;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+
+/** Who finds whom, and what is announced. */
+class DiscoveryTest {
+
+  private static final QosSettings QOS = QosSettings.named("default").orElseThrow();
+  private static final MessageType FLOAT = RandomMessages.type("std_msgs/msg/Float32");
+
+  /** Writers and readers of one topic, each alone, and how many of each match in the end. */
+  private static List<Integer> matches(List<String> tags, int expected) {
+    List<DdsParticipant> participants = new ArrayList<>();
+    try {
+      List<DdsWriter> writers = new ArrayList<>();
+      List<DdsReader> readers = new ArrayList<>();
+      for (String tag : tags) {
+        DdsParticipant participant = Wire.onTheWire(tag);
+        participants.add(participant);
+        writers.add(participant.writer("/a", FLOAT, QOS));
+        readers.add(participant.reader("/a", FLOAT, QOS));
+      }
+      List<Integer> matches = new ArrayList<>();
+      for (DdsWriter writer : writers) {
+        assertTrue(writer.waitForMatches(expected, Wire.PATIENCE));
+      }
+      for (DdsReader reader : readers) {
+        assertTrue(reader.waitForMatches(expected, Wire.PATIENCE));
+      }
+      writers.forEach(writer -> matches.add(writer.matched()));
+      readers.forEach(reader -> matches.add(reader.matched()));
+      return matches;
+    } finally {
+      participants.forEach(DdsParticipant::close);
+    }
+  }
+
+  @Test
+  void runsWithDifferentTagsDoNotMeet() {
+    String one = Wire.newTag();
+    String other = Wire.newTag();
+    assertEquals(
+        List.of(4, 4, 4, 4, 4, 4, 4, 4), matches(List.of(one, one, one, one), 4), "the same tag");
+    assertEquals(List.of(2, 2, 2, 2, 2, 2, 2, 2), matches(List.of(one, other, one, other), 2));
+  }
+
+  @Test
+  void theWorldIsAnnouncedAsANodeWithItsEndpoints() {
+    String tag = Wire.newTag();
+    MessageCatalog catalog =
+        MessageCatalog.ofTexts(Map.of("rmw_dds_common/msg/Gid", "uint8[16] data\n"));
+    MessageType type = catalog.find("rmw_dds_common/msg/ParticipantEntitiesInfo").orElseThrow();
+    try (DdsParticipant world = Wire.onTheWire(tag);
+        DdsParticipant observer = Wire.onTheWire(tag)) {
+      DdsWriter writer = world.writer("/scan", FLOAT, QOS);
+      world.announce("eventchain_world");
+      DdsReader reader = world.reader("/brake", FLOAT, QOS);
+      DdsReader graph =
+          new DdsReader(
+              observer,
+              new Endpoint(
+                  Wire.library().cyclone(), "ros_discovery_info", "ros_discovery_info", type),
+              QOS.withDurability(QosSettings.Durability.TRANSIENT_LOCAL));
+      MessageValue seen = last(graph, type);
+      MessageValue node = node(seen);
+      assertEquals("/", node.get("node_namespace"));
+      assertEquals("eventchain_world", node.get("node_name"));
+      assertGids(List.of(writer.gid()), node.get("writer_gid_seq"));
+      assertGids(List.of(reader.gid()), node.get("reader_gid_seq"));
+      byte[] participant = (byte[]) seen.get("gid.data");
+      assertEquals(16, participant.length);
+      // An endpoint begins as its participant does.
+      assertArrayEquals(
+          java.util.Arrays.copyOf(participant, 12), java.util.Arrays.copyOf(writer.gid(), 12));
+      writer.close();
+      node = node(last(graph, type));
+      assertGids(List.of(), node.get("writer_gid_seq"));
+      assertGids(List.of(reader.gid()), node.get("reader_gid_seq"));
+      graph.close();
+    }
+  }
+
+  private static MessageValue last(DdsReader graph, MessageType type) {
+    List<DdsSample> samples = graph.take(Wire.PATIENCE);
+    return CdrCodec.decode(type, samples.get(samples.size() - 1).bytes());
+  }
+
+  private static MessageValue node(MessageValue participant) {
+    List<?> nodes = (List<?>) participant.get("node_entities_info_seq");
+    assertEquals(1, nodes.size());
+    return (MessageValue) nodes.get(0);
+  }
+
+  private static void assertGids(List<byte[]> expected, Object gids) {
+    List<?> found = (List<?>) gids;
+    assertEquals(expected.size(), found.size());
+    for (int i = 0; i < expected.size(); i++) {
+      assertArrayEquals(expected.get(i), (byte[]) ((MessageValue) found.get(i)).get("data"));
+    }
+  }
+}
