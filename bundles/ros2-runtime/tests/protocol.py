@@ -9,12 +9,16 @@ import subprocess
 import sys
 import tempfile
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from typing_extensions import Self
 
 SOURCES = Path(__file__).parents[1] / "python"
 CONFINEMENT = Path(__file__).parents[2] / "python" / "src" / "main" / "resources" / "dev" / "eventchain" / "python"
 START = "import sys, confined; confined.main(sys.argv[1])"
 CONFIGURE, READY, STEP, STEPPED, FINISH, FINISHED, FAILED, RESET = range(1, 9)
+CONNECT, CONNECTED, PUBLISH, RUN, IDLE = range(9, 14)
 MILLISECOND = 1_000_000
 
 
@@ -27,7 +31,10 @@ class Failed(Exception):
 
 
 class HostProcess:
-    """A lock-step host, confined as in the product but for bubblewrap, talked to over real pipes."""
+    """A host, confined as in the product but for bubblewrap, talked to over real pipes."""
+
+    module = "eventchain_ros2.lockstep"
+    preparation: dict[str, Any] | None = None
 
     def __init__(self, stderr: int | None = subprocess.PIPE) -> None:
         self._temporary = tempfile.TemporaryDirectory()
@@ -36,7 +43,7 @@ class HostProcess:
             "work": str(self.work),
             "readable": ["/"],
             "path": [str(SOURCES), str(CONFINEMENT)],
-            "module": "eventchain_ros2.lockstep",
+            "module": self.module,
             "arguments": [],
             "limits": {"cpuSeconds": 600, "memory": 1 << 30, "fileSize": 1 << 20, "openFiles": 256},
             "enclosed": False,
@@ -46,12 +53,14 @@ class HostProcess:
             "turn": 0,
             "parent": os.getpid(),
         }
+        if self.preparation is not None:
+            settings["preparation"] = self.preparation
         environment = {"PATH": os.environ["PATH"], "PYTHONPATH": str(CONFINEMENT), "OPENBLAS_NUM_THREADS": "1"}
         command = [sys.executable, "-c", START, json.dumps(settings)]
         pipe = subprocess.PIPE
         self.process = subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=stderr, env=environment)
 
-    def __enter__(self) -> HostProcess:
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *_: object) -> None:

@@ -13,16 +13,21 @@ PYTHON = BUNDLE / "python"
 RUNTIME = "eventchain_ros2"
 # Each module imports only from the lines above its own, so there are no circles.
 LAYERS = (
-    {"clock", "definitions", "logger", "parameters"},
-    {"qos", "validation"},
-    {"codec", "simulation"},
-    {"context", "idl", "messages"},
-    {"endpoints", "failures", "message_objects", "pytest_plugin"},
-    {"components", "dds", "node"},
-    {"executors", "lockstep"},
+    {"clock", "cyclone", "definitions", "graph", "logger", "parameters"},
+    {"qos", "type_support", "validation"},
+    {"codec", "dds_qos", "processes"},
+    {"dds_endpoints", "idl", "messages", "simulation"},
+    {"context", "dds_entities"},
+    {"endpoints", "failures", "message_objects", "pytest_plugin", "real_time"},
+    {"channel", "components", "dds", "node", "wire"},
+    {"executors", "hosting", "live", "preparation"},
+    {"__main__", "lockstep", "node_host"},
 )
 LAYER_OF = {module: layer for layer, modules in enumerate(LAYERS) for module in modules}
 MODULES = sorted(PYTHON.glob(f"{RUNTIME}/*.py"))
+# What talks to the library. A confined process refuses ctypes, and everything that runs in one does without.
+WIRE = {"cyclone", "dds_endpoints", "dds_entities", "dds_qos", "type_support"}
+CONFINED = ("components", "executors", "simulation")
 FACADES = sorted([*PYTHON.glob("rclpy/**/*.py"), *PYTHON.glob("cyclonedds/**/*.py")])
 
 
@@ -73,10 +78,43 @@ def test_runtime_knows_no_facade(module: Path) -> None:
     assert [*imported(source, "rclpy"), *imported(source, "cyclonedds")] == []
 
 
+@pytest.mark.parametrize("module", MODULES, ids=lambda module: module.stem)
+def test_only_the_wire_uses_the_library(module: Path) -> None:
+    loads_libraries = next(imported(module.read_text(encoding="utf-8"), "ctypes"), None) is not None
+    assert not loads_libraries or module.stem in WIRE
+
+
+@pytest.mark.parametrize("name", CONFINED)
+def test_what_runs_confined_needs_no_library(name: str) -> None:
+    seen, open_ends = set(), [name]
+    while open_ends:
+        module = open_ends.pop()
+        if module not in seen:
+            seen.add(module)
+            source = (PYTHON / RUNTIME / f"{module}.py").read_text(encoding="utf-8")
+            open_ends += [each for each in imported(source, RUNTIME) if each]
+    assert seen & WIRE == set()
+
+
 @pytest.mark.parametrize("facade", FACADES, ids=lambda facade: str(facade.relative_to(PYTHON)))
 def test_facades_know_nothing_of_the_host(facade: Path) -> None:
     source = facade.read_text(encoding="utf-8")
-    assert set(imported(source, RUNTIME)) & {"", "components", "failures", "lockstep", "pytest_plugin"} == set()
+    assert (
+        set(imported(source, RUNTIME))
+        & {
+            "",
+            "channel",
+            "components",
+            "failures",
+            "hosting",
+            "lockstep",
+            "node_host",
+            "preparation",
+            "pytest_plugin",
+            "wire",
+        }
+        == set()
+    )
 
 
 def test_there_are_facades_to_check() -> None:

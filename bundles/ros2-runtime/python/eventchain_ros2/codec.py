@@ -1,6 +1,7 @@
 """Generates the constructor, CDR writer and CDR reader of a message type as Python source, once per type.
 
-The encoding is plain CDR version 1, little endian (OMG DDS-XTypes 1.3, section 7.4.1), as ROS 2 puts it on the wire.
+The encoding is plain CDR version 1 (OMG DDS-XTypes 1.3, section 7.4.1), as ROS 2 puts it on the wire: little endian is
+written, and both byte orders are read.
 Positions count from behind the four bytes of the encapsulation header, so in a buffer that holds the header, a position
 is a multiple of 8 when the length is 4 above one.
 
@@ -23,6 +24,7 @@ _PYTHON_TYPES = {"?": "bool", "c": "bytes", "f": "float", "d": "float"}
 _ZEROS = {"?": False, "c": b"\0", "f": 0.0, "d": 0.0}
 _PADDING = tuple(bytes(length) for length in range(8))
 _LENGTH = Struct("<I")
+_BIG_ENDIAN_LENGTH = Struct(">I")
 
 
 class Codec(NamedTuple):
@@ -31,11 +33,33 @@ class Codec(NamedTuple):
     initialize: Callable[..., None]  # __init__(self, **fields)
     write: Callable[[Any, bytearray], None]  # appends the message to a buffer that starts with the header
     read: Callable[[memoryview, int], tuple[Any, int]]  # buffer behind the header, position -> message, next position
+    read_big_endian: Callable[
+        [memoryview, int], tuple[Any, int]
+    ]  # made when it is first called: hardly anybody sends so
+
+
+class _BigEndianReader:
+    """Reads big-endian messages with a function that is generated when the first one comes."""
+
+    def __init__(self, definition: Definition, message_class: type, nested: Callable[[str], type]) -> None:
+        self._arguments = definition, message_class, nested
+        self._read: Callable[[memoryview, int], tuple[Any, int]] | None = None
+
+    def __call__(self, buffer: memoryview, position: int) -> tuple[Any, int]:
+        if self._read is None:
+            definition, message_class, nested = self._arguments
+            self._read = _filled(_Generator(message_class, nested, ">"), definition).compile(definition.name)["read"]
+        return self._read(buffer, position)
 
 
 def generate(definition: Definition, message_class: type, nested: Callable[[str], type]) -> Codec:
     """Generate the functions of `message_class`; `nested` gives the classes of the messages it contains."""
-    generator = _Generator(message_class, nested)
+    functions = _filled(_Generator(message_class, nested, "<"), definition).compile(definition.name)
+    big_endian = _BigEndianReader(definition, message_class, nested)
+    return Codec(functions["initialize"], functions["write"], functions["read"], big_endian)
+
+
+def _filled(generator: _Generator, definition: Definition) -> _Generator:
     fields = definition.fields
     index = 0
     while index < len(fields):
@@ -47,7 +71,7 @@ def generate(definition: Definition, message_class: type, nested: Callable[[str]
         index += len(run) or 1
     if not fields:
         generator.add_placeholder()
-    return generator.compile(definition.name)
+    return generator
 
 
 def _scalar_run(fields: list[Field], start: int) -> list[Field]:
@@ -68,8 +92,9 @@ def _size(code: str) -> int:
 class _Generator:
     """Collects the lines of the three functions, field by field in wire order."""
 
-    def __init__(self, message_class: type, nested: Callable[[str], type]) -> None:
+    def __init__(self, message_class: type, nested: Callable[[str], type], order: str) -> None:
         self._nested = nested
+        self._order = order  # of the bytes that are read, `<` or `>`
         self._initialize: list[str] = []
         self._write: list[str] = []
         self._read: list[str] = []
@@ -80,13 +105,14 @@ class _Generator:
             "array": array,
             "pad": _PADDING,
             "pack_length": _LENGTH.pack,
-            "unpack_length": _LENGTH.unpack_from,
+            "unpack_length": (_LENGTH if order == "<" else _BIG_ENDIAN_LENGTH).unpack_from,
             "check": validation.check,
             "as_array": validation.as_array,
             "as_ndarray": validation.as_ndarray,
         }
 
-    def compile(self, name: str) -> Codec:
+    def compile(self, name: str) -> dict[str, Any]:
+        """The functions `initialize`, `write` and `read`, among other names."""
         source = [
             "def initialize(self, **fields):",
             *self._indent(self._initialize),
@@ -102,7 +128,7 @@ class _Generator:
             "  return m, p",
         ]
         exec(compile("\n".join(source), f"<codec of {name}>", "exec"), self._names)
-        return Codec(self._names["initialize"], self._names["write"], self._names["read"])
+        return self._names
 
     @staticmethod
     def _indent(lines: list[str]) -> list[str]:
@@ -128,7 +154,8 @@ class _Generator:
         self._write += [f"{value} = m.{field.name}" for value, field in zip(values, fields, strict=True)]
         self._write += [f"if {types}: check(m)", f"o += {struct}.pack({', '.join(values)})"]
         targets = ", ".join(f"m.{field.name}" for field in fields)
-        self._read += [f"{targets}, = {struct}.unpack_from(b, p)", f"p += {size * len(fields)}"]
+        read = struct if self._order == "<" else self._name("struct", Struct(">" + codes))
+        self._read += [f"{targets}, = {read}.unpack_from(b, p)", f"p += {size * len(fields)}"]
         self._aligned = gcd(self._aligned, size * len(fields))
 
     def add(self, field: Field) -> None:
@@ -213,6 +240,8 @@ class _Generator:
         self._write.append("o += x")
         self._read.append(f"m.{field.name} = x = array('{code}')")
         self._read += [f"x.frombytes(b[p:p + n * {size}])", f"p += n * {size}"]
+        if self._order == ">" and size > 1:
+            self._read.append("x.byteswap()")
         self._aligned = 1
 
     def _add_number_array(self, field: Field, code: str) -> None:
@@ -230,7 +259,11 @@ class _Generator:
         )
         self._align(size)
         self._write.append("o += x.tobytes()")
-        self._read += [f"m.{field.name} = frombuffer(b, {dtype_name}, {count}, p).copy()", f"p += {count * size}"]
+        read = f"frombuffer(b, {dtype_name}, {count}, p).copy()"
+        if self._order == ">" and size > 1:
+            sent = self._name("dtype", dtype.newbyteorder(">"))
+            read = f"frombuffer(b, {sent}, {count}, p).astype({dtype_name})"
+        self._read += [f"m.{field.name} = {read}", f"p += {count * size}"]
         self._aligned = gcd(self._aligned, count * size)
 
     def _add_length(self, field: Field) -> None:
@@ -257,7 +290,11 @@ class _Generator:
 
     def _nested_names(self, base: str) -> tuple[str, str, str]:
         nested: Any = self._nested(base)
-        return self._name("C", nested), self._name("write", nested._write), self._name("read", nested._read)
+        return (
+            self._name("C", nested),
+            self._name("write", nested._write),
+            self._name("read", nested._read if self._order == "<" else nested._read_big_endian),
+        )
 
     def _name(self, prefix: str, value: object) -> str:
         name = f"{prefix}{len(self._names)}"

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from eventchain_ros2.simulation import Simulation
 
 NO_EXECUTOR = (
-    "Eventchain's runtime has simulated time only, in which the lock-step host runs the nodes: "
-    "source ROS 2 to let a node spin by itself"
+    "in simulated time a host runs the nodes: let a node spin by itself with "
+    "`python -m eventchain_ros2 NODE.py`, or with ROS 2 sourced"
 )
 
 
@@ -18,8 +20,10 @@ class NotInitializedException(Exception):  # noqa: N818 - rclpy's name
 
 
 class _Context:
-    simulation: Simulation | None = None
-    initialized = False  # by user code
+    def __init__(self) -> None:
+        self.simulation: Simulation | None = None
+        self.initialized = False  # by user code
+        self.start: Callable[[int | None], Simulation] = lambda _: Simulation()
 
 
 _context = _Context()
@@ -31,18 +35,28 @@ def enter(simulation: Simulation) -> None:
     _context.initialized = False
 
 
-def init() -> None:
-    """Start a simulation, unless the host has done that."""
+def start_with(start: Callable[[int | None], Simulation]) -> None:
+    """Let `init` start this instead of a simulation; the argument is the domain that it asks for, if it does."""
+    _context.start = start
+
+
+def init(domain_id: int | None = None) -> None:
+    """Start a simulation, or what was chosen instead, unless the host has done that."""
     if _context.initialized and ok():
         raise RuntimeError("Context.init() must only be called once")
     if not ok():
-        _context.simulation = Simulation()
+        _context.simulation = _context.start(domain_id)
     _context.initialized = True
 
 
 def ok() -> bool:
     """Whether nodes can be made and run."""
     return _context.simulation is not None and _context.simulation.running
+
+
+def is_simulated() -> bool:
+    """Whether time is simulated, so that nobody may wait for it."""
+    return _context.simulation is None or _context.simulation.is_simulated
 
 
 def current() -> Simulation:
@@ -59,4 +73,4 @@ def current() -> Simulation:
 
 def shutdown() -> None:
     """End the simulation: no callback runs any more."""
-    current().running = False
+    current().stop()

@@ -51,12 +51,13 @@ class Publisher:
 
     def get_subscription_count(self) -> int:
         """The number of subscriptions that receive what is published."""
-        return len(self.matched)
+        return sum(getattr(each, "count", 1) for each in self.matched)
 
     def destroy(self) -> None:
         """Stop publishing."""
         if self in self.topic.publishers:
             self.topic.publishers.remove(self)
+            self._simulation.remove(self)
         self.matched.clear()
 
 
@@ -74,6 +75,7 @@ class Subscription:
         *,
         raw: bool = False,
     ) -> None:
+        self._simulation = simulation
         self.process = process
         self.msg_type = message_class
         self.type_name = type_name(message_class)
@@ -96,6 +98,7 @@ class Subscription:
         """Stop receiving."""
         if self in self.topic.subscriptions:
             self.topic.subscriptions.remove(self)
+            self._simulation.remove(self)
         for publisher in self.topic.publishers:
             if self in publisher.matched:
                 publisher.matched.remove(self)

@@ -14,7 +14,7 @@ class ExternalShutdownException(Exception):  # noqa: N818 - rclpy's name
 
 
 class Executor:
-    """Runs the callbacks of its nodes, one after the other. Timeouts count simulated time, which waits for nobody."""
+    """Runs the callbacks of its nodes, one after the other. In simulated time no timeout waits for anybody."""
 
     def __init__(self, *, context: Any = None) -> None:
         self._nodes: list[Node] = []
@@ -37,7 +37,7 @@ class Executor:
         return list(self._nodes)
 
     def spin_once(self, timeout_sec: float | None = None) -> None:
-        """Let time pass until a callback has run, or for this many seconds of simulated time.
+        """Let time pass until a callback has run, or for this many seconds.
 
         If several nodes get the same sample, or waiting ones, all of their callbacks run.
 
@@ -49,11 +49,22 @@ class Executor:
         if self._is_shutdown or not context.ok():
             raise ExternalShutdownException
         wait = None if timeout_sec is None or timeout_sec < 0 else int(timeout_sec * NANOSECONDS_PER_SECOND)
-        context.current().spin_once({node._eventchain_process for node in self._nodes}, wait)
+        ran = context.current().spin_once({node._eventchain_process for node in self._nodes}, wait)
+        if not ran and not context.ok():
+            raise ExternalShutdownException
 
     def spin(self) -> None:
-        """Refuse: simulated time would run without end."""
-        raise NotImplementedError(context.NO_EXECUTOR)
+        """Run callbacks until a callback ends that.
+
+        Raises:
+            ExternalShutdownException: something else has ended it, such as a signal.
+            NotImplementedError: time is simulated, and would run without end.
+
+        """
+        if context.is_simulated():
+            raise NotImplementedError(context.NO_EXECUTOR)
+        while context.ok() and not self._is_shutdown:
+            self.spin_once()
 
     def shutdown(self, timeout_sec: float | None = None) -> bool:
         """Run no callback any more."""

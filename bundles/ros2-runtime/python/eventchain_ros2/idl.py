@@ -78,6 +78,7 @@ def prepare(data_type: Any) -> None:
     functions = codec.generate(message_class._definition, data_type, nested.__getitem__)
     message_class._write = functions.write
     message_class._read = staticmethod(functions.read)
+    message_class._read_big_endian = functions.read_big_endian
 
 
 def _message_name(typename: str) -> str:

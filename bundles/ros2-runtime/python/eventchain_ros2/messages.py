@@ -19,6 +19,7 @@ from eventchain_ros2 import codec, validation
 from eventchain_ros2.definitions import Catalog, Constant, Definition, FieldType, MessageDefinitionError
 
 ENCAPSULATION = b"\x00\x01\x00\x00"  # plain CDR, little endian
+_BIG_ENDIAN = b"\x00\x00"
 
 _IDL_NAMES = {"bool": "boolean", "byte": "octet", "char": "uint8", "float32": "float", "float64": "double"}
 
@@ -33,6 +34,7 @@ class Message:
     __slots__: ClassVar[tuple[str, ...]] = ()
     _definition: ClassVar[Definition]
     _read: ClassVar[Any]
+    _read_big_endian: ClassVar[Any]
     _write: ClassVar[Any]
 
     def __repr__(self) -> str:
@@ -87,17 +89,20 @@ def to_cdr(message: Message) -> bytearray:
 
 
 def from_cdr(message_class: type, data: bytes | bytearray | memoryview) -> Any:
-    """Decode a message from bytes with an encapsulation header.
+    """Decode a message from bytes with an encapsulation header, which tells the order of the bytes.
 
     Raises:
         MalformedMessageError: the bytes are no encoding of this type.
 
     """
     view = memoryview(data)
+    read = message_class._read  # type: ignore[attr-defined]
     if view[:2] != ENCAPSULATION[:2]:
-        raise MalformedMessageError(f"{type_name(message_class)}: only little-endian plain CDR can be read")
+        if view[:2] != _BIG_ENDIAN:
+            raise MalformedMessageError(f"{type_name(message_class)}: only plain CDR can be read")
+        read = message_class._read_big_endian  # type: ignore[attr-defined]
     try:
-        message, end = message_class._read(view[4:], 0)  # type: ignore[attr-defined]
+        message, end = read(view[4:], 0)
     except (StructError, ValueError) as problem:
         raise MalformedMessageError(f"{type_name(message_class)}: {problem}") from problem
     if end > len(view) - 4:
@@ -109,7 +114,7 @@ class Messages(MetaPathFinder, Loader):
     """The classes of a catalogue, and the finder of the modules that hold them."""
 
     def __init__(self, folders: Iterable[Path] = ()) -> None:
-        self._catalog = Catalog(folders)
+        self.catalog = Catalog(folders)
         self._classes: dict[str, type] = {}
         self._unfinished: list[str] = []
 
@@ -122,7 +127,7 @@ class Messages(MetaPathFinder, Loader):
 
         """
         if name not in self._classes:
-            definition = self._catalog.find(name)
+            definition = self.catalog.find(name)
             if definition is None:
                 raise KeyError(name)
             if name in self._unfinished:
@@ -143,6 +148,7 @@ class Messages(MetaPathFinder, Loader):
         message_class.__init__ = functions.initialize
         message_class._write = functions.write
         message_class._read = staticmethod(functions.read)
+        message_class._read_big_endian = functions.read_big_endian
         return message_class  # type: ignore[no-any-return]
 
     def install(self) -> None:
@@ -156,7 +162,7 @@ class Messages(MetaPathFinder, Loader):
     def find_spec(self, fullname: str, path: object, target: object = None) -> ModuleSpec | None:
         """Find `package` and `package.msg` for each package of the catalogue."""
         package, _, rest = fullname.partition(".")
-        if package not in self._catalog.packages or rest not in ("", "msg"):
+        if package not in self.catalog.packages or rest not in ("", "msg"):
             return None
         return ModuleSpec(fullname, self, is_package=not rest)
 

@@ -50,9 +50,10 @@ class Node:
         self.__simulation = context.current()
         self.__process = self.__simulation.process_of_new_node(node_name)
         self.__name = node_name
-        self.__namespace = "/" + namespace.strip("/")
-        self.__parameters = Parameters(parameter_overrides or [])
-        self.__parameters.declare("use_sim_time", True)
+        self.__namespace = self.__process.namespace = "/" + namespace.strip("/")
+        self.__parameters = Parameters([*self.__simulation.overrides(node_name), *(parameter_overrides or [])])
+        if self.__parameters.declare("use_sim_time", self.__simulation.is_simulated).value:
+            self.__simulation.follow_clock()
         self.__publishers: list[Publisher] = []
         self.__subscriptions: list[Subscription] = []
         self.__timers: list[Timer] = []

@@ -8,89 +8,43 @@ else until then. At one instant, samples come before timers, and timers in the o
 from __future__ import annotations
 
 import sys
-from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from heapq import heappop, heappush
 from time import thread_time_ns
-from typing import Any, NamedTuple, Protocol
+from typing import Any, NamedTuple
 
-from eventchain_ros2.qos import DurabilityPolicy, QoSProfile, incompatible_policies
+from eventchain_ros2.processes import (
+    Activation,
+    Bridge,
+    Process,
+    Publisher,
+    Sample,
+    Subscription,
+    Timer,
+    Topic,
+    Warned,
+)
+from eventchain_ros2.qos import DurabilityPolicy, incompatible_policies
+
+__all__ = [
+    "Activation",
+    "Bridge",
+    "LimitError",
+    "Process",
+    "Publisher",
+    "Sample",
+    "Simulation",
+    "Subscription",
+    "Timer",
+    "Topic",
+    "Warned",
+]
 
 _SAMPLE, _TIMER = 0, 1  # rank of events at one instant
 
-
 MOST_RECORDS = 250_000
 """Publications and activations of one scenario together; a minute of 20 nodes at 100 Hz has about that."""
-
-
-class Sample(NamedTuple):
-    """A message on the wire; `time` is when it can be seen, `sequence` counts the publications on the topic."""
-
-    topic: str
-    sequence: int
-    time: int
-    data: bytes | bytearray | memoryview
-
-
-class Activation(NamedTuple):
-    """One run of a callback: simulated start and end, all in ns, and `(topic, sequence)` of samples.
-
-    `host` is the processor time that was spent. `reads` has the last sample received on each topic that the process
-    subscribes to.
-    """
-
-    start: int
-    end: int
-    host: int
-    reads: list[tuple[str, int]]
-    writes: list[tuple[str, int]]
-
-
-class Warned(NamedTuple):
-    """A connection that was not made: no sample flows."""
-
-    id: str
-    topic: str
-    message: str
-
-
-class Publisher(Protocol):
-    """What the simulation knows of a publisher: who is `matched` gets its samples, who joins later those `retained`."""
-
-    process: Process
-    topic: Topic
-    type_name: str
-    qos_profile: QoSProfile
-    matched: list[Subscription]
-    retained: deque[Sample]
-
-
-class Subscription(Protocol):
-    """What the simulation knows of a subscription."""
-
-    process: Process
-    topic: Topic
-    type_name: str
-    qos_profile: QoSProfile
-
-    def receive(self, sample: Sample) -> None:
-        """Call back."""
-
-
-class Timer(Protocol):
-    """What the simulation knows of a timer: it fires when it is `due`, unless its `token` has changed by then."""
-
-    process: Process
-    index: int
-    due: int
-    token: int
-
-    def advance(self, now: int) -> None:
-        """Move on to the next period that has not passed."""
-
-    def run(self, _: None) -> None:
-        """Call back."""
 
 
 class Event(NamedTuple):
@@ -108,41 +62,6 @@ class Event(NamedTuple):
     argument: Any
 
 
-class Topic:
-    """The publishers and subscriptions of a topic, and the `(sequence, time)` of everything published."""
-
-    def __init__(self, name: str) -> None:
-        self.name = name
-        self.publications: list[tuple[int, int]] = []
-        self.publishers: list[Publisher] = []
-        self.subscriptions: list[Subscription] = []
-
-
-class Process:
-    """A process that runs the callbacks of its nodes one after the other."""
-
-    def __init__(self, name: str, index: int, execution_time: int, phase: int) -> None:
-        self.name = name
-        self.index = index
-        self.execution_time = execution_time
-        self.phase = phase
-        self.timers = 0
-        self.busy_until = 0
-        self.paused = False  # while an executor runs that has other nodes
-        self.inbox: list[tuple[Subscription, Sample]] = []
-        self.latest: dict[str, int] = {}
-        self.writes: list[tuple[str, int]] | None = None  # of the callback that runs
-        self.activations: list[Activation] = []
-
-    def keep(self, subscription: Subscription, sample: Sample) -> None:
-        """Keep a sample for later, dropping the oldest one beyond the subscription's history."""
-        self.inbox.append((subscription, sample))
-        capacity = subscription.qos_profile.capacity()
-        mine = [index for index, (receiver, _) in enumerate(self.inbox) if receiver is subscription]
-        if capacity is not None and len(mine) > capacity:
-            del self.inbox[mine[0]]
-
-
 class LimitError(BaseException):
     """More was published or executed than a scenario may hold. Not an `Exception`: nodes shall not go on after it."""
 
@@ -150,9 +69,12 @@ class LimitError(BaseException):
 class Simulation:
     """All processes and topics, and the simulated time `now` in nanoseconds."""
 
+    is_simulated = True
+
     def __init__(self) -> None:
         self.now = 0
         self.running = True
+        self.bridge: Bridge | None = None
         self.processes: list[Process] = []
         self.topics: dict[str, Topic] = {}
         self.warnings: list[Warned] = []
@@ -167,6 +89,17 @@ class Simulation:
         self._records += 1
         if self._records > MOST_RECORDS:
             raise LimitError(f"the nodes publish and execute more than {MOST_RECORDS:,} times in one scenario")
+
+    def overrides(self, node: str) -> list[Any]:
+        """The values that parameters of a node start with: whoever makes it gives them."""
+        return []
+
+    def follow_clock(self) -> None:
+        """Show the time of `/clock`: there is no other time anyway."""
+
+    def stop(self) -> None:
+        """Run no callback any more."""
+        self.running = False
 
     def spend(self, nanoseconds: int) -> None:
         """Count processor time that was spent elsewhere for the callback that runs."""
@@ -211,12 +144,21 @@ class Simulation:
         publisher.topic.publishers.append(publisher)
         for subscription in publisher.topic.subscriptions:
             self._connect(publisher, subscription)
+        if self.bridge:
+            self.bridge.opened(publisher)
 
     def add_subscription(self, subscription: Subscription) -> None:
         """Connect a subscription with the publishers of its topic."""
         subscription.topic.subscriptions.append(subscription)
         for publisher in subscription.topic.publishers:
             self._connect(publisher, subscription)
+        if self.bridge:
+            self.bridge.opened(subscription)
+
+    def remove(self, endpoint: Publisher | Subscription) -> None:
+        """Tell the bridge of an endpoint that is used no more."""
+        if self.bridge:
+            self.bridge.closed(endpoint)
 
     def _connect(self, publisher: Publisher, subscription: Subscription) -> None:
         topic = publisher.topic.name
@@ -244,7 +186,7 @@ class Simulation:
         topic, process = publisher.topic, publisher.process
         sequence, time = len(topic.publications), self.now
         if process.writes is not None:
-            time += process.execution_time
+            time = self.ended(process)
             process.writes.append((topic.name, sequence))
         self._record()
         topic.publications.append((sequence, time))
@@ -266,6 +208,28 @@ class Simulation:
             self.now = event.time
             event.action(event.argument)
         self.now, self.current = until, None
+
+    def next_event(self) -> tuple[int, bool] | None:
+        """When something happens next, and whether it is a timer; None: nothing ever will."""
+        return (self._events[0].time, self._events[0].rank == _TIMER) if self._events else None
+
+    def happen(self, until: int, *, timers: bool) -> None:
+        """Let everything happen that is due until then, that time included; timers of that time only if asked to."""
+        last = until, (_TIMER if timers else _SAMPLE)
+        events = self._events
+        while events and events[0][:2] <= last and self.running:
+            event = heappop(events)
+            self.now = self.reached(event.time)
+            event.action(event.argument)
+        self.now, self.current = self.reached(until), None
+
+    def reached(self, time: int) -> int:
+        """What time it is when something is due at this time."""
+        return time
+
+    def ended(self, process: Process) -> int:
+        """What time it is when the callback ends that runs."""
+        return self.now + process.execution_time
 
     def spin_once(self, processes: set[Process], timeout: int | None) -> bool:
         """Let time pass until a callback of one of these processes has run, and nobody else's.
@@ -369,7 +333,7 @@ class Simulation:
         host = thread_time_ns() - started + self._spent
         process.writes = None
         if timed or writes:
-            process.busy_until = self.now + process.execution_time
+            process.busy_until = self.ended(process)
             reads = list(process.latest.items())
             self._record()
             process.activations.append(Activation(self.now, process.busy_until, host, reads, writes))

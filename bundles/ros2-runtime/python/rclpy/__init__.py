@@ -1,11 +1,13 @@
 """The API of ROS 2's `rclpy`, as far as Eventchain's runtime has it; everything comes from `eventchain_ros2`.
 
-This package stands on `sys.path` only within the lock-step host and where tests ask for it. Nodes that use it run
-unchanged under ROS 2.
+This package stands on `sys.path` only within hosts of nodes and where tests ask for it. Nodes that use it run unchanged
+under ROS 2.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator as _Iterator
+from contextlib import contextmanager as _contextmanager
 from typing import Any, NoReturn
 
 from eventchain_ros2 import context as _context
@@ -15,7 +17,7 @@ from eventchain_ros2.node import Node as _Node
 
 def init(*, args: list[str] | None = None, context: Any = None, domain_id: int | None = None, **_: Any) -> None:
     """Make it possible to create nodes."""
-    _context.init()
+    _context.init(domain_id)
 
 
 def ok(*, context: Any = None) -> bool:
@@ -39,17 +41,24 @@ def create_node(node_name: str, **options: Any) -> _Node:
     return _Node(node_name, **options)
 
 
-def spin(node: _Node, executor: Any = None) -> NoReturn:
-    """Refuse: the lock-step host runs the nodes."""
-    raise NotImplementedError(_context.NO_EXECUTOR)
+def spin(node: _Node, executor: _Executor | None = None) -> None:
+    """Run the callbacks of the node until one of them ends that; in simulated time a host does it."""
+    with _running(node, executor) as runner:
+        runner.spin()
 
 
 def spin_once(node: _Node, *, executor: _Executor | None = None, timeout_sec: float | None = None) -> None:
-    """Let simulated time pass until a callback of the node has run, or for this many seconds."""
+    """Let time pass until a callback of the node has run, or for this many seconds."""
+    with _running(node, executor) as runner:
+        runner.spin_once(timeout_sec)
+
+
+@_contextmanager
+def _running(node: _Node, executor: _Executor | None) -> _Iterator[_Executor]:
     runner = executor or _Executor()
     added = runner.add_node(node)
     try:
-        runner.spin_once(timeout_sec)
+        yield runner
     finally:
         if added:
             runner.remove_node(node)
@@ -58,5 +67,5 @@ def spin_once(node: _Node, *, executor: _Executor | None = None, timeout_sec: fl
 def spin_until_future_complete(
     node: _Node, future: Any, executor: Any = None, timeout_sec: float | None = None
 ) -> NoReturn:
-    """Refuse: the lock-step host runs the nodes."""
-    raise NotImplementedError(_context.NO_EXECUTOR)
+    """Refuse: what makes futures, services and actions, is not part of this runtime."""
+    raise NotImplementedError("futures are not part of Eventchain's runtime")

@@ -1,0 +1,96 @@
+"""Profiles of ROS 2 as the policies of DDS, mapped as ROS 2's middleware maps them."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from eventchain_ros2 import cyclone
+from eventchain_ros2.clock import Duration
+from eventchain_ros2.cyclone import INFINITY
+from eventchain_ros2.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
+
+LONGEST_BLOCK = 100_000_000
+"""How long one native call may take, in ns: Python sees signals only between calls."""
+
+_XCDR1 = 0
+_IGNORE_PARTICIPANT = 1
+_UNLIMITED = -1
+_POLICIES = {
+    2: "DURABILITY",
+    3: "PRESENTATION",
+    4: "DEADLINE",
+    5: "LATENCY_BUDGET",
+    6: "OWNERSHIP",
+    8: "LIVELINESS",
+    10: "PARTITION",
+    11: "RELIABILITY",
+    12: "DESTINATION_ORDER",
+    24: "TYPE_CONSISTENCY_ENFORCEMENT",
+    25: "DATA_REPRESENTATION",
+}
+
+
+def policy_name(identifier: int) -> str:
+    """The name of a policy that did not match."""
+    return _POLICIES.get(identifier, f"policy {identifier}")
+
+
+@contextmanager
+def dds_qos(profile: QoSProfile, user_data: bytes, *, ignore_own: bool = False) -> Iterator[int]:
+    """The `dds_qos_t` of a writer or reader with this profile, for the length of the block.
+
+    Args:
+        profile: the policies.
+        user_data: what others are told besides.
+        ignore_own: whether a reader gets nothing from writers of its own participant.
+
+    """
+    library = cyclone.load()
+    made = library.dds_create_qos()
+    try:
+        history = _history(profile)
+        reliable = profile.reliability != ReliabilityPolicy.BEST_EFFORT
+        library.dds_qset_reliability(made, int(reliable), LONGEST_BLOCK if reliable else 0)
+        library.dds_qset_history(made, *history)
+        transient = profile.durability == DurabilityPolicy.TRANSIENT_LOCAL
+        library.dds_qset_durability(made, int(transient))
+        if transient:
+            library.dds_qset_durability_service(made, 0, *history, _UNLIMITED, _UNLIMITED, _UNLIMITED)
+        library.dds_qset_deadline(made, _nanoseconds(profile.deadline))
+        library.dds_qset_lifespan(made, _nanoseconds(profile.lifespan))
+        manual = profile.liveliness == LivelinessPolicy.MANUAL_BY_TOPIC
+        library.dds_qset_liveliness(made, 2 if manual else 0, _nanoseconds(profile.liveliness_lease_duration))
+        library.dds_qset_data_representation(made, 1, (ctypes.c_int16 * 1)(_XCDR1))
+        library.dds_qset_writer_data_lifecycle(made, False)
+        library.dds_qset_ignorelocal(made, _IGNORE_PARTICIPANT if ignore_own else 0)
+        library.dds_qset_userdata(made, user_data, len(user_data))
+        yield made
+    finally:
+        library.dds_delete_qos(made)
+
+
+def _history(profile: QoSProfile) -> tuple[int, int]:
+    if profile.history == HistoryPolicy.KEEP_ALL:
+        return 1, _UNLIMITED
+    return 0, max(profile.depth, 1)
+
+
+def _nanoseconds(duration: Duration) -> int:
+    """Profiles write infinity as zero."""
+    return min(duration.nanoseconds, INFINITY) or INFINITY
+
+
+def user_data(qos: int) -> dict[str, str]:
+    """The `key=value;` pairs that ROS 2 puts into the user data of its entities."""
+    library = cyclone.load()
+    value, size = ctypes.POINTER(ctypes.c_char)(), ctypes.c_size_t()
+    if not library.dds_qget_userdata(qos, value, size) or not value:
+        return {}
+    content: Any = value[: size.value]  # bytes, since the elements are characters
+    text = content.decode(errors="replace")
+    library.dds_free(value)
+    pairs = (part.partition("=") for part in text.split(";"))
+    return {key: rest for key, equals, rest in pairs if equals}

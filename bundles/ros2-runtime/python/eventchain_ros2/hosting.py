@@ -1,0 +1,216 @@
+"""What the hosts of nodes share: nodes with their components are made, run, interrupted, and forgotten.
+
+A host is a program for `confined.py`, which starts it and, on its behalf, the processes of components. Hosts, and
+nothing else, put the folder of this package in front of `sys.path`, so that `import rclpy` finds ours; everywhere else
+a sourced ROS 2 wins.
+"""
+
+from __future__ import annotations
+
+import gc
+import importlib
+import json
+import platform
+import signal
+import sys
+from abc import ABC, abstractmethod
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from component_client import Limits
+
+from eventchain_ros2 import context, message_objects
+from eventchain_ros2.channel import Channel, Kind
+from eventchain_ros2.clock import NANOSECONDS_PER_SECOND, Duration
+from eventchain_ros2.components import Components, Configuration, Environment
+from eventchain_ros2.dds import DomainParticipant
+from eventchain_ros2.endpoints import Timer
+from eventchain_ros2.failures import HostError, StepTimeout, describe
+from eventchain_ros2.messages import Messages
+from eventchain_ros2.node import Node
+from eventchain_ros2.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
+from eventchain_ros2.simulation import Process, Simulation
+
+SOURCES = str(Path(__file__).resolve().parents[1])
+
+OFFERS_EVERYTHING = QoSProfile(
+    depth=1,
+    durability=DurabilityPolicy.TRANSIENT_LOCAL,
+    deadline=Duration(nanoseconds=1),
+    liveliness=LivelinessPolicy.MANUAL_BY_TOPIC,
+    liveliness_lease_duration=Duration(nanoseconds=1),
+)
+"""Whoever stands outside of a simulation offers everything that a node may request."""
+REQUESTS_NOTHING = QoSProfile(history=HistoryPolicy.KEEP_ALL, reliability=ReliabilityPolicy.BEST_EFFORT)
+"""... and requests nothing that a node may not offer."""
+
+_UNLIMITED = 1e9  # s
+
+
+class HostedNodes:
+    """The nodes of one configuration, from their start to their end."""
+
+    def __init__(self, configuration: dict[str, Any], simulation: Simulation | None = None) -> None:
+        self.configuration = configuration
+        self.step_limit = float(configuration.get("step_limit_s", 0))  # of processor time; 0: none
+        self.folders: list[str] = list(configuration.get("path", []))
+        self.simulation = simulation or Simulation()
+        self.processes: list[Process] = []
+        self._messages = Messages(Path(folder) for folder in configuration.get("messages", []))
+        self._components = self._make_components()
+        self._objects: list[object] = []  # keeps the nodes alive
+
+    def _make_components(self) -> Components:
+        configuration = self.configuration
+        environment = Environment(
+            path=[SOURCES, *self.folders],
+            sources=self.folders,
+            messages=list(configuration.get("messages", [])),
+            limits=Limits(self.step_limit or _UNLIMITED, float(configuration.get("wall_limit_s", _UNLIMITED))),
+            objects=message_objects.of(self._messages, importing=False),
+        )
+        known = [Configuration.of(node["component"]) for node in configuration.get("nodes", []) if node["component"]]
+        return Components(known, environment, self.simulation.spend)
+
+    def prepare(self, foreign_path: list[str]) -> None:
+        """Make message types and components importable; `foreign_path` follows the user's folders in `sys.path`."""
+        self._messages.install()
+        self._components.install()
+        sys.path[:] = [SOURCES, *self.folders, *foreign_path]
+        context.enter(self.simulation)
+
+    def message_type(self, name: str, topic: str) -> type:
+        """The class of a message type such as `std_msgs/msg/Float32`, for a topic."""
+        parts = name.split("/")
+        try:
+            return self._messages.get(f"{parts[0]}/msg/{parts[-1]}")
+        except KeyError as missing:
+            raise HostError("message.unknown", f"topic {topic}: no message type {missing.args[0]}") from None
+
+    def start_nodes(self) -> None:
+        """Import the modules and make the nodes."""
+        for node in self.configuration.get("nodes", []):
+            self._start_node(node)
+
+    def _start_node(self, configuration: dict[str, Any]) -> None:
+        name = configuration["name"]
+        times = (round(configuration.get(key, 0) * 1e6) for key in ("execution_time_ms", "phase_ms"))
+        process = self.simulation.add_process(name, *times)
+        self.processes.append(process)
+        with self.simulation.starting(process):
+            module = importlib.import_module(configuration["module"])
+            node_class = getattr(module, configuration["class"], None)
+            if not callable(node_class):
+                raise HostError(
+                    "node.class.missing", f"there is no class {configuration['class']}", module.__file__ or ""
+                )
+            node = node_class() if _is_rclpy(node_class) else self._start_plain_node(node_class, process)
+        self._objects.append(node)
+
+    def _start_plain_node(self, node_class: Any, process: Process) -> Any:
+        """Make a node that is a class around DDS readers and writers, and execute it with its period."""
+        node = node_class(DomainParticipant())
+        for clock in ("now", "wall_clock"):  # by which its inputs become too old, and its messages are stamped
+            if hasattr(node_class, clock):
+                setattr(node, clock, lambda: self.simulation.now)
+        period = int(float(node.period) * NANOSECONDS_PER_SECOND)
+        if period <= 0:
+            raise ValueError(f"a node needs a period of at least a nanosecond, not {node.period} s")
+        self._objects.append(Timer(self.simulation, process, period, node.execute))
+        return node
+
+    def activations(self) -> list[dict[str, Any]]:
+        """What each node has done."""
+        return [{"name": process.name, "activations": process.activations} for process in self.processes]
+
+    def warnings(self) -> list[dict[str, Any]]:
+        """The connections that were not made."""
+        return [warning._asdict() for warning in self.simulation.warnings]
+
+    def end(self) -> None:
+        """End the components, and forget the user's modules, so that those of the next scenario start anew."""
+        self._components.end()
+        folders = tuple(folder.rstrip("/") + "/" for folder in self.folders)
+        for name, module in list(sys.modules.items()):
+            places = [getattr(module, "__file__", None) or "", *getattr(module, "__path__", ())]
+            if any(place.startswith(folders) for place in places):
+                del sys.modules[name]
+        importlib.invalidate_caches()
+
+
+def _is_rclpy(node_class: Any) -> bool:
+    """Whether a node makes its own timers, as rclpy has it; one on plain DDS states its period."""
+    return not hasattr(node_class, "period") or (isinstance(node_class, type) and issubclass(node_class, Node))
+
+
+class Host(ABC):
+    """Answers frames until the input ends.
+
+    Args:
+        channel: where frames come from and answers go.
+
+    """
+
+    def __init__(self, channel: Channel) -> None:
+        self.channel = channel
+        self._foreign_path = [path for path in sys.path if path not in ("", str(Path.cwd()), SOURCES)]
+        sys.dont_write_bytecode = True  # a changed file of the same second and size would go unnoticed
+        signal.signal(signal.SIGPROF, self._interrupt)
+
+    @property
+    @abstractmethod
+    def nodes(self) -> HostedNodes | None:
+        """Those that run."""
+
+    @abstractmethod
+    def answer(self, kind: int, payload: memoryview) -> None:
+        """Answer a frame."""
+
+    def next_frame(self) -> tuple[int, memoryview] | None:
+        """Wait for a frame; None at the end."""
+        return self.channel.read()
+
+    def run(self) -> int:
+        """Serve; the exit code is 1 after a FAILED frame."""
+        try:
+            while (frame := self.next_frame()) is not None:
+                self.answer(*frame)
+                signal.setitimer(signal.ITIMER_PROF, 0)
+        except KeyboardInterrupt:
+            return 130
+        except BaseException as error:  # user code may raise anything, even SystemExit
+            signal.setitimer(signal.ITIMER_PROF, 0)
+            folders = self.nodes.folders if self.nodes else []
+            current = self.nodes.simulation.current if self.nodes else None
+            self.channel.write_json(Kind.FAILED, describe(error, current.name if current else "", folders))
+            return 1
+        return 0
+
+    def start(self, start: Callable[[list[str]], None], ready: Callable[[], dict[str, Any]]) -> None:
+        """Start nodes, with the folders of the environment behind the user's, and say that they are ready."""
+        self.limit()
+        start(self._foreign_path)
+        gc.unfreeze()
+        gc.collect()
+        gc.freeze()  # what lives now lives until the end: keep it out of later collections
+        self.channel.write_json(Kind.READY, {"python": platform.python_version(), **ready()})
+
+    def limit(self) -> None:
+        """Interrupt nodes that compute longer than the scenario allows for one answer; components have own limits."""
+        if self.nodes is not None and self.nodes.step_limit:
+            signal.setitimer(signal.ITIMER_PROF, self.nodes.step_limit)
+
+    def _interrupt(self, *_: object) -> None:
+        limit = self.nodes.step_limit if self.nodes else 0.0
+        raise StepTimeout(f"it used more than {limit:g} s of processor time")
+
+
+def unexpected(kind: int) -> HostError:
+    """The error of a frame that has no meaning now."""
+    return HostError("protocol.frame", f"a frame of kind {kind} is not expected here")
+
+
+def parse(payload: memoryview) -> Any:
+    """The JSON of a frame."""
+    return json.loads(bytes(payload))

@@ -1,0 +1,341 @@
+"""Nodes in real time on the wire: what `rclpy.init` starts when a node file is run by itself.
+
+Callbacks run one after the other in the thread that spins, timers first, each subscription in its turn, as rclpy's
+single-threaded executor has it. Samples stay in DDS, by their quality of service, until their callback's turn.
+"""
+
+from __future__ import annotations
+
+import signal
+import struct
+import sys
+import threading
+from collections import deque
+from collections.abc import Callable, Iterator
+from functools import partial
+from time import monotonic_ns, time_ns
+from typing import Any, cast
+
+from eventchain_ros2.dds_entities import ClosedError, Participant, Reader, WaitSet, Writer
+from eventchain_ros2.parameters import Parameter
+from eventchain_ros2.qos import QoSProfile, ReliabilityPolicy
+from eventchain_ros2.simulation import Process, Publisher, Sample, Simulation, Subscription, Timer
+
+CLOCK_TOPIC, CLOCK_TYPE = "/clock", "rosgraph_msgs/msg/Clock"
+_CLOCK_QOS = QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT)
+_CDR_HEADER = 4
+_NANOSECONDS = 1_000_000_000
+_QUIET = _NANOSECONDS
+"""How long an end on the wire is silent about missed deadlines after it has told of one, in ns."""
+
+
+class Live(Simulation):
+    """The nodes of this process; their time is that on the clock, or that of `/clock` if they use simulated time.
+
+    Args:
+        participant: theirs; it is closed with `close`.
+        overrides: values of parameters, by the name of a node (`""`: of every node).
+
+    """
+
+    is_simulated = False
+
+    def __init__(self, participant: Participant, overrides: list[tuple[str, Parameter]]) -> None:
+        super().__init__()
+        self._participant = participant
+        self._overrides = overrides
+        self._clock: Reader | None = None
+        self._shown = 0  # by /clock, in ns
+        self._writers: dict[Publisher, Writer] = {}
+        self._readers: dict[Subscription, Reader] = {}
+        self._timers: list[tuple[Timer, int]] = []  # with the token that they had
+        self._waits: dict[frozenset[Process], _Turns] = {}
+        self._is_announced = True
+        self._watch = _Watch(participant)
+        self._handlers: dict[int, Any] = {}
+        self._handle_signals()
+
+    @property
+    def now(self) -> int:
+        """The time in ns: since 1970, or what `/clock` has shown, 0 at first."""
+        return time_ns() if self._clock is None else self._shown
+
+    @now.setter
+    def now(self, _: int) -> None:
+        """Nobody sets this clock."""
+
+    def overrides(self, node: str) -> list[Parameter]:
+        """The values that parameters of a node start with."""
+        return [parameter for name, parameter in self._overrides if name in ("", node)]
+
+    def follow_clock(self) -> None:
+        """Show the time of `/clock` from now on."""
+        if self._clock is None:
+            self._clock = self._participant.reader(CLOCK_TOPIC, CLOCK_TYPE, _CLOCK_QOS)
+            self._changed()
+
+    def add_publisher(self, publisher: Publisher) -> None:
+        """Make a writer."""
+        publisher.topic.publishers.append(publisher)
+        profile = publisher.qos_profile
+        writer = self._participant.writer(publisher.topic.name, publisher.type_name, profile)
+        self._writers[publisher] = writer
+        matched: Any = _Elsewhere(writer)
+        publisher.matched.append(matched)
+        self._watch.add(writer)
+        self._changed()
+
+    def add_subscription(self, subscription: Subscription) -> None:
+        """Make a reader."""
+        subscription.topic.subscriptions.append(subscription)
+        profile = subscription.qos_profile
+        reader = self._participant.reader(subscription.topic.name, subscription.type_name, profile)
+        self._readers[subscription] = reader
+        self._watch.add(reader)
+        self._changed()
+
+    def remove(self, endpoint: Any) -> None:
+        """Close its writer or reader."""
+        closed = self._writers.pop(endpoint, None) or self._readers.pop(endpoint, None)
+        if closed is not None:
+            self._watch.remove(closed)
+            closed.close()
+            self._is_announced = False
+
+    def publish(self, publisher: Publisher, data: bytes | bytearray | memoryview) -> None:
+        """Write a sample.
+
+        Raises:
+            ClosedError: the publisher was destroyed.
+
+        """
+        if publisher not in self._writers:
+            raise ClosedError(f"the publisher on {publisher.topic.name} is destroyed")
+        self._writers[publisher].write(data)
+
+    def add_timer(self, timer: Timer) -> None:
+        """Fire the timer when it is due, unless its token has changed by then."""
+        self._timers.append((timer, timer.token))
+        self._changed()
+
+    def _changed(self) -> None:
+        """Let who waits see what has been made."""
+        self._is_announced = False
+        for turns in list(self._waits.values()):
+            turns.wait_set.wake()
+
+    def timers(self, processes: frozenset[Process]) -> list[Timer]:
+        """The timers of these processes that run."""
+        self._timers = [(timer, token) for timer, token in self._timers if timer.token == token]
+        return [timer for timer, _ in self._timers if timer.process in processes]
+
+    def readers(self, processes: frozenset[Process]) -> list[tuple[Subscription, Reader]]:
+        """The subscriptions of these processes."""
+        return [(each, reader) for each, reader in list(self._readers.items()) if each.process in processes]
+
+    def spin_once(self, processes: set[Process], timeout: int | None) -> bool:
+        """Run one callback of these processes, as soon as there is one.
+
+        Args:
+            processes: those whose callbacks may run.
+            timeout: the longest time to wait, in ns on the wall; None: no limit.
+
+        Returns:
+            Whether a callback ran: not if the time was over, or nodes were shut down.
+
+        """
+        group = frozenset(processes)
+        turns = self._waits.setdefault(group, _Turns(self, group, WaitSet(self._participant)))
+        end = None if timeout is None else monotonic_ns() + timeout
+        while self.running:
+            self._read_clock()
+            self._announce()
+            if turns.take():
+                return True
+            left = None if end is None else end - monotonic_ns()
+            if left is not None and left <= 0:
+                return False
+            turns.wait(left, self._clock)
+        return False
+
+    def _read_clock(self) -> None:
+        samples = self._clock.take() if self._clock else []
+        if samples:
+            data = samples[-1].data
+            seconds, nanoseconds = struct.unpack_from("<iI" if data[1] & 1 else ">iI", data, _CDR_HEADER)
+            before, self._shown = self._shown, seconds * _NANOSECONDS + nanoseconds
+            if self._shown < before:
+                self._restart_timers()
+
+    def _restart_timers(self) -> None:
+        """The clock went back: who called back at a time that is yet to come starts its period now (rcl_timer)."""
+        for timer, token in list(self._timers):
+            period = cast(Any, timer).timer_period_ns
+            if timer.token == token and timer.due - period > self._shown:
+                timer.due = self._shown + period
+
+    def _announce(self) -> None:
+        if self._is_announced:
+            return
+        self._is_announced = True
+        for process in self.processes:
+            writers = [writer for each, writer in self._writers.items() if each.process is process]
+            readers = [reader for each, reader in self._readers.items() if each.process is process]
+            self._participant.announce(process.name, process.namespace, writers, readers)
+
+    def _handle_signals(self) -> None:
+        if threading.current_thread() is threading.main_thread():
+            for number in (signal.SIGINT, signal.SIGTERM):
+                self._handlers[number] = signal.signal(number, self._interrupt)
+
+    def _interrupt(self, number: int, _: object) -> None:
+        self.stop()
+        if number == signal.SIGINT:
+            raise KeyboardInterrupt
+
+    def stop(self) -> None:
+        """Run no callback any more; whoever spins, stops."""
+        self.running = False
+        if threading.current_thread() is threading.main_thread():
+            for number, handler in self._handlers.items():
+                signal.signal(number, handler)
+            self._handlers.clear()
+        for turns in list(self._waits.values()):
+            turns.wait_set.wake()
+
+    def close(self) -> None:
+        """Leave the wire."""
+        self.running = False
+        self._participant.close()
+
+
+class _Elsewhere:
+    """Stands for the subscriptions that a writer has matched."""
+
+    def __init__(self, writer: Writer) -> None:
+        self._writer = writer
+
+    @property
+    def count(self) -> int:
+        return self._writer.matched()
+
+
+class _Turns:
+    """Whose turn it is among the timers and subscriptions that an executor has."""
+
+    def __init__(self, live: Live, processes: frozenset[Process], wait_set: WaitSet) -> None:
+        self.wait_set = wait_set
+        self._live = live
+        self._processes = processes
+        self._attached: set[Reader] = set()
+        self._queue: deque[Callable[[], bool]] = deque()
+
+    def take(self) -> bool:
+        """Run the next callback; whether there was one. Whoever had a turn, waits until all others had theirs."""
+        if self._take():
+            return True
+        self._queue.extend(self._everybody())
+        return self._take()
+
+    def _take(self) -> bool:
+        while self._queue and self._live.running:
+            if self._queue.popleft()():
+                return True
+        return False
+
+    def _everybody(self) -> Iterator[Callable[[], bool]]:
+        now = self._live.now
+        for timer in self._live.timers(self._processes):
+            if timer.due <= now:
+                yield partial(self._fire, timer, timer.token)
+        for subscription, reader in self._live.readers(self._processes):
+            yield partial(self._receive, subscription, reader)
+
+    def _fire(self, timer: Timer, token: int) -> bool:
+        now = self._live.now
+        if timer.token != token or timer.due > now:
+            return False
+        timer.advance(now)
+        timer.run(None)
+        return True
+
+    def _receive(self, subscription: Subscription, reader: Reader) -> bool:
+        try:
+            samples = reader.take(1)
+        except ClosedError:
+            return False  # destroyed meanwhile
+        for sample in samples:
+            subscription.receive(Sample(subscription.topic.name, 0, sample.source_timestamp, sample.data))
+        return bool(samples)
+
+    def wait(self, timeout: int | None, clock: Reader | None) -> None:
+        """Wait until there may be a turn, at most for this time, in ns."""
+        wanted = {reader for _, reader in self._live.readers(self._processes)} | ({clock} if clock else set())
+        for reader in wanted - self._attached:
+            self.wait_set.attach(reader)
+        self._attached = wanted
+        if clock is None:  # else timers are due when it says so
+            now = self._live.now
+            due = [timer.due - now for timer in self._live.timers(self._processes)]
+            timeout = min([*due, *([] if timeout is None else [timeout])], default=None)
+        self.wait_set.wait(timeout if timeout is None else max(timeout, 0))
+
+
+class _Watch:
+    """Warns of what goes wrong between writers and readers, from a thread of its own."""
+
+    def __init__(self, participant: Participant) -> None:
+        self._wait_set = WaitSet(participant)
+        self._ends: list[Writer | Reader] = []
+        self._told: dict[Writer | Reader, int] = {}  # when of a missed deadline
+        threading.Thread(target=self._run, name="events", daemon=True).start()
+
+    def add(self, end: Writer | Reader) -> None:
+        """Watch a writer or reader, too."""
+        self._ends.append(end)
+        self._wait_set.attach_events(end)
+
+    def remove(self, end: Writer | Reader) -> None:
+        """Watch it no more."""
+        self._ends.remove(end)
+        self._told.pop(end, None)
+
+    def _run(self) -> None:
+        try:
+            while True:
+                self._wait_set.wait(None)
+                for end in list(self._ends):
+                    self._look_at(end)
+        except ClosedError:
+            return
+
+    def _look_at(self, end: Writer | Reader) -> None:
+        try:
+            policy, missed, peers = end.incompatible(), end.missed_deadlines(), end.new_peers()
+            _ = end.lost_liveliness() if isinstance(end, Writer) else end.lost_writers()
+        except ClosedError:
+            return  # the next wait tells whether everything is
+        if policy:
+            _warn(_INCOMPATIBLE[type(end)].format(topic=end.topic, policy=policy))
+        if missed and monotonic_ns() - self._told.get(end, -_QUIET) >= _QUIET:
+            self._told[end] = monotonic_ns()
+            _warn(f"Deadline missed on topic '{end.topic}': {_MISSED[type(end)]}")
+        for peer in peers:
+            if peer.type_hash and peer.type_hash != end.type_hash:
+                _warn(
+                    f"The definition of {peer.type_name} on topic '{end.topic}' differs between both sides: "
+                    f"the type hash is {end.type_hash} here and {peer.type_hash} there"
+                )
+
+
+_INCOMPATIBLE: dict[type, str] = {
+    Reader: "New publisher discovered on topic '{topic}', offering incompatible QoS. No messages will be received "
+    "from it. Last incompatible policy: {policy}",
+    Writer: "New subscription discovered on topic '{topic}', requesting incompatible QoS. No messages will be sent "
+    "to it. Last incompatible policy: {policy}",
+}
+_MISSED: dict[type, str] = {Reader: "nothing was received in time", Writer: "nothing was published in time"}
+
+
+def _warn(text: str) -> None:
+    print(f"[WARN] {text}", file=sys.stderr, flush=True)

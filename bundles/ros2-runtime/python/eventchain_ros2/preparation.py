@@ -1,0 +1,28 @@
+"""What a host on DDS needs before it gives up its rights: a participant, with its sockets and threads.
+
+`confined.py` calls this in the process of the host, ahead of the confinement; nothing foreign has run by then.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from eventchain_ros2.dds_entities import Participant
+from eventchain_ros2.messages import Messages
+from eventchain_ros2.wire import Doorbell
+
+prepared: list[tuple[Participant, Doorbell]] = []
+"""What was made, for the host to take."""
+
+
+def prepare(settings: dict[str, Any]) -> None:
+    """Enter a domain.
+
+    Args:
+        settings: `domain`, a number; `configuration`, XML of Cyclone DDS; `messages`, folders with message definitions.
+
+    """
+    messages = Messages(Path(folder) for folder in settings["messages"])
+    participant = Participant(settings["domain"], settings["configuration"], messages.catalog, ignore_own=True)
+    prepared.append((participant, Doorbell(participant)))

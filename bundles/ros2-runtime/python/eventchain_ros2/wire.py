@@ -1,0 +1,230 @@
+"""A simulation's publishers and subscriptions on DDS.
+
+What others publish arrives here as the samples of a process outside of the simulation; what the simulation's nodes
+publish goes out when it can be seen. Within the simulation samples stay in memory.
+
+Samples are known by their source timestamp, which is unique on a topic: the time in ns at which the sample can be seen,
+and, so that several writers on the topic, or several samples of one instant, never share one, a little more.
+"""
+
+from __future__ import annotations
+
+import os
+import threading
+from collections import deque
+from typing import Any
+
+from eventchain_ros2.dds_entities import ClosedError, Participant, Reader, WaitSet, Writer
+from eventchain_ros2.qos import HistoryPolicy, QoSProfile
+from eventchain_ros2.simulation import Process, Publisher, Sample, Simulation, Subscription, Topic
+
+
+class Doorbell:
+    """Lets a thread wait for samples, so that who waits for a file descriptor can wait for them, too."""
+
+    def __init__(self, participant: Participant) -> None:
+        self.wait_set = WaitSet(participant)
+        self._source, self._target = os.pipe()
+        self._answered = threading.Event()
+        threading.Thread(target=self._watch, name="samples", daemon=True).start()
+
+    def fileno(self) -> int:
+        """Readable when samples have arrived, until `answer`."""
+        return self._source
+
+    def answer(self) -> None:
+        """Everything that had arrived has been taken: ring for the next."""
+        os.read(self._source, 1)
+        self._answered.set()
+
+    def _watch(self) -> None:
+        try:
+            while True:
+                if self.wait_set.wait(None):
+                    self._answered.clear()
+                    os.write(self._target, b"\0")
+                    self._answered.wait()
+        except ClosedError:
+            return
+
+
+class Inlet:
+    """Publishes to one subscription what its reader receives."""
+
+    def __init__(self, process: Process, subscription: Subscription, reader: Reader) -> None:
+        self.process = process
+        self.topic = subscription.topic
+        self.type_name = subscription.type_name
+        self.qos_profile = subscription.qos_profile
+        self.matched = [subscription]
+        self.retained: deque[Sample] = deque(maxlen=0)
+        self.reader = reader
+        self.received = 0
+
+
+class Outlet:
+    """Writes what one publisher publishes; with one end on DDS it is a subscription without a callback."""
+
+    def __init__(self, process: Process, publisher: Publisher, writer: Writer, wire: Wire) -> None:
+        self.process = process
+        self.publisher = publisher
+        self.topic = publisher.topic
+        self.type_name = publisher.type_name
+        self.qos_profile = publisher.qos_profile
+        self.writer = writer
+        self.written = 0
+        self._wire = wire
+
+    @property
+    def count(self) -> int:
+        """The subscriptions elsewhere."""
+        return self.writer.matched()
+
+    def receive(self, sample: Sample) -> None:
+        """Write a sample."""
+        self.writer.write(sample.data, self._wire.stamp(self.topic, sample.sequence))
+        self.written += 1
+
+
+class Stamps:
+    """The source timestamps of a topic's samples: given by others, or made for those that are published here."""
+
+    def __init__(self) -> None:
+        self.known: dict[int, int] = {}
+        self.given: set[int] = set()  # sequences
+        self.turn, self.writers = 0, 1  # which of how many writers on the topic this one is
+        self._last = 0
+        self._next = 0
+
+    def of(self, sequence: int, publications: list[tuple[int, int]]) -> int:
+        """The stamp of a sample; those of earlier ones are made first, so that they rise."""
+        while self._next <= sequence:
+            if self._next not in self.known:
+                self._last = self._after(max(publications[self._next][1], self._last + 1))
+                self.known[self._next] = self._last
+            self._next += 1
+        return self.known[sequence]
+
+    def give(self, sequence: int, stamp: int) -> None:
+        """Somebody else's sample."""
+        self.known[sequence] = stamp
+        self.given.add(sequence)
+
+    def _after(self, time: int) -> int:
+        return time + (self.turn - time) % self.writers
+
+
+class Wire:
+    """Connects all publishers and subscriptions that nodes of a simulation make with writers and readers.
+
+    Args:
+        participant: theirs.
+        doorbell: rings for their samples.
+        simulation: of the nodes.
+
+    """
+
+    def __init__(self, participant: Participant, doorbell: Doorbell, simulation: Simulation) -> None:
+        self.outlets: list[Outlet] = []
+        self.inlets: list[Inlet] = []
+        self._participant = participant
+        self._doorbell = doorbell
+        self._simulation = simulation
+        self._outside = simulation.add_process("")
+        self._stamps: dict[str, Stamps] = {}
+        self._arrived: list[tuple[int, str, Inlet, bytes]] = []
+        simulation.bridge = self
+
+    def opened(self, endpoint: Any) -> None:
+        """Make a writer or reader for it. Histories are kept in the simulation: on DDS nothing is dropped."""
+        arguments = endpoint.topic.name, endpoint.type_name, _without_history(endpoint.qos_profile)
+        if hasattr(endpoint, "matched"):
+            outlet = Outlet(self._outside, endpoint, self._participant.writer(*arguments), self)
+            endpoint.matched.append(outlet)
+            self.outlets.append(outlet)
+        else:
+            inlet = Inlet(self._outside, endpoint, self._participant.reader(*arguments))
+            self._doorbell.wait_set.attach(inlet.reader)
+            self.inlets.append(inlet)
+
+    def closed(self, endpoint: Any) -> None:
+        """Close its writer or reader. It stays in the list, since its samples have been counted."""
+        for outlet in self.outlets:
+            if outlet.publisher is endpoint:
+                outlet.writer.close()
+        for inlet in self.inlets:
+            if endpoint in inlet.matched:
+                inlet.matched.clear()
+                inlet.reader.close()
+
+    def take_turns(self, turns: list[list[int]]) -> None:
+        """Tell the writer of each outlet which of how many writers on its topic it is, from 0."""
+        for outlet, (turn, writers) in zip(self.outlets, turns, strict=True):
+            stamps = self._stamps_of(outlet.topic.name)
+            stamps.turn, stamps.writers = turn, writers
+
+    def collect(self) -> bool:
+        """Take what has arrived, to be published in a moment; whether there was something."""
+        before = len(self._arrived)
+        for inlet in self.inlets:
+            if inlet.matched:
+                for sample in inlet.reader.take():
+                    inlet.received += 1
+                    self._arrived.append((sample.source_timestamp, inlet.topic.name, inlet, sample.data))
+        return len(self._arrived) > before
+
+    @property
+    def has_samples(self) -> bool:
+        """Whether something was collected and is not yet published."""
+        return bool(self._arrived)
+
+    def deliver(self) -> None:
+        """Publish what was collected now, in the order of its making, whoever was first."""
+        self._arrived.sort(key=lambda sample: sample[:2])
+        for stamp, topic, inlet, data in self._arrived:
+            self._stamps_of(topic).give(len(inlet.topic.publications), stamp)
+            self._simulation.publish(inlet, data)
+        self._arrived.clear()
+
+    def stamp(self, topic: Topic, sequence: int) -> int:
+        """The source timestamp of a sample."""
+        return self._stamps_of(topic.name).of(sequence, topic.publications)
+
+    def publications(self) -> dict[str, list[tuple[int, int]]]:
+        """Stamp and time of all samples that were published here, by topic."""
+        topics = {outlet.topic.name: outlet.topic for outlet in self.outlets}
+        return {name: self._published(topic) for name, topic in sorted(topics.items())}
+
+    def _published(self, topic: Topic) -> list[tuple[int, int]]:
+        given = self._stamps_of(topic.name).given
+        return [(self.stamp(topic, number), time) for number, time in topic.publications if number not in given]
+
+    def events(self) -> list[tuple[str, str, int]]:
+        """What DDS has noticed: `deadline` (missed) or `liveliness` (lost), the topic, and how often."""
+        noticed: list[tuple[str, str, int]] = []
+        for inlet in self.inlets:
+            if inlet.matched:
+                noticed.append(("deadline", inlet.topic.name, inlet.reader.missed_deadlines()))
+                noticed.append(("liveliness", inlet.topic.name, inlet.reader.lost_writers()))
+        return [event for event in noticed if event[2]]
+
+    def stamped(self, samples: list[tuple[str, int]]) -> list[tuple[str, int]]:
+        """The same samples, known by their stamps."""
+        topics = self._simulation.topics
+        return [(topic, self.stamp(topics[topic], sequence)) for topic, sequence in samples]
+
+    def _stamps_of(self, topic: str) -> Stamps:
+        return self._stamps.setdefault(topic, Stamps())
+
+    def close(self) -> None:
+        """Close all writers and readers."""
+        self._simulation.bridge = None
+        for outlet in self.outlets:
+            outlet.writer.close()
+        for inlet in self.inlets:
+            inlet.reader.close()
+
+
+def _without_history(profile: QoSProfile) -> QoSProfile:
+    policies = {name: getattr(profile, name) for name in profile.__slots__ if name not in ("history", "lifespan")}
+    return QoSProfile(**policies, history=HistoryPolicy.KEEP_ALL)

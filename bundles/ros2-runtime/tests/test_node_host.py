@@ -1,0 +1,192 @@
+"""The host of one node on the wire: real pipes, real DDS, confined as in the product but for bubblewrap."""
+
+from __future__ import annotations
+
+import json
+import struct
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from eventchain_ros2.dds_entities import Participant, Reader, Writer, loopback_configuration
+from eventchain_ros2.qos import QoSProfile
+from protocol import (
+    CONNECT,
+    CONNECTED,
+    FINISH,
+    FINISHED,
+    IDLE,
+    MILLISECOND,
+    PUBLISH,
+    RESET,
+    RUN,
+    Failed,
+    HostProcess,
+    doubler,
+    float32,
+)
+from wire import DOMAIN, fresh_tag, wait_until
+
+FIXTURES = Path(__file__).with_name("fixtures")
+PERIOD = 50 * MILLISECOND
+
+
+class NodeProcess(HostProcess):
+    """A host on the wire."""
+
+    module = "eventchain_ros2.node_host"
+
+    def __init__(self, tag: str) -> None:
+        settings = {"domain": DOMAIN, "configuration": loopback_configuration(tag), "messages": []}
+        self.preparation = {"module": "eventchain_ros2.preparation", "settings": settings}
+        super().__init__()
+
+    def connect(self, turns: list[list[int]], *, sinks: int = 1, timeout: float = 60.0) -> list[Any]:
+        wanted = {"writers": [sinks], "turns": turns, "readers": [1], "timeout_s": timeout}
+        self.send(CONNECT, json.dumps(wanted).encode())
+        missing: list[Any] = json.loads(self.receive(CONNECTED))["missing"]
+        return missing
+
+    def let(self, kind: int, time: int) -> Any:
+        """Let it publish or run; what it says then."""
+        self.send(kind, struct.pack("<q", time))
+        return self.idle()
+
+    def idle(self) -> Any:
+        return json.loads(self.receive(IDLE))
+
+    def finish(self) -> Any:
+        self.send(FINISH)
+        return json.loads(self.receive(FINISHED))
+
+
+class World:
+    """The other side: a number, what becomes of it, and the clock."""
+
+    def __init__(self, participant: Participant) -> None:
+        self.number: Writer = participant.writer("/number", "std_msgs/msg/Float32", QoSProfile(depth=10))
+        self.doubled: Reader = participant.reader("/doubled", "std_msgs/msg/Float32", QoSProfile(depth=10))
+        self.clock: Writer = participant.writer("/clock", "rosgraph_msgs/msg/Clock", QoSProfile(depth=1))
+
+    def show(self, time: int) -> None:
+        wait_until(self.clock.matched, "the clock is read")
+        self.clock.write(b"\0\1\0\0" + struct.pack("<iI", *divmod(time, 1_000_000_000)))
+
+
+@pytest.fixture
+def tag() -> str:
+    return fresh_tag()
+
+
+@pytest.fixture
+def world(tag: str) -> Iterator[World]:
+    with Participant(DOMAIN, loopback_configuration(tag)) as participant:
+        yield World(participant)
+
+
+@pytest.fixture
+def host(tag: str, world: World) -> Iterator[NodeProcess]:
+    with NodeProcess(tag) as process:
+        yield process
+
+
+def configuration(**node: Any) -> dict[str, Any]:
+    """The node that doubles numbers, every 50 ms."""
+    times = {"execution_time_ms": 0.0, "phase_ms": 0.0}
+    return {"path": [str(FIXTURES)], "messages": [], "nodes": [{**doubler(FIXTURES), **times, **node}]}
+
+
+def test_a_node_says_what_it_reads_and_writes(host: NodeProcess) -> None:
+    ready = host.configure(configuration())
+    (writer,), (reader,) = ready["writers"], ready["readers"]
+    assert (writer["topic"], reader["topic"]) == ("/doubled", "/number")
+    assert {writer["type"], reader["type"]} == {"std_msgs/msg/Float32"}
+    assert ready["warnings"] == []
+
+
+def test_samples_come_and_go_at_their_simulated_times(host: NodeProcess, world: World) -> None:
+    host.configure(configuration(execution_time_ms=5.0))
+    assert host.connect([[2, 3]]) == []
+    world.show(0)
+    assert host.let(PUBLISH, 0)["next"] == [PERIOD, True], "its timer"
+    world.number.write(float32(3.0), 7)
+    assert host.idle() == {"answered": 1, "next": [PERIOD, True], "samples": True, "wrote": [0], "read": [1]}
+    assert host.let(RUN, 0)["samples"] is False
+    world.show(PERIOD)
+    assert host.let(RUN, PERIOD)["next"] == [55 * MILLISECOND, False], "what it wrote can be seen then"
+    assert world.doubled.take() == []
+    world.show(55 * MILLISECOND)
+    assert host.let(PUBLISH, 55 * MILLISECOND)["wrote"] == [1]
+    stamp = 55 * MILLISECOND + 1
+    wait_until(world.doubled.matched, "the reader knows the writer")
+    received = []
+    wait_until(lambda: received.extend(world.doubled.take()) or received, "a sample arrives")
+    assert [(sample.source_timestamp, sample.data) for sample in received] == [(stamp, float32(6.0))]
+    assert stamp % 3 == 2, "the third of three writers on the topic"
+    finished = host.finish()
+    ((activation,),) = [node["activations"] for node in finished["nodes"]]
+    assert activation[:2] == [PERIOD, 55 * MILLISECOND]
+    assert activation[3:] == [[["/number", 7]], [["/doubled", stamp]]]
+    assert finished["publications"] == {"/doubled": [[stamp, 55 * MILLISECOND]]}
+
+
+def test_time_stands_still_until_the_clock_shows_it(host: NodeProcess, world: World) -> None:
+    host.configure(configuration())
+    host.connect([[0, 1]])
+    host.send(PUBLISH, struct.pack("<q", PERIOD))
+    world.show(0)
+    world.show(PERIOD - 1)
+    world.show(PERIOD)
+    assert host.idle()["answered"] == 1
+
+
+def test_ends_that_are_not_there_are_named(host: NodeProcess) -> None:
+    host.configure(configuration())
+    assert host.connect([[0, 1]], sinks=2, timeout=1.0) == [["writer", "/doubled", 1, 2]]
+
+
+def test_reset_starts_anew_on_the_same_wire(host: NodeProcess, world: World) -> None:
+    host.configure(configuration())
+    host.connect([[0, 1]])
+    world.number.write(float32(3.0), 7)
+    assert host.idle()["read"] == [1]
+    host.configure(configuration(), kind=RESET)
+    assert host.connect([[0, 1]]) == []
+    world.show(0)
+    assert host.let(PUBLISH, 0) == {
+        "answered": 1,
+        "next": [PERIOD, True],
+        "samples": False,
+        "wrote": [0],
+        "read": [0],
+    }
+    assert host.finish()["publications"] == {"/doubled": []}
+
+
+NODE = """
+from rclpy.node import Node
+class Bad(Node):
+    def __init__(self):
+        super().__init__("bad")
+        {statement}
+"""
+
+
+@pytest.mark.parametrize(
+    ("statement", "words"),
+    [
+        ("import socket; socket.socket()", "confinement refuses socket"),
+        ("import ctypes", "ctypes"),
+        ("import os; os.fork()", "confinement refuses os.fork"),
+        ("open('/etc/hostname', 'w')", "confinement refuses open"),
+    ],
+)
+def test_a_node_on_the_wire_is_as_confined_as_any(
+    host: NodeProcess, tmp_path: Path, statement: str, words: str
+) -> None:
+    (tmp_path / "bad.py").write_text(NODE.format(statement=statement), encoding="utf-8")
+    node = {"module": "bad", "class": "Bad", "name": "Bad", "component": None}
+    with pytest.raises(Failed, match=words) as failure:
+        host.configure({"path": [str(tmp_path)], "messages": [], "nodes": [node]})
+    assert failure.value.details["node"] == "Bad"
