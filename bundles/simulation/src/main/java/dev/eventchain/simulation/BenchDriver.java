@@ -198,17 +198,17 @@ final class BenchDriver {
   }
 
   /** What the sensors see at this moment: a message on each topic where one is due. */
-  List<LockstepChannel.Inbound> sense(World world) {
+  List<NodeSession.Inbound> sense(World world) {
     SampledRun moment = new SampledRun(world.moment());
     for (int i = 0; i < publishers.size(); i++) {
       if (publishers.get(i).due() <= world.now()) {
         measure(i, world, moment);
       }
     }
-    List<LockstepChannel.Inbound> sensed = new ArrayList<>();
+    List<NodeSession.Inbound> sensed = new ArrayList<>();
     while (!underway.isEmpty() && underway.peek().arrival() <= world.now()) {
       Underway message = underway.remove();
-      sensed.add(new LockstepChannel.Inbound(message.publisher(), message.bytes()));
+      sensed.add(new NodeSession.Inbound(message.publisher(), message.bytes()));
       message.values().forEach((name, it) -> world.trace().sample(name, world.now(), it));
     }
     return sensed;
@@ -229,7 +229,7 @@ final class BenchDriver {
   }
 
   /** Takes what the nodes published: the vehicle follows it from when it was published on. */
-  void take(LockstepSession.Outbound outbound, World world) {
+  void take(NodeSession.Outbound outbound, World world) {
     Receiver receiver = receivers.get(outbound.topic());
     if (receiver.effects().isEmpty() && receiver.recorded().isEmpty()) {
       return;

@@ -11,7 +11,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /** A confined Python process with the lock-step host of the ROS 2 runtime in it. */
-final class LockstepProcess implements AutoCloseable {
+final class LockstepProcess implements NodeHosts {
 
   /** Where the ROS 2 runtime's Python sources are among the resources. */
   private static final String RUNTIME = "eventchain/ros2";
@@ -48,10 +48,12 @@ final class LockstepProcess implements AutoCloseable {
     this.watchdog = watchdog(request, process);
     this.session =
         new LockstepSession(
-            new LockstepChannel(process.stdout(), process.stdin()),
+            new HostChannel(process.stdout(), process.stdin()),
             watchdog,
-            this::lastWords,
-            new UserFiles(request.packageFolder()));
+            new HostFailures(
+                "The process that runs the nodes",
+                () -> HostFailures.LastWords.of(process),
+                new UserFiles(request.packageFolder())));
   }
 
   /**
@@ -68,14 +70,9 @@ final class LockstepProcess implements AutoCloseable {
         process::close);
   }
 
-  LockstepSession session() {
+  @Override
+  public NodeSession session() {
     return session;
-  }
-
-  private LockstepSession.LastWords lastWords() {
-    process.close();
-    ConfinedProcess.Cause cause = process.await().cause();
-    return new LockstepSession.LastWords(cause, process.standardError());
   }
 
   @Override

@@ -65,6 +65,11 @@ final class NodeSetup {
     return request.bench();
   }
 
+  /** How the nodes are run. */
+  SimulationRequest.Driver driver() {
+    return request.driver();
+  }
+
   /** The message types that the nodes use. */
   MessageCatalog catalog() {
     return catalog;

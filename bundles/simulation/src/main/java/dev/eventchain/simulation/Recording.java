@@ -94,11 +94,11 @@ final class Recording implements AutoCloseable {
   }
 
   /** What the world published at this moment, and where everything was. */
-  void sensed(World world, List<LockstepChannel.Inbound> messages) {
+  void sensed(World world, List<NodeSession.Inbound> messages) {
     scene(world);
     writing(
         () -> {
-          for (LockstepChannel.Inbound message : messages) {
+          for (NodeSession.Inbound message : messages) {
             Topic topic = driver.published().get(message.topic());
             // What the world listens to itself comes back to it.
             if (!driver.received().contains(topic)) {
@@ -109,7 +109,7 @@ final class Recording implements AutoCloseable {
   }
 
   /** What the nodes published, in the order of time. */
-  void took(LockstepSession.Outbound message) {
+  void took(NodeSession.Outbound message) {
     Topic topic = driver.received().get(message.topic());
     writing(() -> writer.message(channels.get(topic), message.time(), message.message()));
   }

@@ -41,6 +41,7 @@ final class ResultBuilder {
             runId(verdicts, nodes), setup.reader(setup.entry()), setup.writer(setup.exit()), nodes);
     SimulationResult.Host host =
         new SimulationResult.Host(
+            setup.driver().words(),
             confinement,
             runs.get(0).ready().path("python").asText(),
             processes,
@@ -48,7 +49,7 @@ final class ResultBuilder {
             wallSeconds,
             runs.stream().mapToDouble(run -> World.seconds(run.hostNanos())).sum());
     List<Diagnostic> found =
-        Stream.of(silent, ignored(), tooOld(), fromBehind(), warnings())
+        Stream.of(silent, ignored(), tooOld(), fromBehind(), wire(), warnings())
             .flatMap(List::stream)
             .toList();
     return new SimulationResult(verdicts, measurements, found, host);
@@ -128,6 +129,12 @@ final class ResultBuilder {
         .withHint(
             "Find out whether the vehicle braked more than it had to, or else let the other one"
                 + " keep more distance: no criterion counts it as an impact.");
+  }
+
+  private List<Diagnostic> wire() {
+    return runs.stream()
+        .flatMap(run -> WireFindings.of(run.scenario(), run.lost(), run.notices()).stream())
+        .toList();
   }
 
   private List<Diagnostic> tooOld() {

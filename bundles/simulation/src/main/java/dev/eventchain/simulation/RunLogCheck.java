@@ -1,7 +1,7 @@
 package dev.eventchain.simulation;
 
 import com.fasterxml.jackson.databind.JsonNode;
-import dev.eventchain.simulation.LockstepSession.Outbound;
+import dev.eventchain.simulation.NodeSession.Outbound;
 import dev.eventchain.simulation.RunLog.Activation;
 import dev.eventchain.simulation.RunLog.SampleId;
 import java.util.ArrayList;
@@ -58,6 +58,34 @@ final class RunLogCheck {
     require(names.equals(List.copyOf(log.nodes().keySet())), "other nodes than those configured");
     checkPublications();
     checkCommands(commands);
+  }
+
+  /**
+   * Checks a record of real time, in which execution times are what they are, samples get lost and
+   * nothing happens exactly when it should.
+   *
+   * @throws IllegalArgumentException says what cannot be
+   */
+  void checkInRealTime() {
+    List<String> names = new ArrayList<>();
+    for (JsonNode node : configuration.path("nodes")) {
+      String name = node.path("name").asText();
+      names.add(name);
+      long earliest = 0;
+      for (Activation activation : log.nodes().getOrDefault(name, List.of())) {
+        boolean inOrder = activation.start() >= earliest && activation.end() >= activation.start();
+        require(inOrder && activation.host() >= 0, "an impossible time of " + name);
+        activation.reads().forEach(read -> time(read, name));
+        activation.writes().forEach(sample -> require(written.add(sample), "a sample twice"));
+        earliest = activation.end();
+      }
+    }
+    require(names.equals(List.copyOf(log.nodes().keySet())), "other nodes than those configured");
+    checkPublications();
+  }
+
+  private void time(SampleId read, String node) {
+    require(time(read) != Long.MAX_VALUE, "a sample that " + node + " could not read");
   }
 
   private void check(String node, Activation activation, long earliest, long executionTime) {

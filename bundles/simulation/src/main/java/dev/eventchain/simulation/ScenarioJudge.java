@@ -65,7 +65,9 @@ final class ScenarioJudge {
   private CriterionResult judge(Expectation criterion, Run run, boolean worked) {
     Trace trace = run.trace();
     Criterion.Outcome outcome;
-    if (!worked) {
+    if (run.isOverrun()) {
+      outcome = overrun(run);
+    } else if (!worked) {
       outcome = Criterion.Outcome.untested("not all components worked");
     } else if (needsBrake(criterion)) {
       outcome = Criterion.Outcome.untested("no component's output drives the brake");
@@ -79,6 +81,15 @@ final class ScenarioJudge {
         outcome = unlessNothingWasDone(run).orElse(outcome);
       }
     }
+    return result(criterion, outcome);
+  }
+
+  private static Criterion.Outcome overrun(Run run) {
+    return Criterion.Outcome.untested(
+        Criterion.format("the world was %.0f ms behind the clock", run.overrun() / MILLISECOND));
+  }
+
+  private static CriterionResult result(Expectation criterion, Criterion.Outcome outcome) {
     return new CriterionResult(
         criterion.text(),
         outcome.tested(),

@@ -2,9 +2,11 @@ package dev.eventchain.simulation;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.simulation.LockstepChannel.Inbound;
-import dev.eventchain.simulation.LockstepSession.Outbound;
+import dev.eventchain.simulation.NodeSession.Inbound;
+import dev.eventchain.simulation.NodeSession.Notice;
+import dev.eventchain.simulation.NodeSession.Outbound;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 
 /** Drives one scenario: the vehicle senses, the nodes think, the vehicle moves. */
@@ -17,14 +19,34 @@ final class ScenarioRunner {
    * What happened.
    *
    * @param ready what the process said of itself and the connections of the nodes
+   * @param lost how many messages got lost on the way between nodes, by topic
+   * @param notices what DDS noticed of deadlines and liveliness
+   * @param overrun how far the world fell behind the clock at most, in ns
    * @param hostNanos time on this machine for the steps
    */
-  record Run(Scenario scenario, Trace trace, RunLog log, JsonNode ready, long hostNanos) {}
+  record Run(
+      Scenario scenario,
+      Trace trace,
+      RunLog log,
+      JsonNode ready,
+      Map<String, Long> lost,
+      List<Notice> notices,
+      long overrun,
+      long hostNanos) {
+
+    /** From here on the world was not the one that the nodes were to meet. */
+    private static final long MOST_OVERRUN = 20_000_000L;
+
+    /** Whether the world fell so far behind the clock that nothing can be concluded. */
+    boolean isOverrun() {
+      return overrun > MOST_OVERRUN;
+    }
+  }
 
   private final NodeSetup setup;
-  private final LockstepSession session;
+  private final NodeSession session;
 
-  ScenarioRunner(NodeSetup setup, LockstepSession session) {
+  ScenarioRunner(NodeSetup setup, NodeSession session) {
     this.setup = setup;
     this.session = session;
   }
@@ -74,7 +96,19 @@ final class ScenarioRunner {
     }
     driver.finish(world);
     recording.ifPresent(it -> it.scene(world));
-    long hostNanos = System.nanoTime() - started;
-    return new Run(scenario, world.trace(), session.finish(), ready, hostNanos);
+    return finish(scenario, world, ready, System.nanoTime() - started);
+  }
+
+  private Run finish(Scenario scenario, World world, JsonNode ready, long hostNanos) {
+    RunLog log = session.finish();
+    return new Run(
+        scenario,
+        world.trace(),
+        log,
+        ready,
+        session.lost(),
+        session.notices(),
+        session.overrun(),
+        hostNanos);
   }
 }

@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.python.Confinement;
 import dev.eventchain.python.PythonEnvironment;
 import dev.eventchain.simulation.ScenarioRunner.Run;
+import dev.eventchain.simulation.SimulationRequest.Driver;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedMap;
@@ -13,9 +14,9 @@ import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 
 /**
- * Simulates the generated nodes of a chain in a closed loop with a vehicle on a road, in lock-step:
- * the world waits for the nodes and the nodes for the world, so that the result depends on the
- * nodes and the scenarios alone.
+ * Simulates the generated nodes of a chain in a closed loop with a vehicle on a road, in lock-step
+ * or on DDS in simulated time: the world waits for the nodes and the nodes for the world, so that
+ * the result depends on the nodes and the scenarios alone. In real time nobody waits.
  */
 public final class Simulation {
 
@@ -26,7 +27,7 @@ public final class Simulation {
   private final Confinement confinement = Confinement.detect();
   private final AtomicInteger next = new AtomicInteger();
   private final AtomicBoolean stopped = new AtomicBoolean();
-  private final List<LockstepProcess> open = new ArrayList<>();
+  private final List<NodeHosts> open = new ArrayList<>();
   private final SortedMap<Integer, Run> runs = new TreeMap<>();
   private final SortedMap<Integer, Throwable> failures = new TreeMap<>();
 
@@ -62,7 +63,9 @@ public final class Simulation {
 
   private SimulationResult run() throws InterruptedException {
     long started = System.nanoTime();
-    int processes = Math.min(request.processes(), request.scenarios().size());
+    // In real time two scenarios would take each other's time.
+    int most = request.driver() == Driver.DDS_IN_REAL_TIME ? 1 : request.processes();
+    int processes = Math.min(most, request.scenarios().size());
     List<Thread> workers = new ArrayList<>();
     for (int i = 0; i < processes; i++) {
       int turn = i;
@@ -100,7 +103,7 @@ public final class Simulation {
   private void stop(List<Thread> workers) throws InterruptedException {
     stopped.set(true);
     synchronized (open) {
-      open.forEach(LockstepProcess::close);
+      open.forEach(NodeHosts::close);
     }
     for (Thread worker : workers) {
       worker.join();
@@ -110,7 +113,7 @@ public final class Simulation {
   /** Takes scenario after scenario until none is left. */
   private void work(int turn) {
     int scenario = -1;
-    try (LockstepProcess process = new LockstepProcess(request, python, confinement, turn)) {
+    try (NodeHosts process = start(turn)) {
       synchronized (open) {
         open.add(process);
       }
@@ -121,6 +124,12 @@ public final class Simulation {
     } catch (RuntimeException | Error e) { // rethrown by run(): a thread must not end unnoticed
       failed(scenario, e);
     }
+  }
+
+  private NodeHosts start(int turn) {
+    return request.driver() == Driver.LOCKSTEP
+        ? new LockstepProcess(request, python, confinement, turn)
+        : new DdsHosts(request, setup, python, confinement, turn);
   }
 
   private synchronized void done(int scenario, Run run) {

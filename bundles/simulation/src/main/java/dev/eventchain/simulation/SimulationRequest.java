@@ -28,6 +28,7 @@ import java.util.function.Predicate;
  * @param recordings an existing folder that gets the messages of each scenario, in {@code
  *     NAME.mcap} once the scenario has ended, also by a failure of a node; empty: nothing is
  *     recorded
+ * @param driver how the nodes are run
  */
 public record SimulationRequest(
     EventChain chain,
@@ -40,7 +41,29 @@ public record SimulationRequest(
     Set<String> generated,
     Limits limits,
     Predicate<Diagnostic> accepted,
-    Optional<Path> recordings) {
+    Optional<Path> recordings,
+    Driver driver) {
+
+  /** What brings messages from one to another, and lets time pass. */
+  public enum Driver {
+    /** All nodes in one process, messages in memory. */
+    LOCKSTEP("lock-step"),
+    /** Each node in a process of its own on Cyclone DDS, in simulated time. */
+    DDS("Cyclone DDS in simulated time"),
+    /** The same in real time: one scenario after the other, and nobody waits for anybody. */
+    DDS_IN_REAL_TIME("Cyclone DDS in real time");
+
+    private final String words;
+
+    Driver(String words) {
+      this.words = words;
+    }
+
+    /** For people: what it is. */
+    public String words() {
+      return words;
+    }
+  }
 
   /**
    * What foreign code may use before it counts as hanging. Processor time does not depend on what
@@ -87,32 +110,38 @@ public record SimulationRequest(
         Set.of(),
         Limits.DEFAULT,
         finding -> false,
-        Optional.empty());
+        Optional.empty(),
+        Driver.LOCKSTEP);
   }
 
   /** The same on another number of processes. */
   public SimulationRequest withProcesses(int number) {
-    return with(number, generated, limits, accepted, recordings);
+    return with(number, generated, limits, accepted, recordings, driver);
   }
 
   /** The same with other components that count as generated. */
   public SimulationRequest withGenerated(Set<String> names) {
-    return with(processes, names, limits, accepted, recordings);
+    return with(processes, names, limits, accepted, recordings, driver);
   }
 
   /** The same with other limits. */
   public SimulationRequest withLimits(Limits other) {
-    return with(processes, generated, other, accepted, recordings);
+    return with(processes, generated, other, accepted, recordings, driver);
   }
 
   /** The same with other findings that people accept. */
   public SimulationRequest withAccepted(Predicate<Diagnostic> other) {
-    return with(processes, generated, limits, other, recordings);
+    return with(processes, generated, limits, other, recordings, driver);
   }
 
   /** The same with recordings in a folder, which exists. */
   public SimulationRequest withRecordings(Path folder) {
-    return with(processes, generated, limits, accepted, Optional.of(folder));
+    return with(processes, generated, limits, accepted, Optional.of(folder), driver);
+  }
+
+  /** The same with another driver. */
+  public SimulationRequest withDriver(Driver other) {
+    return with(processes, generated, limits, accepted, recordings, other);
   }
 
   private SimulationRequest with(
@@ -120,7 +149,8 @@ public record SimulationRequest(
       Set<String> names,
       Limits newLimits,
       Predicate<Diagnostic> newAccepted,
-      Optional<Path> newRecordings) {
+      Optional<Path> newRecordings,
+      Driver newDriver) {
     return new SimulationRequest(
         chain,
         packageFolder,
@@ -132,6 +162,7 @@ public record SimulationRequest(
         names,
         newLimits,
         newAccepted,
-        newRecordings);
+        newRecordings,
+        newDriver);
   }
 }

@@ -29,6 +29,7 @@ public record SimulationResult(
   /**
    * How the simulation ran on this machine.
    *
+   * @param driver what brought messages from one node to another, for people
    * @param confinement what kept the nodes from harming this machine
    * @param python the version of the Python that ran the nodes
    * @param processes how many simulated at the same time
@@ -37,6 +38,7 @@ public record SimulationResult(
    * @param steppingSeconds time in which the processes simulated, summed up over them
    */
   public record Host(
+      String driver,
       String confinement,
       String python,
       int processes,

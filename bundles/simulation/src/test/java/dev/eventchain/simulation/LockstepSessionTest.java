@@ -38,12 +38,14 @@ class LockstepSessionTest {
   private static LockstepSession session(
       InputStream input, OutputStream output, Watchdog watchdog) {
     return new LockstepSession(
-        new LockstepChannel(input, output),
+        new HostChannel(input, output),
         watchdog,
-        () ->
-            new LockstepSession.LastWords(
-                ConfinedProcess.Cause.EXITED, "Traceback\nValueError: last words\n"),
-        new UserFiles(Path.of("out/ros2/aeb")));
+        new HostFailures(
+            "The process that runs the nodes",
+            () ->
+                new HostFailures.LastWords(
+                    ConfinedProcess.Cause.EXITED, "Traceback\nValueError: last words\n"),
+            new UserFiles(Path.of("out/ros2/aeb"))));
   }
 
   private static Watchdog watchdog(Duration wallTime, Runnable end) {
@@ -72,7 +74,7 @@ class LockstepSessionTest {
   /** A session that has been configured for a world that listens to three topics. */
   private static LockstepSession configured(String answer, ByteArrayOutputStream written) {
     ByteArrayOutputStream answers = new ByteArrayOutputStream();
-    answers.writeBytes(frame(LockstepChannel.READY, "{}"));
+    answers.writeBytes(frame(HostChannel.READY, "{}"));
     answers.writeBytes(HexFormat.of().parseHex(answer));
     LockstepSession session = session(new ByteArrayInputStream(answers.toByteArray()), written);
     ObjectNode configuration = JsonNodeFactory.instance.objectNode();
@@ -87,12 +89,11 @@ class LockstepSessionTest {
     ByteArrayOutputStream written = new ByteArrayOutputStream();
     String answer =
         "16000000" + "04" + "0100" + "40420f0000000000" + "0200" + "05000000" + "0001000007";
-    List<LockstepSession.Outbound> published =
+    List<NodeSession.Outbound> published =
         configured(answer, written)
             .step(
                 50_000_000L,
-                List.of(
-                    new LockstepChannel.Inbound(3, ByteBuffer.wrap(new byte[] {0, 1, 0, 0, 9}))));
+                List.of(new NodeSession.Inbound(3, ByteBuffer.wrap(new byte[] {0, 1, 0, 0, 9}))));
     assertEquals(
         "16000000" + "03" + "80f0fa0200000000" + "0100" + "0300" + "05000000" + "0001000009",
         HexFormat.of().formatHex(written.toByteArray()));
@@ -126,15 +127,15 @@ class LockstepSessionTest {
   @Test
   void secondScenarioIsAReset() {
     ByteArrayOutputStream written = new ByteArrayOutputStream();
-    byte[] ready = frame(LockstepChannel.READY, "{}");
+    byte[] ready = frame(HostChannel.READY, "{}");
     byte[] twice = new byte[2 * ready.length];
     System.arraycopy(ready, 0, twice, 0, ready.length);
     System.arraycopy(ready, 0, twice, ready.length, ready.length);
     LockstepSession session = session(new ByteArrayInputStream(twice), written);
     session.configure(JsonNodeFactory.instance.objectNode());
     session.configure(JsonNodeFactory.instance.objectNode());
-    assertEquals(LockstepChannel.CONFIGURE, written.toByteArray()[4]);
-    assertEquals(LockstepChannel.RESET, written.toByteArray()[written.size() - 3]);
+    assertEquals(HostChannel.CONFIGURE, written.toByteArray()[4]);
+    assertEquals(HostChannel.RESET, written.toByteArray()[written.size() - 3]);
   }
 
   @ParameterizedTest
@@ -167,7 +168,7 @@ class LockstepSessionTest {
     Diagnostic finding =
         failure(
             frame(
-                LockstepChannel.FAILED,
+                HostChannel.FAILED,
                 "{\"id\":\"component.raised\",\"message\":\"ValueError: no\",\"node\":\"X\","
                     + "\"file\":\""
                     + file

@@ -9,7 +9,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
-import dev.eventchain.simulation.LockstepSession.Outbound;
+import dev.eventchain.simulation.NodeSession.Outbound;
 import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.file.Path;

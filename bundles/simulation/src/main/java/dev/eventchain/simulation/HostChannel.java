@@ -1,5 +1,6 @@
 package dev.eventchain.simulation;
 
+import dev.eventchain.simulation.NodeSession.Inbound;
 import java.io.DataInputStream;
 import java.io.EOFException;
 import java.io.IOException;
@@ -10,10 +11,10 @@ import java.nio.ByteOrder;
 import java.util.List;
 
 /**
- * Frames of the lock-step protocol over a pair of streams: u32 length of what follows, u8 kind,
- * payload; all numbers little-endian.
+ * Frames between a host of nodes and who drives it, over a pair of streams: u32 length of what
+ * follows, u8 kind, payload; all numbers little-endian.
  */
-final class LockstepChannel {
+final class HostChannel {
 
   static final int CONFIGURE = 1;
   static final int READY = 2;
@@ -23,6 +24,12 @@ final class LockstepChannel {
   static final int FINISHED = 6;
   static final int FAILED = 7;
   static final int RESET = 8;
+  static final int CONNECT = 9;
+  static final int CONNECTED = 10;
+  static final int PUBLISH = 11;
+  static final int RUN = 12;
+  static final int IDLE = 13;
+  static final int START = 14;
 
   /** Longer frames are taken for garbage. */
   private static final int LONGEST = 1 << 25;
@@ -39,9 +46,6 @@ final class LockstepChannel {
     }
   }
 
-  /** A message for the topic with this index. */
-  record Inbound(int topic, ByteBuffer message) {}
-
   /** What arrives is not the protocol. */
   static final class GarbageException extends IOException {
     private static final long serialVersionUID = 1L;
@@ -54,7 +58,7 @@ final class LockstepChannel {
   private final DataInputStream input;
   private final OutputStream output;
 
-  LockstepChannel(InputStream input, OutputStream output) {
+  HostChannel(InputStream input, OutputStream output) {
     this.input = new DataInputStream(input);
     this.output = output;
   }
@@ -82,6 +86,13 @@ final class LockstepChannel {
     write(frame);
   }
 
+  /** Sends a frame that holds a time. */
+  void sendTime(int kind, long time) throws IOException {
+    byte[] frame = new byte[HEADER + Long.BYTES];
+    header(frame, kind).putLong(time);
+    write(frame);
+  }
+
   private static ByteBuffer header(byte[] frame, int kind) {
     ByteBuffer buffer = ByteBuffer.wrap(frame).order(ByteOrder.LITTLE_ENDIAN);
     return buffer.putInt(frame.length - Integer.BYTES).put((byte) kind);
@@ -104,7 +115,7 @@ final class LockstepChannel {
     ByteBuffer numbers = ByteBuffer.wrap(header).order(ByteOrder.LITTLE_ENDIAN);
     int length = numbers.getInt();
     int kind = numbers.get();
-    if (length < 1 || length > LONGEST || kind < CONFIGURE || kind > RESET) {
+    if (length < 1 || length > LONGEST || kind < CONFIGURE || kind > START) {
       throw new GarbageException("a frame of kind " + kind + " with length " + length);
     }
     byte[] payload = new byte[length - 1];

@@ -1,0 +1,119 @@
+package dev.eventchain.simulation;
+
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.dds.DdsLibrary;
+import dev.eventchain.dds.DdsParticipant;
+import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import dev.eventchain.python.ConfinedProcess;
+import dev.eventchain.python.Confinement;
+import dev.eventchain.python.PythonEnvironment;
+import dev.eventchain.python.PythonSources;
+import dev.eventchain.python.WorkFolder;
+import dev.eventchain.simulation.SimulationRequest.Driver;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+
+/** A confined process for each node of a chain, and the world, in a DDS domain of their own. */
+final class DdsHosts implements NodeHosts {
+
+  /** Where the ROS 2 runtime's Python sources are among the resources. */
+  private static final String RUNTIME = "eventchain/ros2";
+
+  private static final String HOST = "eventchain_ros2.node_host";
+  private static final String PREPARATION = "eventchain_ros2.preparation";
+  private static final int MEMORY_MIB = 1024;
+
+  private final SimulationRequest request;
+  private final PythonEnvironment python;
+  private final Confinement confinement;
+  private final DdsDomain domain = DdsDomain.find();
+  private final List<NodeProcess> nodes = new ArrayList<>();
+  private final DdsParticipant participant;
+  private final DdsSession session;
+
+  /**
+   * Starts the processes.
+   *
+   * @param python with Cyclone DDS
+   * @param turn which of several such groups this is
+   */
+  DdsHosts(
+      SimulationRequest request,
+      NodeSetup setup,
+      PythonEnvironment python,
+      Confinement confinement,
+      int turn) {
+    this.request = request;
+    this.python = python;
+    this.confinement = confinement;
+    UserFiles files = new UserFiles(request.packageFolder());
+    participant =
+        DdsParticipant.loopback(
+            DdsLibrary.load(python.cycloneDds()), domain.number(), domain.tag());
+    try {
+      participant.announce("eventchain_world");
+      for (SoftwareNode node : setup.nodes()) {
+        nodes.add(start(node.getName(), turn * setup.nodes().size() + nodes.size(), files));
+      }
+      session =
+          request.driver() == Driver.DDS_IN_REAL_TIME
+              ? new RealTimeSession(nodes, participant, setup.catalog(), files, request.limits())
+              : new SimulatedTimeSession(
+                  nodes, participant, setup.catalog(), files, request.limits());
+    } catch (RuntimeException | Error e) {
+      closeAll();
+      throw e;
+    }
+  }
+
+  private NodeProcess start(String name, int turn, UserFiles files) {
+    WorkFolder workFolder = WorkFolder.create();
+    Path runtime = PythonSources.unpack(DdsHosts.class.getClassLoader(), RUNTIME);
+    List<Path> readable = new ArrayList<>(request.messageFolders());
+    readable.add(request.packageFolder());
+    Duration longest = request.limits().run();
+    ConfinedProcess process =
+        ConfinedProcess.on(python)
+            .module(HOST)
+            .pythonPath(runtime)
+            .readable(readable.toArray(Path[]::new))
+            .workFolder(workFolder.path())
+            .components(turn)
+            .preparation(PREPARATION, preparation())
+            .limits(new ConfinedProcess.Limits(longest, longest, MEMORY_MIB))
+            .confinement(confinement)
+            .start();
+    return new NodeProcess(name, process, workFolder, files);
+  }
+
+  private ObjectNode preparation() {
+    ObjectNode json = JsonNodeFactory.instance.objectNode();
+    json.put("domain", domain.number());
+    json.put("configuration", DdsParticipant.loopbackConfiguration(domain.tag()));
+    var messages = json.putArray("messages");
+    request
+        .messageFolders()
+        .forEach(folder -> messages.add(folder.toAbsolutePath().normalize().toString()));
+    return json;
+  }
+
+  @Override
+  public NodeSession session() {
+    return session;
+  }
+
+  @Override
+  public void close() {
+    closeAll();
+  }
+
+  /** The nodes first: whoever waits for them is told so. */
+  private void closeAll() {
+    nodes.forEach(NodeProcess::close);
+    participant.close();
+    domain.release();
+  }
+}

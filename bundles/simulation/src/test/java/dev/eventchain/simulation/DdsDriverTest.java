@@ -1,0 +1,156 @@
+package dev.eventchain.simulation;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.python.PythonEnvironment;
+import dev.eventchain.simulation.SimulationRequest.Driver;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.OptionalLong;
+import java.util.concurrent.CompletableFuture;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** Nodes as processes of their own, with Cyclone DDS between them. */
+class DdsDriverTest {
+
+  private static final ObjectMapper JSON = new ObjectMapper();
+
+  @TempDir Path folder;
+
+  private static SimulationResult onDds(SimulationRequest request) throws InterruptedException {
+    return Simulation.run(
+        request.withDriver(Driver.DDS),
+        PythonEnvironment.ensureWithCycloneDds(line -> {}),
+        verdict -> {});
+  }
+
+  @Test
+  void whatIsMeasuredOnTheWireIsWhatLockstepMeasures() throws Exception {
+    AebProject project = new AebProject(folder);
+    List<Scenario> scenarios =
+        List.of(AebProject.scenario("stopped-vehicle-50"), AebProject.scenario("slow-approach"));
+    SimulationResult lockstep = project.simulate(scenarios);
+    SimulationResult dds = onDds(project.request(scenarios));
+    assertEquals(List.of(), dds.diagnostics());
+    assertEquals(measured(lockstep), measured(dds));
+  }
+
+  /** All that does not depend on the machine. */
+  private static String measured(SimulationResult result) throws IOException {
+    ObjectNode json = (ObjectNode) JSON.readTree(result.toJson());
+    return json.without("host").toPrettyString().replaceAll("\"host[^\\n]*", "");
+  }
+
+  @Test
+  void inRealTimeAScenarioIsJudgedOrTheOverrunIsSaid() throws Exception {
+    AebProject project = new AebProject(folder);
+    SimulationRequest request = project.request(List.of(AebProject.scenario("slow-approach")));
+    SimulationResult result =
+        Simulation.run(
+            request.withDriver(Driver.DDS_IN_REAL_TIME),
+            PythonEnvironment.ensureWithCycloneDds(line -> {}),
+            verdict -> {});
+    ScenarioVerdict verdict = result.verdicts().get(0);
+    boolean overrun =
+        verdict.criteria().stream().allMatch(each -> each.measured().contains("behind the clock"));
+    assertTrue(overrun ? !verdict.tested() && !verdict.passed() : verdict.tested());
+    for (Measurements.Node node : result.measurements().nodes()) {
+      assertTrue(node.activations() > 10, node.name());
+      double longest = node.executionTime().orElseThrow().maximum();
+      assertTrue(longest > 0 && longest != Math.rint(longest), node.name() + " " + longest);
+    }
+  }
+
+  @Test
+  void messagesAreRecordedFromTheWire() throws Exception {
+    AebProject project = new AebProject(folder);
+    Path recordings = Files.createDirectory(folder.resolve("recordings"));
+    onDds(
+        project.request(List.of(AebProject.scenario("slow-approach"))).withRecordings(recordings));
+    assertTrue(Files.size(recordings.resolve("slow-approach.mcap")) > 100_000);
+  }
+
+  @Test
+  void errorOfAComponentIsShownWithItsLine() throws Exception {
+    AebProject project = new AebProject(folder);
+    Path component = project.component("TTC_Calculation");
+    String source = Files.readString(component);
+    Files.writeString(
+        component,
+        source.replaceFirst("(def execute\\(.*\\n)", "$1        raise ValueError('broken')\n"));
+    Diagnostic found = refusal(project.request(List.of(AebProject.scenario("slow-approach"))));
+    assertEquals("component.raised", found.id());
+    assertTrue(found.message().contains("broken"), found::message);
+    assertTrue(found.location().line() > 0);
+  }
+
+  @Test
+  void aNodeThatIsStoppedWhileTheVehicleApproachesIsNamed() throws Exception {
+    Diagnostic found = whileItRuns("STOP");
+    assertEquals("simulation.node.lost", found.id());
+    assertTrue(found.message().startsWith("Node "), found::message);
+    assertTrue(found.message().contains(" was stopped "), found::message);
+  }
+
+  @Test
+  void aNodeThatIsKilledWhileTheVehicleApproachesIsNamed() throws Exception {
+    Diagnostic found = whileItRuns("KILL");
+    assertEquals("simulation.process.ended", found.id());
+    assertTrue(found.message().startsWith("The process of node "), found::message);
+  }
+
+  /** Sends a signal to the host of a node as soon as it runs; no process is left after that. */
+  private Diagnostic whileItRuns(String signal) throws Exception {
+    AebProject project = new AebProject(folder);
+    SimulationRequest request =
+        project.request(List.of(AebProject.scenario("stopped-vehicle-50"))).withProcesses(1);
+    long before = hosts();
+    CompletableFuture<Diagnostic> running =
+        CompletableFuture.supplyAsync(
+            () -> refusal(request), command -> new Thread(command).start());
+    OptionalLong host = OptionalLong.empty();
+    while (host.isEmpty() && !running.isDone()) {
+      Thread.sleep(5);
+      host = descendants().filter(DdsDriverTest::isOnDds).mapToLong(ProcessHandle::pid).findAny();
+    }
+    new ProcessBuilder("kill", "-" + signal, Long.toString(host.orElseThrow())).start().waitFor();
+    Diagnostic found = running.join();
+    assertEquals(before, hosts());
+    return found;
+  }
+
+  private static long hosts() {
+    return descendants().count();
+  }
+
+  private static Stream<ProcessHandle> descendants() {
+    return ProcessHandle.current()
+        .descendants()
+        .filter(it -> it.info().commandLine().orElse("").contains("eventchain_ros2.node_host"));
+  }
+
+  /** The process with the node has the threads of DDS; its parent and its component do not. */
+  private static boolean isOnDds(ProcessHandle handle) {
+    try (Stream<Path> threads = Files.list(Path.of("/proc", Long.toString(handle.pid()), "task"))) {
+      return threads.count() > 3;
+    } catch (IOException | UncheckedIOException e) {
+      return false; // it has ended
+    }
+  }
+
+  private static Diagnostic refusal(SimulationRequest request) {
+    DiagnosticException refused = assertThrows(DiagnosticException.class, () -> onDds(request));
+    return refused.diagnostics().get(0);
+  }
+}
