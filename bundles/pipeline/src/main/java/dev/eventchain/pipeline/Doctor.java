@@ -29,8 +29,8 @@ public final class Doctor {
   private Doctor() {}
 
   /**
-   * Looks at this machine, for some seconds at most, or a minute where the Python environment has
-   * to be made.
+   * Looks at this machine, for some seconds at most, or a minute where Python environments have to
+   * be made.
    *
    * @param project whose models are to be asked; empty: all services that need no configuration
    * @param environment the value of an environment variable, null if it is not set
@@ -41,6 +41,7 @@ public final class Doctor {
     List<Check> checks = new ArrayList<>();
     checks.add(new Check("Java", true, true, System.getProperty("java.runtime.version")));
     checks.add(python(progress));
+    checks.add(cycloneDds(progress));
     ModelServices services =
         project.map(each -> each.configuration().services()).orElseGet(ModelServices::usual);
     Set<String> wanted = new TreeSet<>();
@@ -61,6 +62,17 @@ public final class Doctor {
     } catch (DiagnosticException e) {
       Diagnostic first = e.diagnostics().get(0);
       return new Check("Python", false, true, first.message() + " " + first.hint());
+    }
+  }
+
+  /** Only {@code --driver dds} needs it. */
+  private static Check cycloneDds(Consumer<String> progress) {
+    String name = "Cyclone DDS";
+    try {
+      boolean found = PythonEnvironment.ensureWithCycloneDds(progress).cycloneDds().isPresent();
+      return new Check(name, found, false, "for simulations with --driver dds");
+    } catch (DiagnosticException e) {
+      return new Check(name, false, false, e.diagnostics().get(0).message());
     }
   }
 

@@ -34,9 +34,6 @@ public final class Evaluation {
   private static final Set<String> LASTING =
       Set.of("llm.service.unreachable", "llm.key.missing", "llm.key.refused", "llm.quota.spent");
 
-  /** After these, nobody is asked any more. */
-  private static final Set<String> FINAL = Set.of("llm.budget.spent", "llm.price.missing");
-
   /** Is told how an evaluation goes on, on any thread. */
   public interface Listener {
     /** A run does something. */
@@ -258,7 +255,7 @@ public final class Evaluation {
     EvaluationRun.Done done =
         new EvaluationRun(task, sample, new Steps(model, number, listener)).perform();
     for (Diagnostic finding : done.findings()) {
-      ended |= FINAL.contains(finding.id());
+      ended |= Spending.ENDS.contains(finding.id());
       if (LASTING.contains(finding.id())) {
         unreachable.add(model);
       }
@@ -280,6 +277,7 @@ public final class Evaluation {
         true,
         true,
         List.of(),
+        RunOptions.Driver.LOCKSTEP,
         false,
         Optional.empty(),
         options.suppressions(),

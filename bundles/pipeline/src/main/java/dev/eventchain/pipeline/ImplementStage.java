@@ -15,6 +15,7 @@ import dev.eventchain.python.ComponentProbe;
 import dev.eventchain.python.Confinement;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -52,8 +53,7 @@ final class ImplementStage implements StageWork {
       work.correct(missing);
     }
     work.found.addAll(tests.ofNoComponent(names(chain.getSoftware())));
-    work.testExisting(
-        chain.getSoftware().stream().filter(node -> !missing.contains(node)).toList());
+    work.testExisting(existing(chain, missing));
     List<String> files = work.removeOthers();
     List<AgentResult> asked = new ArrayList<>(tests.results());
     asked.addAll(work.results);
@@ -63,6 +63,18 @@ final class ImplementStage implements StageWork {
       report.put("python", run.python(Stage.IMPLEMENT).version());
     }
     return new StageResult(details(work, missing, asked), files, work.found, report);
+  }
+
+  /** All tests run, for their number is said as well; those of edited files are among them. */
+  @Override
+  public Optional<Checked> checkEdited(RunContext run, Collection<String> editedOutputs) {
+    SourceText description = SourceText.read(run.required(DesignStage.FILE, Stage.DESIGN));
+    EventChain chain = readChain(run, run.file(DesignStage.FILE));
+    List<SoftwareNode> missing = run.softwareBase().missing(chain);
+    Work work = new Work(run, description, new TestFiles(run, description));
+    missing.forEach(node -> work.test(node.getName()));
+    work.testExisting(existing(chain, missing));
+    return Optional.of(new Checked(details(work, missing, List.of()), work.found));
   }
 
   /** What is made and found on the way. */
@@ -103,15 +115,13 @@ final class ImplementStage implements StageWork {
     /** What a verdict has changed; everything else stays as it is. */
     void correct(List<SoftwareNode> missing) {
       for (SoftwareNode node : missing) {
-        String file = file(node.getName());
-        ComponentTester tester = tests.standing(node.getName());
         Optional<AgentResult> correction =
             Optional.ofNullable(run.models().corrections().get(node.getName()));
         if (correction.isPresent()) {
-          keep(file, correction.get(), tester);
+          keep(file(node.getName()), correction.get(), tests.standing(node.getName()));
         } else {
-          files.add(file);
-          tested += tester.count();
+          files.add(file(node.getName()));
+          test(node.getName());
         }
       }
     }
@@ -124,10 +134,26 @@ final class ImplementStage implements StageWork {
     private void keep(String file, AgentResult answered, ComponentTester tester) {
       run.write(file, answered.text());
       files.add(file);
-      found.addAll(tester.diagnostics());
-      found.addAll(AgentReport.placed(run, answered));
       results.add(answered);
-      tested += tester.count();
+      // The tests of the answer say nothing about a person's version that is kept.
+      if (run.output().isEdited(file)) {
+        count(tester, tester.check(probe().ofExisting(), run.file(file)));
+      } else {
+        count(tester, AgentReport.placed(run, answered));
+      }
+    }
+
+    /** A component as it stands, which a person may have edited, by the tests as they stand. */
+    void test(String component) {
+      run.progress().step(Stage.IMPLEMENT, "tests of " + component);
+      ComponentTester tester = tests.standing(component);
+      count(tester, tester.check(probe().ofExisting(), run.file(file(component))));
+    }
+
+    private void count(ComponentTester tester, List<Diagnostic> failed) {
+      found.addAll(tester.diagnostics());
+      found.addAll(failed);
+      tested += Diagnostic.anyError(failed) ? 0 : tester.count();
     }
 
     /** What exists already has tests where people wrote some. */
@@ -137,10 +163,7 @@ final class ImplementStage implements StageWork {
         if (tester.isPresent()) {
           run.progress().step(Stage.IMPLEMENT, "tests of " + node.getName());
           Path file = GenerateStage.componentFile(run, node);
-          List<Diagnostic> failed = tester.get().run(probe().ofExisting(), file);
-          found.addAll(tester.get().diagnostics());
-          found.addAll(failed);
-          tested += failed.isEmpty() ? tester.get().count() : 0;
+          count(tester.get(), tester.get().run(probe().ofExisting(), file));
         }
       }
     }
@@ -162,6 +185,10 @@ final class ImplementStage implements StageWork {
   /** The file of a component that is made here. */
   static String file(String component) {
     return FOLDER + "/" + component + ".py";
+  }
+
+  private static List<SoftwareNode> existing(EventChain chain, List<SoftwareNode> missing) {
+    return chain.getSoftware().stream().filter(node -> !missing.contains(node)).toList();
   }
 
   private static List<String> names(List<SoftwareNode> nodes) {

@@ -119,7 +119,8 @@ public final class Pipeline {
     if (failure.isPresent() && (!judged || run.options().isPartial())) {
       standing.withdraw(stoppedIn());
     }
-    if (!run.options().runs(Stage.SIMULATE) && !run.options().readsOnly()) {
+    boolean simulates = run.options().runs(Stage.SIMULATE);
+    if (failure.isEmpty() && !simulates && !run.options().readsOnly()) {
       restoreVerdict();
     }
     RunResult result =
@@ -162,9 +163,7 @@ public final class Pipeline {
   private boolean mayBeCorrected() {
     return failure.equals(Optional.of(DiagnosticException.Reason.FINDINGS))
         && outcomes.get(Stage.SIMULATE).report().isPresent()
-        && run.options().runs(Stage.IMPLEMENT)
-        && !run.options().isPartial()
-        && run.models().simulated().isPresent();
+        && VerdictCorrection.isAllowed(run);
   }
 
   /**
@@ -325,14 +324,7 @@ public final class Pipeline {
       String skippedBy = Diagnostic.anyError(found) ? StageRecord.NEVER : key;
       memory.remember(stage, record(skippedBy, sources, result, found));
     }
-    return new StageOutcome(
-        stage,
-        failed ? Status.FAILED : Status.DONE,
-        since(start),
-        result.details(),
-        parted,
-        result.coverage(),
-        Optional.of(result.report()));
+    return ended(stage, failed ? Status.FAILED : Status.DONE, start, result, parted);
   }
 
   private StageRecord record(
@@ -358,22 +350,30 @@ public final class Pipeline {
     }
   }
 
-  /** A person may have edited what the stage wrote: then that is said again. */
+  /** A person may have edited what the stage wrote: then that is said again, and checked. */
   private StageOutcome unchanged(Stage stage, StageRecord record, long start) {
     run.models().recall(stage, record.report());
+    StageResult result = EditedOutputs.check(run, WORK.get(stage), record);
     List<Diagnostic> found = new ArrayList<>(run.takeFindings());
-    found.addAll(record.diagnostics());
-    for (String name : record.outputs().keySet()) {
-      run.output().accept(name).filter(edit -> !found.contains(edit)).ifPresent(found::add);
+    result.diagnostics().stream().filter(each -> !found.contains(each)).forEach(found::add);
+    Parted parted = run.options().suppressions().part(found);
+    if (Diagnostic.anyError(parted.remaining())) {
+      failure = Optional.of(DiagnosticException.Reason.FINDINGS);
+      return ended(stage, Status.FAILED, start, result, parted);
     }
+    return ended(stage, Status.UNCHANGED, start, result, parted);
+  }
+
+  private static StageOutcome ended(
+      Stage stage, Status status, long start, StageResult result, Parted found) {
     return new StageOutcome(
         stage,
-        Status.UNCHANGED,
+        status,
         since(start),
-        record.details(),
-        run.options().suppressions().part(found),
-        record.coverage(),
-        Optional.of(record.report()));
+        result.details(),
+        found,
+        result.coverage(),
+        Optional.of(result.report()));
   }
 
   /** What an earlier run found out proves nothing about the files of this one. */

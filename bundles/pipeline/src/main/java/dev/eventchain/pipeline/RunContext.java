@@ -22,6 +22,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 
 /** What the stages of a run share: the project, the output folder, and the Python environment. */
 final class RunContext {
@@ -350,7 +351,11 @@ final class RunContext {
   /** The project's Python environment, made if need be. */
   PythonEnvironment python(Stage stage) {
     if (python == null) {
-      python = PythonEnvironment.ensure(message -> progress.step(stage, message));
+      Consumer<String> said = message -> progress.step(stage, message);
+      python =
+          options.driver() == RunOptions.Driver.LOCKSTEP
+              ? PythonEnvironment.ensure(said)
+              : PythonEnvironment.ensureWithCycloneDds(said);
     }
     return python;
   }

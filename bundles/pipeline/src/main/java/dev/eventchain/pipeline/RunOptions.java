@@ -18,6 +18,7 @@ import java.util.Optional;
  * @param record whether answers from elsewhere are kept as recordings of the project
  * @param overwrite whether files that a person has edited in the output folder are replaced
  * @param scenarios the names of the scenarios to simulate; empty: all
+ * @param driver how the nodes are run that are simulated
  * @param mcap whether the messages of the scenarios are recorded, too
  * @param compare what another run measured, which the report shows beside what this one does: its
  *     {@code measurements.json}, or the folder of it
@@ -33,10 +34,21 @@ public record RunOptions(
     boolean record,
     boolean overwrite,
     List<String> scenarios,
+    Driver driver,
     boolean mcap,
     Optional<Path> compare,
     Suppressions suppressions,
     Duration timeLimit) {
+
+  /** What brings messages from one node to another, and lets time pass. */
+  public enum Driver {
+    /** All nodes in one process, messages in its memory. */
+    LOCKSTEP,
+    /** Each node in a process of its own on Cyclone DDS, in simulated time. */
+    DDS,
+    /** The same in real time. */
+    DDS_IN_REAL_TIME
+  }
 
   /** Checks the order of the stages. */
   public RunOptions {
@@ -58,6 +70,7 @@ public record RunOptions(
         record,
         overwrite,
         scenarios,
+        driver,
         mcap,
         compare,
         suppressions,

@@ -42,6 +42,7 @@ final class SimulateStage implements StageWork {
   @Override
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
     Project project = run.project();
+    fingerprint.add(run.options().driver());
     fingerprint.addFile(run.model());
     for (Path file : Scenario.filesIn(project.scenarios())) {
       fingerprint.add(project.scenarios().relativize(file)).addFile(file);
@@ -252,6 +253,12 @@ final class SimulateStage implements StageWork {
             run.bench(),
             scenarios)
         .withGenerated(written(run, chain))
+        .withDriver(
+            switch (run.options().driver()) {
+              case LOCKSTEP -> SimulationRequest.Driver.LOCKSTEP;
+              case DDS -> SimulationRequest.Driver.DDS;
+              case DDS_IN_REAL_TIME -> SimulationRequest.Driver.DDS_IN_REAL_TIME;
+            })
         .withAccepted(run.options().suppressions()::accepts);
   }
 

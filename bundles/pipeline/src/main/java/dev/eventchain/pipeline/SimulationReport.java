@@ -38,7 +38,10 @@ final class SimulationReport {
     report.put(
         "driver",
         String.format(
-            Locale.ROOT, "lock-step, %.0f times real time", result.host().realTimeFactor()));
+            Locale.ROOT,
+            "%s, %.0f times real time",
+            result.host().driver(),
+            result.host().realTimeFactor()));
     ArrayNode scenarios = report.putArray("scenarios");
     result.verdicts().forEach(verdict -> scenarios.add(scenario(verdict)));
     ArrayNode nodes = report.putArray("nodes");

@@ -32,6 +32,13 @@ final class VerdictCorrection {
     this.failed = failed;
   }
 
+  /** Whether a run has simulated everything, and writes components. */
+  static boolean isAllowed(RunContext run) {
+    return run.options().runs(Stage.IMPLEMENT)
+        && !run.options().isPartial()
+        && run.models().simulated().isPresent();
+  }
+
   /**
    * Asks for a correction.
    *

@@ -91,6 +91,7 @@ class ReadOnceTest {
             false,
             false,
             List.of(),
+            RunOptions.Driver.LOCKSTEP,
             false,
             Optional.empty(),
             new Suppressions(List.of(), LocalDate.of(2027, 1, 1)),
