@@ -165,12 +165,21 @@ abstract class ProjectCommand implements Callable<Integer> {
             llm.record,
             overwrite,
             scenarios.scenarios,
+            driver(scenarios),
             scenarios.mcap,
             Optional.ofNullable(scenarios.compare),
             suppressions(project),
             timeLimit());
     return Outcome.of(
         Pipeline.run(project, options, new ProgressLines(console.err(), console.terminal())));
+  }
+
+  private RunOptions.Driver driver(ScenarioOptions scenarios) {
+    try {
+      return scenarios.driver();
+    } catch (IllegalArgumentException e) {
+      throw wrongUsage(e.getMessage());
+    }
   }
 
   /** As above, from a project's folder, for a run that may be to reach a verdict. */

@@ -1,5 +1,6 @@
 package dev.eventchain.cli;
 
+import dev.eventchain.pipeline.RunOptions;
 import java.nio.file.Path;
 import java.util.List;
 import picocli.CommandLine.Option;
@@ -12,6 +13,44 @@ final class ScenarioOptions {
       paramLabel = "NAME",
       description = "Simulate this scenario only; may be repeated.")
   List<String> scenarios = List.of();
+
+  @Option(
+      names = "--driver",
+      paramLabel = "DRIVER",
+      description = {
+        "How the nodes run: 'lockstep' (the default), all in one process, or 'dds', each in a",
+        "process of its own, with Cyclone DDS between them as between nodes of ROS 2, on the",
+        "loopback interface. In simulated time the results are the same."
+      })
+  private Transport driver = Transport.LOCKSTEP;
+
+  @Option(
+      names = "--real-time",
+      description = {
+        "With --driver dds, let nodes run by the clock on the wall: execution times are real, and",
+        "a scenario takes as long as it takes. Where this machine cannot keep up with the world,",
+        "a scenario is not judged. Messages that get lost are not counted."
+      })
+  private boolean realTime;
+
+  private enum Transport {
+    LOCKSTEP,
+    DDS
+  }
+
+  /**
+   * How the nodes run.
+   *
+   * @throws IllegalArgumentException if the options contradict each other
+   */
+  RunOptions.Driver driver() {
+    if (realTime && driver != Transport.DDS) {
+      throw new IllegalArgumentException("--real-time needs --driver dds");
+    }
+    return driver == Transport.LOCKSTEP
+        ? RunOptions.Driver.LOCKSTEP
+        : realTime ? RunOptions.Driver.DDS_IN_REAL_TIME : RunOptions.Driver.DDS;
+  }
 
   @Option(
       names = "--mcap",

@@ -164,7 +164,7 @@ class BadInputTest {
   @Test
   void aComponentThatAlwaysBrakesFailsTheVerdict() throws IOException {
     replaceDecision("return {'braking_force': 1.0}");
-    ended = new Program().run("run", project);
+    ended = new Program().run("run", project, "--from", "model"); // past its tests
     ended
         .expect(1)
         .says("FAILED")

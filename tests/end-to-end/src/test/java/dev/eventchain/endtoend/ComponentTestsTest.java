@@ -106,6 +106,52 @@ class ComponentTestsTest {
         .says("'brake' is 1.0, not 0.5, with braking_force = 1.0. [component.test.failed]");
   }
 
+  /** Whatever an earlier run found in its own version, the tests run on the one that there is. */
+  @Test
+  void editedComponentsAreTestedAsTheyStand() throws IOException {
+    implement().expect(0).says("30 component tests passed");
+    String component = "out/components/Braking_Decision.py";
+    project.replace(component, "PARTIAL_BRAKE = 0.5", "PARTIAL_BRAKE = 1.0 / 2.0");
+    implement()
+        .expect(0)
+        .says("= Implement")
+        .says("30 component tests passed")
+        .says("Braking_Decision.py: warning: ")
+        .says("[eventchain.file.edited]");
+    project.replace(component, "PARTIAL_BRAKE = 1.0 / 2.0", "PARTIAL_BRAKE = 0.7");
+    requireFailed(implement());
+    requireFailed(new Program().run("run", project.path(), "--to", "implement", "--again"));
+    Files.delete(project.path().resolve("out").resolve(DECISION));
+    requireFailed(implement()); // by the tests that the model proposes again
+    project.replace(component, "PARTIAL_BRAKE = 0.7", "PARTIAL_BRAKE = 0.5");
+    implement().expect(0).says("30 component tests passed");
+  }
+
+  private static void requireFailed(Program.Ended ended) {
+    ended
+        .expect(1)
+        .says("out/tests/Braking_Decision.yaml:")
+        .says("The test 'in the partial range' of AEB-4 fails:")
+        .says("'braking_force' is 0.7, not 0.5, with ttc = 1.5. [component.test.failed]")
+        .says("15 component tests passed"); // those of the other component
+  }
+
+  @Test
+  void editedTestsAreRunAndCounted() throws IOException {
+    implement().expect(0).says("30 component tests passed");
+    String test = "tests:\n  - {name: full, requirement: %s, inputs: {ttc: %s}, outputs: %s}\n";
+    project.write("out/" + DECISION, test.formatted("AEB-4", "0.99", "{braking_force: 1}"));
+    implement().expect(0).says("= Implement").says("16 component tests passed").says("tests.gap");
+    project.write("out/" + DECISION, test.formatted("AEB-5", "-1.0", "{braking_force: 0.0}"));
+    implement()
+        .expect(1)
+        .says("out/tests/Braking_Decision.yaml:2:5")
+        .says("'braking_force' is 1.0, not 0.0")
+        .says("15 component tests passed");
+    project.write("out/" + DECISION, "tests: []\n");
+    implement().expect(1).says("There is no test and no property here.");
+  }
+
   @Test
   void testsOfAComponentThatThereIsNotAreAFinding() throws IOException {
     project.write("tests/Braking_Decison.yaml", "tests: []\n");

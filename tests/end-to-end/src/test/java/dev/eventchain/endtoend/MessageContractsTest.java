@@ -42,7 +42,7 @@ class MessageContractsTest {
     new Program()
         .run("validate", project("contract.qos.incompatible/good"))
         .expect(0)
-        .says("24 constraints")
+        .says("26 constraints")
         .says(" message contracts");
   }
 

@@ -30,6 +30,11 @@ class StaleResultsTest {
 
   private static final String OUTDATED = "project.stage.outdated";
 
+  /** A property that the component does not have, and no requirement asks for. */
+  private static final String NEVER_BRAKES =
+      "- {name: never, requirement: AEB-5, output: braking_force, over: {ttc: {from: 0, to: 1}},"
+          + " within: {at_least: 0, at_most: 0}}";
+
   @TempDir static Path once;
   @TempDir Path folder;
 
@@ -76,6 +81,8 @@ class StaleResultsTest {
         "scenarios/empty-road.yaml|name: [|run|2",
         "scenarios/empty-road.yaml|# Changed.|simulate --scenario empty-road|0",
         "constraints.ocl|context SoftwareNode inv Fast: frequency > 30|run|1",
+        "out/components/Braking_Decision.py|FULL_BRAKE = 0.9|run|1",
+        "out/tests/Braking_Decision.yaml|" + NEVER_BRAKES + "|run --to validate|1",
         "software-base/components/ObjectDetection.py|# Changed.|generate|0",
         "requirements.md|- AEB-7: It shall stop.|design --llm handoff:HERE|4",
       })
