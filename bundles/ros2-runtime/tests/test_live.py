@@ -217,16 +217,16 @@ def test_the_node_is_in_the_graph_with_its_endpoints(world: World) -> None:
 
 
 def test_an_interrupt_shuts_the_context_down_first(world: World) -> None:
-    node = world.probe()
-    node.hears("ready True")
+    node = world.probe(period=0.01)
+    node.hears("fired")  # it spins
     node.process.send_signal(signal.SIGINT)
     assert node.hears("interrupted") == "interrupted False"
     assert node.ends() == 0
 
 
 def test_a_termination_ends_the_spin_from_outside(world: World) -> None:
-    node = world.probe()
-    node.hears("ready True")
+    node = world.probe(period=0.01)
+    node.hears("fired")  # it spins
     node.process.send_signal(signal.SIGTERM)
     assert node.hears("terminated") == "terminated False"
     assert node.ends() == 0
