@@ -16,9 +16,9 @@ if TYPE_CHECKING:
 
 SOURCES = Path(__file__).parents[1] / "python"
 CONFINEMENT = Path(__file__).parents[2] / "python" / "src" / "main" / "resources" / "dev" / "eventchain" / "python"
-START = "import sys, confined; confined.main(sys.argv[1])"
+BOOTSTRAP = "import sys, confined; confined.main(sys.argv[1])"
 CONFIGURE, READY, STEP, STEPPED, FINISH, FINISHED, FAILED, RESET = range(1, 9)
-CONNECT, CONNECTED, PUBLISH, RUN, IDLE = range(9, 14)
+CONNECT, CONNECTED, PUBLISH, RUN, IDLE, START, STOP = range(9, 16)
 MILLISECOND = 1_000_000
 
 
@@ -56,7 +56,7 @@ class HostProcess:
         if self.preparation is not None:
             settings["preparation"] = self.preparation
         environment = {"PATH": os.environ["PATH"], "PYTHONPATH": str(CONFINEMENT), "OPENBLAS_NUM_THREADS": "1"}
-        command = [sys.executable, "-c", START, json.dumps(settings)]
+        command = [sys.executable, "-c", BOOTSTRAP, json.dumps(settings)]
         pipe = subprocess.PIPE
         self.process = subprocess.Popen(command, stdin=pipe, stdout=pipe, stderr=stderr, env=environment)
 

@@ -6,6 +6,7 @@ import json
 import struct
 from collections.abc import Iterator
 from pathlib import Path
+from time import monotonic_ns
 from typing import Any
 
 import pytest
@@ -21,6 +22,8 @@ from protocol import (
     PUBLISH,
     RESET,
     RUN,
+    START,
+    STOP,
     Failed,
     HostProcess,
     doubler,
@@ -162,6 +165,101 @@ def test_reset_starts_anew_on_the_same_wire(host: NodeProcess, world: World) -> 
         "read": [0],
     }
     assert host.finish()["publications"] == {"/doubled": []}
+
+
+def test_in_real_time_nothing_happens_after_its_end_but_what_comes_is_counted(host: NodeProcess, world: World) -> None:
+    host.configure({**configuration(), "real_time": True})
+    host.connect([[0, 1]])
+    wait_until(world.number.matched, "the node reads")
+    wait_until(world.doubled.matched, "the node writes")
+    world.number.write(float32(3.0), 7)
+    host.send(START, struct.pack("<q", monotonic_ns()))
+    received: list[Any] = []
+    wait_until(lambda: received.extend(world.doubled.take()) or received, "a timer fires and a sample arrives")
+    host.send(STOP)
+    said = host.idle()
+    assert said["answered"] == 1
+    assert said["read"] == [1]
+    world.number.write(float32(4.0), 8)
+    assert host.idle()["read"] == [2], "what was on the way is told of"
+    finished = host.finish()
+    ((*_, last),) = [node["activations"] for node in finished["nodes"]]
+    assert last[3] == [["/number", 7]]
+    assert len(finished["publications"]["/doubled"]) == said["wrote"][0]
+    assert finished["late"] > 0, "who is told to start now, starts a little later"
+
+
+ECHO = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Float32
+class Echo(Node):
+    def __init__(self):
+        super().__init__("echo")
+        self.publisher = self.create_publisher(Float32, "/doubled", 10)
+        self.create_subscription(Float32, "/number", self.on_number, 10)
+    def on_number(self, message):
+        try:
+            {statement}
+        except Exception:
+            pass
+        self.publisher.publish(message)
+"""
+
+
+def echo(folder: Path, statement: str) -> dict[str, Any]:
+    """A node that answers each number as soon as it comes."""
+    (folder / "echo.py").write_text(ECHO.format(statement=statement), encoding="utf-8")
+    node = {"module": "echo", "class": "Echo", "name": "Echo", "component": None}
+    return {"path": [str(folder)], "messages": [], "nodes": [node]}
+
+
+def test_samples_that_came_before_the_start_are_received_at_the_start(
+    host: NodeProcess, world: World, tmp_path: Path
+) -> None:
+    host.configure({**echo(tmp_path, "pass"), "real_time": True})
+    host.connect([[0, 1]])
+    wait_until(world.number.matched, "the node reads")
+    wait_until(world.doubled.matched, "the node writes")
+    world.number.write(float32(3.0), 7)
+    world.number.wait_for_acknowledgments(60_000_000_000)
+    host.send(START, struct.pack("<q", monotonic_ns() + PERIOD))
+    received: list[Any] = []
+    wait_until(lambda: received.extend(world.doubled.take()) or received, "an answer, though no timer fires")
+    host.send(STOP)
+    assert host.idle()["wrote"] == [1]
+
+
+@pytest.mark.parametrize(
+    ("statement", "words"),
+    [
+        ("self.create_subscription(Float32, '/late', print, 10)", "makes a subscription of /late"),
+        ("self.create_publisher(Float32, '/late', 10)", "makes a publisher of /late"),
+        ("self.destroy_publisher(self.publisher)", "destroys a publisher of /doubled"),
+    ],
+)
+def test_ends_that_come_or_go_later_are_refused_at_their_line(
+    host: NodeProcess, world: World, tmp_path: Path, statement: str, words: str
+) -> None:
+    host.configure(echo(tmp_path, statement))
+    host.connect([[0, 1]])
+    world.show(0)
+    host.let(PUBLISH, 0)
+    world.number.write(float32(3.0), 7)
+    assert host.idle()["read"] == [1]
+    with pytest.raises(Failed, match=f"node.endpoint.late: the node {words} while it runs") as failure:
+        host.let(PUBLISH, 0)
+    assert failure.value.details["file"] == str(tmp_path / "echo.py")
+    assert failure.value.details["excerpt"].strip() == statement
+
+
+def test_a_node_that_has_finished_has_left_the_wire(host: NodeProcess, world: World) -> None:
+    host.configure(configuration())
+    host.connect([[0, 1]])
+    wait_until(world.number.matched, "the node reads")
+    host.finish()
+    wait_until(lambda: world.number.matched() == 0, "the reader is gone")
+    wait_until(lambda: world.doubled.matched() == 0, "the writer is gone")
 
 
 NODE = """

@@ -36,6 +36,7 @@ class Kind(IntEnum):
     RUN = 12
     IDLE = 13
     START = 14
+    STOP = 15
 
 
 class Channel:

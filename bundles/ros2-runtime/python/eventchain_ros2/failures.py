@@ -13,6 +13,7 @@ from component_process import place_of
 
 from eventchain_ros2.definitions import MessageDefinitionError
 from eventchain_ros2.messages import MalformedMessageError
+from eventchain_ros2.processes import LateEndpointError
 from eventchain_ros2.simulation import LimitError
 
 
@@ -68,6 +69,8 @@ def _what_and_where(error: BaseException, folders: Iterable[str]) -> tuple[str, 
         place = error.filename or "", error.lineno or 0, error.offset or 0
         return "node.syntax", f"{type(error).__name__}: {error.msg}", *place
     place = place_of(error, [str(Path(folder).resolve()) for folder in folders])
+    if isinstance(error, LateEndpointError):
+        return "node.endpoint.late", str(error), *place
     if isinstance(error, StepTimeout):
         return "node.timeout", str(error), *place
     return "node.failed", f"{type(error).__name__}: {error}".removesuffix(": "), *place

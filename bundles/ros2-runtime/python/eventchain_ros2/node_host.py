@@ -57,6 +57,7 @@ class NodeOnWire(HostedNodes):
 
     def ready(self) -> dict[str, Any]:
         """Content of the READY frame."""
+        self.wire.seal()
         return {
             "writers": [_described(outlet) for outlet in self.wire.outlets],
             "readers": [_described(inlet) for inlet in self.wire.inlets],
@@ -112,8 +113,7 @@ class NodeOnWire(HostedNodes):
             "nodes": nodes,
             "publications": self.wire.publications(),
             "events": self.wire.events(),
-            "read": [inlet.received for inlet in self.wire.inlets],
-            "wrote": [outlet.written for outlet in self.wire.outlets],
+            "late": self.real_time.late if self.real_time else 0,
         }
 
     def end(self) -> None:
@@ -165,7 +165,8 @@ class NodeHost(Host):
 
     def _wait(self) -> float | None:
         """How long nothing has to be done, in s; None: until something comes."""
-        return self._node.real_time.wait() if self._node is not None and self._node.real_time else None
+        node = self._node
+        return node.real_time.wait(has_samples=node.wire.has_samples) if node is not None and node.real_time else None
 
     def _keep_up(self) -> None:
         """In real time, do what is due."""
@@ -183,8 +184,14 @@ class NodeHost(Host):
         self._read_clock()
         collected = self._node is not None and self._node.wire.collect()
         self._doorbell.answer()
-        if collected and self._node is not None and self._node.real_time is None:
+        if collected and self._node is not None and self._waits_for_others:
             self._tell()
+
+    @property
+    def _waits_for_others(self) -> bool:
+        """Whether others want to know what has arrived: time waits for it."""
+        assert self._node is not None
+        return self._node.real_time is None or self._node.real_time.is_over
 
     def _tell(self) -> None:
         if self._node is not None:
@@ -202,8 +209,13 @@ class NodeHost(Host):
             self._let_pass(*_TIME.unpack(payload), timers=kind == Kind.RUN)
         elif kind == Kind.START and self._node.real_time is not None:
             self._node.real_time.start(*_TIME.unpack(payload))
+        elif kind == Kind.STOP and self._node.real_time is not None:
+            self._node.real_time.end()
+            self._node.wire.collect()
+            self._answered += 1
+            self._tell()
         elif kind == Kind.FINISH:
-            self.channel.write_json(Kind.FINISHED, self._node.finished())
+            self._finish(self._node)
         else:
             raise unexpected(kind)
 
@@ -217,6 +229,12 @@ class NodeHost(Host):
         self._answered = 0
         self._node = NodeOnWire(configuration, self._participant, self._doorbell)
         self.start(self._node.start, self._node.ready)
+
+    def _finish(self, node: NodeOnWire) -> None:
+        """Leave the wire before it is said: the ends of this scenario must not meet those of the next."""
+        finished = node.finished()
+        node.wire.close()
+        self.channel.write_json(Kind.FINISHED, finished)
 
     def _let_pass(self, until: int, *, timers: bool) -> None:
         assert self._node is not None

@@ -8,6 +8,12 @@ from typing import NamedTuple, Protocol
 from eventchain_ros2.qos import QoSProfile
 
 
+class LateEndpointError(BaseException):
+    """A publisher or subscription comes or goes when it no longer may. Not an `Exception`: nodes shall not go on."""
+
+    hint = "Make all publishers and subscriptions in the node's constructor, and keep them."
+
+
 class Sample(NamedTuple):
     """A message on the wire; `time` is when it can be seen, `sequence` counts the publications on the topic."""
 

@@ -15,6 +15,7 @@ from collections import deque
 from typing import Any
 
 from eventchain_ros2.dds_entities import ClosedError, Participant, Reader, WaitSet, Writer
+from eventchain_ros2.processes import LateEndpointError
 from eventchain_ros2.qos import HistoryPolicy, QoSProfile
 from eventchain_ros2.simulation import Process, Publisher, Sample, Simulation, Subscription, Topic
 
@@ -26,6 +27,7 @@ class Doorbell:
         self.wait_set = WaitSet(participant)
         self._source, self._target = os.pipe()
         self._answered = threading.Event()
+        self._failure: Exception | None = None
         threading.Thread(target=self._watch, name="samples", daemon=True).start()
 
     def fileno(self) -> int:
@@ -33,8 +35,15 @@ class Doorbell:
         return self._source
 
     def answer(self) -> None:
-        """Everything that had arrived has been taken: ring for the next."""
+        """Everything that had arrived has been taken: ring for the next.
+
+        Raises:
+            Exception: whatever keeps samples from being waited for.
+
+        """
         os.read(self._source, 1)
+        if self._failure is not None:
+            raise self._failure
         self._answered.set()
 
     def _watch(self) -> None:
@@ -46,6 +55,9 @@ class Doorbell:
                     self._answered.wait()
         except ClosedError:
             return
+        except Exception as failure:
+            self._failure = failure
+            os.write(self._target, b"\0")
 
 
 class Inlet:
@@ -133,10 +145,12 @@ class Wire:
         self._outside = simulation.add_process("")
         self._stamps: dict[str, Stamps] = {}
         self._arrived: list[tuple[int, str, Inlet, bytes]] = []
+        self._is_sealed = False
         simulation.bridge = self
 
     def opened(self, endpoint: Any) -> None:
         """Make a writer or reader for it. Histories are kept in the simulation: on DDS nothing is dropped."""
+        self._require_unsealed(endpoint, "makes")
         arguments = endpoint.topic.name, endpoint.type_name, _without_history(endpoint.qos_profile)
         if hasattr(endpoint, "matched"):
             outlet = Outlet(self._outside, endpoint, self._participant.writer(*arguments), self)
@@ -148,7 +162,8 @@ class Wire:
             self.inlets.append(inlet)
 
     def closed(self, endpoint: Any) -> None:
-        """Close its writer or reader. It stays in the list, since its samples have been counted."""
+        """Close its writer or reader. It stays in the list, since the others count on it."""
+        self._require_unsealed(endpoint, "destroys")
         for outlet in self.outlets:
             if outlet.publisher is endpoint:
                 outlet.writer.close()
@@ -156,6 +171,15 @@ class Wire:
             if endpoint in inlet.matched:
                 inlet.matched.clear()
                 inlet.reader.close()
+
+    def seal(self) -> None:
+        """Let nobody make or destroy ends any more: all others are told who is there, and count what flows."""
+        self._is_sealed = True
+
+    def _require_unsealed(self, endpoint: Any, verb: str) -> None:
+        if self._is_sealed:
+            kind = "publisher" if hasattr(endpoint, "matched") else "subscription"
+            raise LateEndpointError(f"the node {verb} a {kind} of {endpoint.topic.name} while it runs")
 
     def take_turns(self, turns: list[list[int]]) -> None:
         """Tell the writer of each outlet which of how many writers on its topic it is, from 0."""
@@ -222,6 +246,7 @@ class Wire:
         for outlet in self.outlets:
             outlet.writer.close()
         for inlet in self.inlets:
+            inlet.matched.clear()
             inlet.reader.close()
 
 

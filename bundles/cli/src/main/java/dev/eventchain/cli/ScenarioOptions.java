@@ -29,7 +29,7 @@ final class ScenarioOptions {
       description = {
         "With --driver dds, let nodes run by the clock on the wall: execution times are real, and",
         "a scenario takes as long as it takes. Where this machine cannot keep up with the world,",
-        "a scenario is not judged. Messages that get lost are not counted."
+        "a scenario is not judged."
       })
   private boolean realTime;
 

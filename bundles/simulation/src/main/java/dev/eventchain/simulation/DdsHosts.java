@@ -8,27 +8,18 @@ import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import dev.eventchain.python.ConfinedProcess;
 import dev.eventchain.python.Confinement;
 import dev.eventchain.python.PythonEnvironment;
-import dev.eventchain.python.PythonSources;
 import dev.eventchain.python.WorkFolder;
 import dev.eventchain.simulation.SimulationRequest.Driver;
-import java.nio.file.Path;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 
 /** A confined process for each node of a chain, and the world, in a DDS domain of their own. */
 final class DdsHosts implements NodeHosts {
 
-  /** Where the ROS 2 runtime's Python sources are among the resources. */
-  private static final String RUNTIME = "eventchain/ros2";
-
   private static final String HOST = "eventchain_ros2.node_host";
   private static final String PREPARATION = "eventchain_ros2.preparation";
-  private static final int MEMORY_MIB = 1024;
 
-  private final SimulationRequest request;
-  private final PythonEnvironment python;
-  private final Confinement confinement;
+  private final HostProgram program;
   private final DdsDomain domain = DdsDomain.find();
   private final List<NodeProcess> nodes = new ArrayList<>();
   private final DdsParticipant participant;
@@ -46,13 +37,9 @@ final class DdsHosts implements NodeHosts {
       PythonEnvironment python,
       Confinement confinement,
       int turn) {
-    this.request = request;
-    this.python = python;
-    this.confinement = confinement;
+    this.program = new HostProgram(request, python, confinement);
     UserFiles files = new UserFiles(request.packageFolder());
-    participant =
-        DdsParticipant.loopback(
-            DdsLibrary.load(python.cycloneDds()), domain.number(), domain.tag());
+    participant = enter();
     try {
       participant.announce("eventchain_world");
       for (SoftwareNode node : setup.nodes()) {
@@ -69,24 +56,26 @@ final class DdsHosts implements NodeHosts {
     }
   }
 
+  private DdsParticipant enter() {
+    try {
+      DdsLibrary library = DdsLibrary.load(program.python().cycloneDds());
+      return DdsParticipant.loopback(library, domain.number(), domain.tag());
+    } catch (RuntimeException | Error e) {
+      domain.release();
+      throw e;
+    }
+  }
+
   private NodeProcess start(String name, int turn, UserFiles files) {
     WorkFolder workFolder = WorkFolder.create();
-    Path runtime = PythonSources.unpack(DdsHosts.class.getClassLoader(), RUNTIME);
-    List<Path> readable = new ArrayList<>(request.messageFolders());
-    readable.add(request.packageFolder());
-    Duration longest = request.limits().run();
-    ConfinedProcess process =
-        ConfinedProcess.on(python)
-            .module(HOST)
-            .pythonPath(runtime)
-            .readable(readable.toArray(Path[]::new))
-            .workFolder(workFolder.path())
-            .components(turn)
-            .preparation(PREPARATION, preparation())
-            .limits(new ConfinedProcess.Limits(longest, longest, MEMORY_MIB))
-            .confinement(confinement)
-            .start();
-    return new NodeProcess(name, process, workFolder, files);
+    try {
+      ConfinedProcess process =
+          program.process(HOST, turn, workFolder).preparation(PREPARATION, preparation()).start();
+      return new NodeProcess(name, process, workFolder, files);
+    } catch (RuntimeException | Error e) {
+      workFolder.close();
+      throw e;
+    }
   }
 
   private ObjectNode preparation() {
@@ -94,7 +83,8 @@ final class DdsHosts implements NodeHosts {
     json.put("domain", domain.number());
     json.put("configuration", DdsParticipant.loopbackConfiguration(domain.tag()));
     var messages = json.putArray("messages");
-    request
+    program
+        .request()
         .messageFolders()
         .forEach(folder -> messages.add(folder.toAbsolutePath().normalize().toString()));
     return json;

@@ -60,21 +60,23 @@ abstract class DdsSession implements NodeSession {
     this.files = files;
     this.connecting = limits.wallTime();
     this.supervisor = new Supervisor(this.nodes, files, limits.wallTime());
+    nodes.forEach(node -> node.listen(supervisor::said));
   }
 
   @Override
   public JsonNode configure(JsonNode newConfiguration) {
     int kind = configuration == null ? HostChannel.CONFIGURE : HostChannel.RESET;
     configuration = newConfiguration;
-    close();
+    leave();
+    deliveries = null;
     supervisor.start();
     now = 0;
     arrived.clear();
     commands.clear();
     for (int node = 0; node < nodes.size(); node++) {
-      nodes.get(node).send(kind, alone(node));
+      nodes.get(node).ask(kind, alone(node), HostChannel.READY);
     }
-    List<JsonNode> ready = answers(HostChannel.READY);
+    List<JsonNode> ready = answers();
     try {
       graph = WireGraph.of(ready, configuration);
     } catch (IllegalArgumentException e) {
@@ -99,16 +101,18 @@ abstract class DdsSession implements NodeSession {
   }
 
   private void connect() {
-    world = new WireWorld(participant, graph, catalog, supervisor::arrived);
+    world = new WireWorld(participant, graph, catalog, supervisor::arrived, () -> take(await()));
     deliveries = new Deliveries(graph, this::written, this::received);
+    long latest = System.nanoTime() + connecting.toNanos();
     for (int node = 0; node < nodes.size(); node++) {
-      nodes.get(node).send(HostChannel.CONNECT, graph.connect(node, connecting));
+      JsonNode wanted = graph.connect(node, connecting);
+      nodes.get(node).ask(HostChannel.CONNECT, wanted, HostChannel.CONNECTED);
     }
+    List<JsonNode> answers = answers(); // first, since what nodes say is heard meanwhile
     List<String> missing = new ArrayList<>();
     world
-        .connect(nodes.size(), connecting)
+        .connect(nodes.size(), Duration.ofNanos(Math.max(1, latest - System.nanoTime())))
         .forEach(what -> missing.add("the vehicle with " + what));
-    List<JsonNode> answers = answers(HostChannel.CONNECTED);
     for (int node = 0; node < nodes.size(); node++) {
       for (JsonNode each : answers.get(node).path("missing")) {
         String end = "node " + nodes.get(node).name() + " with its " + each.path(0).asText();
@@ -123,6 +127,9 @@ abstract class DdsSession implements NodeSession {
 
   /** Everybody is connected, and the scenario starts. */
   abstract void begin();
+
+  /** The scenario is over, and what is underway arrives. */
+  void end() {}
 
   /** Takes in what nodes say at their end besides of what they did. */
   void notice(List<JsonNode> finished) {}
@@ -190,8 +197,17 @@ abstract class DdsSession implements NodeSession {
   /** Takes in what comes until a condition holds. */
   final void until(BooleanSupplier condition) {
     while (!condition.getAsBoolean()) {
-      take(supervisor.await(now, Optional.ofNullable(deliveries)));
+      take(await());
     }
+  }
+
+  private Optional<Object> await() {
+    return supervisor.await(now, Optional.ofNullable(deliveries));
+  }
+
+  /** Waits until all have answered, and all that was written has arrived, or is lost. */
+  final void settle() {
+    until(() -> nodes.stream().allMatch(NodeProcess::isIdle) && deliveries.areComplete());
   }
 
   /** Takes in what has come, if something has. */
@@ -206,19 +222,22 @@ abstract class DdsSession implements NodeSession {
   }
 
   /** What each node answers. */
-  private List<JsonNode> answers(int kind) {
-    until(() -> nodes.stream().allMatch(node -> node.hasAnswer(kind)));
-    return nodes.stream().map(node -> node.answer(kind)).toList();
+  private List<JsonNode> answers() {
+    until(() -> nodes.stream().allMatch(NodeProcess::isIdle));
+    return nodes.stream().map(NodeProcess::answer).toList();
   }
 
   @Override
   public RunLog finish() {
-    nodes.forEach(node -> node.send(HostChannel.FINISH, JsonNodeFactory.instance.objectNode()));
-    List<JsonNode> finished = answers(HostChannel.FINISHED);
+    end();
+    JsonNode nothing = JsonNodeFactory.instance.objectNode();
+    nodes.forEach(node -> node.ask(HostChannel.FINISH, nothing, HostChannel.FINISHED));
+    List<JsonNode> finished = answers();
     try {
       notice(finished);
       WireRecord record = new WireRecord();
       record.add(world.publications());
+      leave();
       finished.forEach(record::add);
       RunLog log = RunLog.parse(record.toJson());
       check(new RunLogCheck(log, configuration, now), commands);
@@ -234,11 +253,10 @@ abstract class DdsSession implements NodeSession {
   }
 
   /** Leaves the wire; processes go on. */
-  private void close() {
+  private void leave() {
     if (world != null) {
       world.close();
       world = null;
     }
-    deliveries = null;
   }
 }

@@ -30,6 +30,7 @@ final class HostChannel {
   static final int RUN = 12;
   static final int IDLE = 13;
   static final int START = 14;
+  static final int STOP = 15;
 
   /** Longer frames are taken for garbage. */
   private static final int LONGEST = 1 << 25;
@@ -115,7 +116,7 @@ final class HostChannel {
     ByteBuffer numbers = ByteBuffer.wrap(header).order(ByteOrder.LITTLE_ENDIAN);
     int length = numbers.getInt();
     int kind = numbers.get();
-    if (length < 1 || length > LONGEST || kind < CONFIGURE || kind > START) {
+    if (length < 1 || length > LONGEST || kind < CONFIGURE || kind > STOP) {
       throw new GarbageException("a frame of kind " + kind + " with length " + length);
     }
     byte[] payload = new byte[length - 1];

@@ -3,21 +3,12 @@ package dev.eventchain.simulation;
 import dev.eventchain.python.ConfinedProcess;
 import dev.eventchain.python.Confinement;
 import dev.eventchain.python.PythonEnvironment;
-import dev.eventchain.python.PythonSources;
 import dev.eventchain.python.WorkFolder;
-import java.nio.file.Path;
-import java.time.Duration;
-import java.util.ArrayList;
-import java.util.List;
 
 /** A confined Python process with the lock-step host of the ROS 2 runtime in it. */
 final class LockstepProcess implements NodeHosts {
 
-  /** Where the ROS 2 runtime's Python sources are among the resources. */
-  private static final String RUNTIME = "eventchain/ros2";
-
   private static final String HOST = "eventchain_ros2.lockstep";
-  private static final int MEMORY_MIB = 1024;
 
   private final WorkFolder workFolder = WorkFolder.create();
   private final ConfinedProcess process;
@@ -31,20 +22,8 @@ final class LockstepProcess implements NodeHosts {
    */
   LockstepProcess(
       SimulationRequest request, PythonEnvironment python, Confinement confinement, int turn) {
-    Path runtime = PythonSources.unpack(LockstepProcess.class.getClassLoader(), RUNTIME);
-    List<Path> readable = new ArrayList<>(request.messageFolders());
-    readable.add(request.packageFolder());
-    Duration longest = request.limits().run();
     this.process =
-        ConfinedProcess.on(python)
-            .module(HOST)
-            .pythonPath(runtime)
-            .readable(readable.toArray(Path[]::new))
-            .workFolder(workFolder.path())
-            .components(turn)
-            .limits(new ConfinedProcess.Limits(longest, longest, MEMORY_MIB))
-            .confinement(confinement)
-            .start();
+        new HostProgram(request, python, confinement).process(HOST, turn, workFolder).start();
     this.watchdog = watchdog(request, process);
     this.session =
         new LockstepSession(

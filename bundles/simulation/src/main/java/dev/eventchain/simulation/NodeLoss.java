@@ -14,22 +14,22 @@ final class NodeLoss {
   private NodeLoss() {}
 
   /** A node stands still. */
-  static DiagnosticException stopped(NodeProcess node, long now, UserFiles files) {
+  static DiagnosticException stopped(String node, long now, UserFiles files) {
     return finding(
         "simulation.node.lost",
-        "Node " + node.name() + " was stopped " + at(now) + " and does nothing any more.",
+        "Node " + node + " was stopped " + at(now) + " and does nothing any more.",
         "Something has sent SIGSTOP to its process.",
-        node.name(),
+        node,
         files);
   }
 
   /** A node does not answer, though its process could. */
-  static DiagnosticException silent(NodeProcess node, long now, String wait, UserFiles files) {
+  static DiagnosticException silent(String node, long now, String wait, UserFiles files) {
     return finding(
         "simulation.node.lost",
-        "Node " + node.name() + " did not answer within " + wait + ", " + at(now) + ".",
+        "Node " + node + " did not answer within " + wait + ", " + at(now) + ".",
         "Look for an endless loop or a wait in the node.",
-        node.name(),
+        node,
         files);
   }
 

@@ -9,15 +9,13 @@ import dev.eventchain.python.WorkFolder;
 import dev.eventchain.simulation.HostChannel.Frame;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
-import java.util.HashMap;
-import java.util.Map;
 import java.util.function.Consumer;
 
 /**
  * A node in a confined process of its own, with what it said last. A thread reads what it says;
  * everything else belongs to the thread that drives the nodes.
  */
-final class NodeProcess implements AutoCloseable {
+final class NodeProcess implements Supervisor.Watched, AutoCloseable {
 
   /**
    * What a node said: a frame, or, if it has none, why there are no more.
@@ -40,6 +38,7 @@ final class NodeProcess implements AutoCloseable {
   }
 
   private static final ObjectMapper JSON = new ObjectMapper();
+  private static final int NOTHING = 0;
   private static final Next NEVER = new Next(Long.MAX_VALUE, true);
 
   private final String name;
@@ -47,9 +46,10 @@ final class NodeProcess implements AutoCloseable {
   private final WorkFolder workFolder;
   private final HostChannel channel;
   private final HostFailures failures;
-  private final Map<Integer, JsonNode> answers = new HashMap<>();
+  private JsonNode answer;
   private long asked;
   private long answered;
+  private int awaited = NOTHING;
   private Next next = NEVER;
   private boolean hasSamples;
   private long[] written = {};
@@ -84,7 +84,8 @@ final class NodeProcess implements AutoCloseable {
     }
   }
 
-  String name() {
+  @Override
+  public String name() {
     return name;
   }
 
@@ -93,12 +94,14 @@ final class NodeProcess implements AutoCloseable {
   }
 
   /** Whether somebody has stopped it, with SIGSTOP for example. */
-  boolean isStopped() {
+  @Override
+  public boolean isStopped() {
     return process.isStopped();
   }
 
-  /** Sends JSON. */
-  void send(int kind, JsonNode content) {
+  /** Sends JSON; it answers with a frame of another kind. */
+  void ask(int kind, JsonNode content, int answer) {
+    awaited = answer;
     send(() -> channel.send(kind, content.toString().getBytes(StandardCharsets.UTF_8)));
   }
 
@@ -116,6 +119,12 @@ final class NodeProcess implements AutoCloseable {
   void let(int kind, long time) {
     asked++;
     tell(kind, time);
+  }
+
+  /** In real time, lets it do nothing any more; it answers when it has heard that. */
+  void stop() {
+    asked++;
+    send(() -> channel.send(HostChannel.STOP, new byte[0]));
   }
 
   /** Tells it a time; it answers nothing. */
@@ -148,20 +157,22 @@ final class NodeProcess implements AutoCloseable {
     switch (kind) {
       case HostChannel.FAILED -> throw failures.failed(json(said.frame()));
       case HostChannel.IDLE -> idle(json(said.frame()));
-      case HostChannel.READY, HostChannel.CONNECTED, HostChannel.FINISHED ->
-          answers.put(kind, json(said.frame()));
+      case HostChannel.READY, HostChannel.CONNECTED, HostChannel.FINISHED -> answered(said.frame());
       default -> throw failures.garbage("a frame of kind " + kind);
     }
   }
 
-  /** Whether it has said this, and nobody has asked what. */
-  boolean hasAnswer(int kind) {
-    return answers.containsKey(kind);
+  private void answered(Frame frame) {
+    if (frame.kind() != awaited) {
+      throw failures.garbage("an answer of kind " + frame.kind() + " that nobody asked for");
+    }
+    awaited = NOTHING;
+    answer = json(frame);
   }
 
-  /** What it said; once. */
-  JsonNode answer(int kind) {
-    return answers.remove(kind);
+  /** What it answered to what it was asked last, once it is idle. */
+  JsonNode answer() {
+    return answer;
   }
 
   private void idle(JsonNode said) {
@@ -195,8 +206,9 @@ final class NodeProcess implements AutoCloseable {
   }
 
   /** Whether it has answered everything. */
-  boolean isIdle() {
-    return answered == asked;
+  @Override
+  public boolean isIdle() {
+    return answered == asked && awaited == NOTHING;
   }
 
   /** What comes next, not before this time. */

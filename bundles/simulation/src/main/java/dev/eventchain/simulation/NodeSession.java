@@ -50,7 +50,8 @@ interface NodeSession {
   RunLog finish();
 
   /**
-   * How far the world fell behind the clock at most, in ns; 0 where it waits for nobody's clock.
+   * How far the world, or a node at its start, fell behind the clock at most, in ns; 0 where nobody
+   * follows one.
    */
   default long overrun() {
     return 0;

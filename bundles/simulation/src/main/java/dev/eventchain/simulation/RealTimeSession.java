@@ -7,7 +7,6 @@ import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.simulation.WireWorld.Arrived;
 import java.nio.ByteBuffer;
 import java.time.Duration;
-import java.time.Instant;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
@@ -48,14 +47,13 @@ final class RealTimeSession extends DdsSession {
   @Override
   void begin() {
     overrun = 0;
-    start = wall() + LEAD;
+    start = System.nanoTime() + LEAD; // of the clock that nodes read, too, and that nobody sets
     nodes.forEach(node -> node.tell(HostChannel.START, start));
   }
 
-  /** In ns since 1970. */
-  private static long wall() {
-    Instant instant = Instant.now();
-    return TimeUnit.SECONDS.toNanos(instant.getEpochSecond()) + instant.getNano();
+  /** The time that has passed since the start, in ns. */
+  private long elapsed() {
+    return System.nanoTime() - start;
   }
 
   @Override
@@ -63,7 +61,7 @@ final class RealTimeSession extends DdsSession {
     waitFor(now);
     world.show(now);
     for (Inbound message : messages) {
-      world.publish(message, Math.max(now, wall() - start));
+      world.publish(message, Math.max(now, elapsed()));
     }
     measureOverrun(now); // publishing may have taken a while
     waitFor(until);
@@ -76,11 +74,11 @@ final class RealTimeSession extends DdsSession {
   }
 
   private void measureOverrun(long due) {
-    overrun = Math.max(overrun, wall() - start - due);
+    overrun = Math.max(overrun, elapsed() - due);
   }
 
   private void waitFor(long time) {
-    for (long left = start + time - wall(); left > 0; left = start + time - wall()) {
+    for (long left = time - elapsed(); left > 0; left = time - elapsed()) {
       take(supervisor.await(now, Duration.ofNanos(left)));
     }
   }
@@ -91,9 +89,16 @@ final class RealTimeSession extends DdsSession {
   }
 
   @Override
+  void end() {
+    nodes.forEach(NodeProcess::stop);
+    settle();
+  }
+
+  @Override
   void notice(List<JsonNode> finished) {
     notices.clear();
     for (int node = 0; node < nodes.size(); node++) {
+      overrun = Math.max(overrun, finished.get(node).required("late").asLong());
       for (JsonNode event : finished.get(node).path("events")) {
         String topic = event.path(1).asText();
         String name = nodes.get(node).name();

@@ -86,7 +86,7 @@ final class ScenarioJudge {
 
   private static Criterion.Outcome overrun(Run run) {
     return Criterion.Outcome.untested(
-        Criterion.format("the world was %.0f ms behind the clock", run.overrun() / MILLISECOND));
+        Criterion.format("this machine was %.0f ms behind the clock", run.overrun() / MILLISECOND));
   }
 
   private static CriterionResult result(Expectation criterion, Criterion.Outcome outcome) {

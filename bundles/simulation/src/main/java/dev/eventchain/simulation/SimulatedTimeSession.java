@@ -65,7 +65,7 @@ final class SimulatedTimeSession extends DdsSession {
 
   /** Waits until all have done what they were let do, and all that was written has arrived. */
   private void settle(List<Outbound> published) {
-    until(() -> nodes.stream().allMatch(NodeProcess::isIdle) && deliveries.areComplete());
+    settle();
     for (Arrived each : takeArrived()) {
       published.add(new Outbound(now, each.reader(), ByteBuffer.wrap(each.sample().bytes())));
     }

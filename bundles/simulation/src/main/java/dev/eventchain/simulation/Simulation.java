@@ -52,7 +52,10 @@ public final class Simulation {
    *     ({@code component.*}, {@code node.*}), or the process that runs the nodes hangs ({@code
    *     simulation.step.timeout}), ends ({@code simulation.process.ended}), writes or publishes
    *     without end ({@code simulation.limit}) or breaks the protocol ({@code
-   *     simulation.protocol}); (UNAVAILABLE) if the process cannot be started
+   *     simulation.protocol}); on DDS also if a node is stopped or lost ({@code
+   *     simulation.node.lost}), finds others not ({@code simulation.wire.unmatched}), or makes ends
+   *     while it runs ({@code node.endpoint.late}); (UNAVAILABLE) if the process cannot be started,
+   *     or no domain of DDS is free ({@code dds.domain.none})
    * @throws InterruptedException if the calling thread was interrupted; the processes are ended
    */
   public static SimulationResult run(

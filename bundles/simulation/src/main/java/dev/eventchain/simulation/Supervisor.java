@@ -1,5 +1,6 @@
 package dev.eventchain.simulation;
 
+import dev.eventchain.simulation.NodeProcess.Said;
 import dev.eventchain.simulation.WireWorld.Arrived;
 import java.time.Duration;
 import java.util.List;
@@ -7,6 +8,7 @@ import java.util.Optional;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.function.LongSupplier;
 
 /**
  * Waits for what nodes say and for samples, and finds out who is to blame when nothing comes any
@@ -14,27 +16,59 @@ import java.util.concurrent.TimeUnit;
  */
 final class Supervisor {
 
+  /** What it has to know of a node. */
+  interface Watched {
+
+    /** Its name. */
+    String name();
+
+    /** Whether it owes no answer. */
+    boolean isIdle();
+
+    /** Whether somebody has stopped its process. */
+    boolean isStopped();
+  }
+
   private static final Duration LOOK = Duration.ofMillis(200);
   private static final long STOPPED_NANOS = TimeUnit.SECONDS.toNanos(1);
   private static final long LOST_NANOS = TimeUnit.SECONDS.toNanos(20);
 
   private final BlockingQueue<Object> events = new LinkedBlockingQueue<>();
-  private final Iterable<NodeProcess> nodes;
+  private final List<? extends Watched> nodes;
   private final UserFiles files;
   private final Duration patience;
-  private long progress = System.nanoTime();
-  private long looked = System.nanoTime();
+  private final LongSupplier clock;
+  private long looked;
+  private long said;
+  private long arrived;
 
   /**
-   * Listens to nodes.
+   * Watches nodes.
    *
    * @param wallTime what a component may use for an answer; a node gets more
    */
-  Supervisor(Iterable<NodeProcess> nodes, UserFiles files, Duration wallTime) {
+  Supervisor(List<? extends Watched> nodes, UserFiles files, Duration wallTime) {
+    this(nodes, files, wallTime.multipliedBy(2).plusSeconds(10), System::nanoTime);
+  }
+
+  /**
+   * With another clock.
+   *
+   * @param patience how long a node that owes an answer may say nothing
+   * @param clock in ns
+   */
+  Supervisor(
+      List<? extends Watched> nodes, UserFiles files, Duration patience, LongSupplier clock) {
     this.nodes = nodes;
     this.files = files;
-    this.patience = wallTime.multipliedBy(2).plusSeconds(10);
-    nodes.forEach(node -> node.listen(events::add));
+    this.patience = patience;
+    this.clock = clock;
+    start();
+  }
+
+  /** A node says something; from any thread. */
+  void said(Said said) {
+    events.add(said);
   }
 
   /** A sample; from any thread. */
@@ -45,20 +79,22 @@ final class Supervisor {
   /** A scenario starts: samples of the one before mean nothing any more. */
   void start() {
     events.removeIf(Arrived.class::isInstance);
-    progress = System.nanoTime();
+    looked = clock.getAsLong();
+    said = looked;
+    arrived = looked;
   }
 
   /**
-   * The next event, a {@link NodeProcess.Said} or an {@link Arrived}; empty if there was none for a
-   * moment.
+   * The next event, a {@link Said} or an {@link Arrived}; empty if there was none for a moment.
    *
    * @param deliveries what is underway; empty before anything is
    * @throws dev.eventchain.diagnostics.DiagnosticException if a node, or the wire, does not go on
    */
   Optional<Object> await(long now, Optional<Deliveries> deliveries) {
     Optional<Object> event = poll(LOOK);
-    if (event.isEmpty()) {
-      blame(System.nanoTime() - progress, now, deliveries);
+    if (clock.getAsLong() - looked >= LOOK.toNanos()) {
+      looked = clock.getAsLong();
+      blame(now, deliveries);
     }
     return event;
   }
@@ -69,8 +105,8 @@ final class Supervisor {
    */
   Optional<Object> await(long now, Duration time) {
     Optional<Object> event = poll(time.compareTo(LOOK) < 0 ? time : LOOK);
-    if (System.nanoTime() - looked > STOPPED_NANOS) {
-      looked = System.nanoTime();
+    if (clock.getAsLong() - looked > STOPPED_NANOS) {
+      looked = clock.getAsLong();
       blameStopped(now);
     }
     return event;
@@ -79,8 +115,10 @@ final class Supervisor {
   private Optional<Object> poll(Duration time) {
     try {
       Object event = events.poll(time.toNanos(), TimeUnit.NANOSECONDS);
-      if (event != null) {
-        progress = System.nanoTime();
+      if (event instanceof Said) {
+        said = clock.getAsLong();
+      } else if (event != null) {
+        arrived = clock.getAsLong();
       }
       return Optional.ofNullable(event);
     } catch (InterruptedException e) {
@@ -89,30 +127,36 @@ final class Supervisor {
     }
   }
 
-  private void blame(long silence, long now, Optional<Deliveries> deliveries) {
+  private void blame(long now, Optional<Deliveries> deliveries) {
+    long silence = looked - said;
     if (silence > STOPPED_NANOS) {
       blameStopped(now);
     }
-    boolean idle = true;
-    for (NodeProcess node : nodes) {
-      idle &= node.isIdle();
-      if (!node.isIdle() && silence > patience.toNanos()) {
-        throw NodeLoss.silent(node, now, patience.toSeconds() + " s", files);
-      }
+    if (silence > patience.toNanos()) { // samples of others are no sign of life of who owes one
+      blameSilent(now);
     }
-    if (idle && silence > LOST_NANOS) {
+    long stillness = looked - Math.max(said, arrived);
+    if (stillness > LOST_NANOS && nodes.stream().allMatch(Watched::isIdle)) {
       deliveries.ifPresent(Deliveries::giveUp);
     }
-    if (silence > patience.toNanos()) {
-      throw NodeLoss.unreachable(
-          deliveries.map(Deliveries::waitingTopics).orElse(List.of()), now, files);
+    List<String> waiting = deliveries.map(Deliveries::waitingTopics).orElse(List.of());
+    if (stillness > patience.toNanos() && !waiting.isEmpty()) {
+      throw NodeLoss.unreachable(waiting, now, files);
+    }
+  }
+
+  private void blameSilent(long now) {
+    for (Watched node : nodes) {
+      if (!node.isIdle()) {
+        throw NodeLoss.silent(node.name(), now, patience.toSeconds() + " s", files);
+      }
     }
   }
 
   private void blameStopped(long now) {
-    for (NodeProcess node : nodes) {
+    for (Watched node : nodes) {
       if (node.isStopped()) {
-        throw NodeLoss.stopped(node, now, files);
+        throw NodeLoss.stopped(node.name(), now, files);
       }
     }
   }

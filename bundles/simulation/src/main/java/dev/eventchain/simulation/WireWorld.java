@@ -55,6 +55,7 @@ final class WireWorld implements AutoCloseable {
   private final List<DdsReader> readers = new ArrayList<>();
   private final long[] received;
   private final WireGraph graph;
+  private final Runnable whenFull;
   private long shown = -1;
   private final Map<String, Map<Long, Long>> publications = new LinkedHashMap<>();
 
@@ -62,13 +63,16 @@ final class WireWorld implements AutoCloseable {
    * Makes the writers and readers that the graph has for the world.
    *
    * @param listener gets samples, from other threads
+   * @param whenFull is called while the others do not take what was written, again and again
    */
   WireWorld(
       DdsParticipant participant,
       WireGraph graph,
       MessageCatalog catalog,
-      Consumer<Arrived> listener) {
+      Consumer<Arrived> listener,
+      Runnable whenFull) {
     this.graph = graph;
+    this.whenFull = whenFull;
     this.time = MessageValue.of(type(catalog, CLOCK_TYPE));
     for (WireEnd end : graph.writersOf(WireEnd.WORLD)) {
       DdsWriter writer = participant.writer(end.topic(), type(catalog, end.type()), end.qos());
@@ -145,9 +149,8 @@ final class WireWorld implements AutoCloseable {
 
   private void write(Output output, byte[] bytes, long now) {
     long stamp = output.stamp(now);
-    if (!output.writer.write(bytes, stamp)) {
-      throw new IllegalStateException(
-          "nobody takes the messages on " + output.writer.topic() + " any more");
+    while (!output.writer.write(bytes, stamp)) {
+      whenFull.run();
     }
     output.written++;
     publications
