@@ -14,8 +14,11 @@ CONFINEMENT = BUNDLE.parent / "python" / "src" / "main" / "resources" / "dev" / 
 sys.path[:0] = [str(BUNDLE / "python"), str(BUNDLE / "tools"), str(CONFINEMENT)]
 
 from eventchain_ros2 import context  # noqa: E402
+from eventchain_ros2.dds_entities import Participant, loopback_configuration  # noqa: E402
 from eventchain_ros2.messages import Messages  # noqa: E402
 from eventchain_ros2.simulation import Simulation  # noqa: E402
+from node_processes import World  # noqa: E402
+from wire import DOMAIN, fresh_tag  # noqa: E402
 
 
 @pytest.fixture
@@ -33,3 +36,19 @@ def simulation(messages: Messages) -> Iterator[Simulation]:
     context.enter(simulation)
     yield simulation
     simulation.running = False
+
+
+@pytest.fixture
+def participants() -> Iterator[tuple[Participant, Participant]]:
+    """Two participants of a domain that is theirs alone."""
+    configuration = loopback_configuration(fresh_tag())
+    with Participant(DOMAIN, configuration) as one, Participant(DOMAIN, configuration) as other:
+        yield one, other
+
+
+@pytest.fixture
+def world() -> Iterator[World]:
+    """The other side of node files that are run by themselves."""
+    world = World(DOMAIN)
+    yield world
+    world.close()

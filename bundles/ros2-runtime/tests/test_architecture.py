@@ -17,7 +17,8 @@ LAYERS = (
     {"qos", "type_support", "validation"},
     {"codec", "dds_qos", "processes"},
     {"dds_endpoints", "idl", "messages", "simulation"},
-    {"context", "dds_entities"},
+    {"context", "discovery"},
+    {"dds_entities"},
     {"endpoints", "failures", "message_objects", "pytest_plugin", "real_time"},
     {"channel", "components", "dds", "node", "wire"},
     {"executors", "hosting", "live", "preparation"},
@@ -26,7 +27,7 @@ LAYERS = (
 LAYER_OF = {module: layer for layer, modules in enumerate(LAYERS) for module in modules}
 MODULES = sorted(PYTHON.glob(f"{RUNTIME}/*.py"))
 # What talks to the library. A confined process refuses ctypes, and everything that runs in one does without.
-WIRE = {"cyclone", "dds_endpoints", "dds_entities", "dds_qos", "type_support"}
+WIRE = {"cyclone", "dds_endpoints", "dds_entities", "dds_qos", "discovery", "type_support"}
 CONFINED = ("components", "executors", "simulation")
 FACADES = sorted([*PYTHON.glob("rclpy/**/*.py"), *PYTHON.glob("cyclonedds/**/*.py")])
 

@@ -1,4 +1,4 @@
-"""What tests on the wire share: a domain that nobody else is in, and waiting."""
+"""What tests on the wire share: a domain that nobody else is in, samples, and waiting."""
 
 from __future__ import annotations
 
@@ -7,8 +7,17 @@ import uuid
 from collections.abc import Callable
 from time import monotonic, sleep
 
+from eventchain_ros2.dds_entities import Participant, Reader, Received, Writer
+from eventchain_ros2.qos import HistoryPolicy, QoSProfile
+
 PATIENCE = 120  # s; only a machine that has come to a stop takes that long
 DOMAIN = 1 + os.getpid() % 100  # above 100 the ports are those that the system hands out
+MILLISECOND = 1_000_000
+SECOND = 1_000 * MILLISECOND
+LATEST = (2**32 - 1) * SECOND - 1
+STRING, SCAN = "std_msgs/msg/String", "sensor_msgs/msg/LaserScan"
+EVERY = QoSProfile(history=HistoryPolicy.KEEP_ALL)
+TEXT = b"\0\1\0\0\2\0\0\0x\0"
 
 
 def fresh_tag() -> str:
@@ -22,3 +31,18 @@ def wait_until(condition: Callable[[], object], what: str) -> None:
     while not condition():
         assert monotonic() < end, f"still waiting: {what}"
         sleep(0.005)
+
+
+def connected(
+    participants: tuple[Participant, Participant], type_name: str = STRING, profile: QoSProfile = EVERY
+) -> tuple[Writer, Reader]:
+    writer = participants[0].writer("/topic", type_name, profile)
+    reader = participants[1].reader("/topic", type_name, profile)
+    wait_until(lambda: writer.matched() and reader.matched(), "a match")
+    return writer, reader
+
+
+def take(reader: Reader, count: int) -> list[Received]:
+    taken: list[Received] = []
+    wait_until(lambda: taken.extend(reader.take()) or len(taken) >= count, f"{count} samples")
+    return taken

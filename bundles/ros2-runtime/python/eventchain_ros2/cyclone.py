@@ -274,6 +274,8 @@ _FUNCTIONS: dict[str, tuple[Any, ...]] = {
     "dds_get_entity_sertype": (c_int32, _ENTITY, POINTER(pointer)),
     "dds_writecdr": (c_int32, _ENTITY, POINTER(SerializedData)),
     "dds_forwardcdr": (c_int32, _ENTITY, POINTER(SerializedData)),
+    "dds_take": (c_int32, _ENTITY, POINTER(pointer), POINTER(SampleInfo), c_size_t, c_uint32),
+    "dds_return_loan": (c_int32, _ENTITY, POINTER(pointer), c_int32),
     "dds_takecdr": (c_int32, _ENTITY, POINTER(pointer), c_uint32, POINTER(SampleInfo), c_uint32),
     "ddsi_serdata_from_ser_iov": (POINTER(SerializedData), pointer, c_int32, c_size_t, POINTER(IoVector), c_size_t),
     "ddsi_serdata_size": (c_uint32, pointer),

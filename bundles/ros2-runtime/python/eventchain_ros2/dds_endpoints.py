@@ -41,6 +41,13 @@ class Peer(NamedTuple):
     type_hash: str
 
 
+class Announced(NamedTuple):
+    """What others are told of a writer or reader: the names of its topic and of its type on the wire."""
+
+    topic: str
+    type_name: str
+
+
 class Lifetime:
     """Whether a participant is open, and the lock to hold while the library works on what belongs to it."""
 
@@ -73,13 +80,14 @@ class _Endpoint:
     event_mask: int
     """The statuses of deadlines, incompatible policies, liveliness and matches."""
 
-    def __init__(self, lifetime: Lifetime, handle: int, topic: str, hashed: str) -> None:
+    def __init__(self, lifetime: Lifetime, handle: int, topic: str, hashed: str, announced: Announced) -> None:
         self._lifetime = lifetime
         self._library = cyclone.load()
         self._is_open = True
         self.handle = handle
         self.topic = topic
         self.type_hash = hashed
+        self.announced = announced
         self.guid = guid_of(handle)
         self._seen: set[int] = set()
 
@@ -160,8 +168,8 @@ class Writer(_Endpoint):
     _match_function = "dds_get_publication_matched_status"
     event_mask = 1 << 1 | 1 << 3 | 1 << 9 | 1 << 11
 
-    def __init__(self, lifetime: Lifetime, handle: int, topic: str, hashed: str) -> None:
-        super().__init__(lifetime, handle, topic, hashed)
+    def __init__(self, lifetime: Lifetime, handle: int, topic: str, hashed: str, announced: Announced) -> None:
+        super().__init__(lifetime, handle, topic, hashed, announced)
         sertype = ctypes.c_void_p()
         checked(self._library.dds_get_entity_sertype(handle, sertype), topic)
         self._sertype = sertype.value
@@ -233,8 +241,8 @@ class Reader(_Endpoint):
     _match_function = "dds_get_subscription_matched_status"
     event_mask = 1 << 2 | 1 << 4 | 1 << 10 | 1 << 12
 
-    def __init__(self, lifetime: Lifetime, handle: int, topic: str, hashed: str) -> None:
-        super().__init__(lifetime, handle, topic, hashed)
+    def __init__(self, lifetime: Lifetime, handle: int, topic: str, hashed: str, announced: Announced) -> None:
+        super().__init__(lifetime, handle, topic, hashed, announced)
         self.condition = checked(self._library.dds_create_readcondition(handle, ANY_STATE), topic)
         self._pointers = (ctypes.c_void_p * _MOST_TAKEN)()
         self._infos = (cyclone.SampleInfo * _MOST_TAKEN)()

@@ -10,14 +10,25 @@ import threading
 from types import TracebackType
 from xml.sax.saxutils import escape
 
-from eventchain_ros2 import cyclone, graph
+from eventchain_ros2 import cyclone, discovery, graph
 from eventchain_ros2.cyclone import checked
-from eventchain_ros2.dds_endpoints import ClosedError, Lifetime, Peer, Reader, Received, Writer, guid_of, in_slices
+from eventchain_ros2.dds_endpoints import (
+    Announced,
+    ClosedError,
+    Lifetime,
+    Peer,
+    Reader,
+    Received,
+    Writer,
+    guid_of,
+    in_slices,
+)
 from eventchain_ros2.dds_qos import dds_qos
 from eventchain_ros2.definitions import Catalog, Definition, parse
+from eventchain_ros2.discovery import Announcements
 from eventchain_ros2.graph import GraphNode
 from eventchain_ros2.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
-from eventchain_ros2.type_support import descriptor, type_hash
+from eventchain_ros2.type_support import dds_type_name, descriptor, type_hash
 
 
 def loopback_configuration(tag: str) -> str:
@@ -151,14 +162,14 @@ class Participant:
         """Make a reader; see `writer`."""
         return Reader(self.lifetime, *self._make("dds_create_reader", topic, type_name, qos_profile))
 
-    def _make(self, function: str, topic: str, type_name: str, profile: QoSProfile) -> tuple[int, str, str]:
+    def _make(self, function: str, topic: str, type_name: str, profile: QoSProfile) -> tuple[int, str, str, Announced]:
         hashed = type_hash(type_name, self.definition)
         plain = topic == graph.TOPIC or profile.avoid_ros_namespace_conventions
         name = topic if plain else f"rt/{topic.lstrip('/')}"
         user_data = f"typehash={hashed};".encode()
         with self.lifetime.opened(), dds_qos(profile, user_data, ignore_own=self._ignore_own) as qos:
             made = getattr(self._library, function)(self.handle, self._topic(name, type_name), qos, None)
-        return checked(made, f"topic {topic}"), topic, hashed
+        return checked(made, f"topic {topic}"), topic, hashed, Announced(name, dds_type_name(type_name))
 
     def _topic(self, name: str, type_name: str) -> int:
         if (name, type_name) not in self._topics:
@@ -166,6 +177,14 @@ class Participant:
                 topic = self._library.dds_create_topic(self.handle, made, name.encode(), None, None)
             self._topics[name, type_name] = checked(topic, f"topic {name}")
         return self._topics[name, type_name]
+
+    def announced_writers(self) -> Announcements:
+        """The writers of the domain, also of this participant."""
+        return Announcements(self.lifetime, self.handle, discovery.WRITERS)
+
+    def announced_readers(self) -> Announcements:
+        """The readers of the domain, also of this participant."""
+        return Announcements(self.lifetime, self.handle, discovery.READERS)
 
     def announce(self, node_name: str, namespace: str, writers: list[Writer], readers: list[Reader]) -> None:
         """Tell ROS 2's graph that a node has these writers and readers, instead of what was told of it before."""
@@ -218,8 +237,8 @@ class WaitSet:
             self._guard = checked(self._library.dds_create_guardcondition(participant.handle), "guard condition")
             self._attach(self._guard)
 
-    def attach(self, reader: Reader) -> None:
-        """From now on, wait for the samples of this reader; until they are taken, waits end at once."""
+    def attach(self, reader: Reader | Announcements) -> None:
+        """From now on, wait for what this has to read; until it is taken, waits end at once."""
         with reader.opened():
             self._attach(reader.condition)
 

@@ -28,7 +28,15 @@ _NAME = re.compile(r"[A-Za-z]\w*$", re.ASCII)
 _FULL_NAME = re.compile(r"[a-z]\w*/msg/[A-Z]\w*$", re.ASCII)
 _ITEM = re.compile(r"'[^']*'|\"[^\"]*\"|[^,\s]+")
 
+_WIRE_NAME = re.compile(r"(\w+)::(\w+)::dds_::(\w+)_$", re.ASCII)
+
 Value = bool | int | float | str
+
+
+def message_name(type_name: str) -> str:
+    """The name under which ROS 2 knows a type of the wire, `std_msgs/msg/Bool`; the same if it is none of ROS 2."""
+    match = _WIRE_NAME.match(type_name)
+    return "/".join(match.groups()) if match else type_name
 
 
 class MessageDefinitionError(Exception):

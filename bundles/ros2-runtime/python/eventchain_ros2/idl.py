@@ -6,14 +6,12 @@ it is first used with a topic: only then it is a dataclass, and only then the cl
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from typing import Annotated, Any, ClassVar, NamedTuple, get_args, get_type_hints
 
 from eventchain_ros2 import codec
-from eventchain_ros2.definitions import PRIMITIVES, Definition, Field, FieldType
+from eventchain_ros2.definitions import PRIMITIVES, Definition, Field, FieldType, message_name
 
-_ROS_NAME = re.compile(r"(\w+)::(\w+)::dds_::(\w+)_$")
 _PLAIN = {bool: "bool", str: "string", int: "int64", float: "float64"}
 
 
@@ -74,17 +72,11 @@ def prepare(data_type: Any) -> None:
     hints = get_type_hints(data_type, include_extras=True)
     fields = [Field(name, _field_type(hints[name], nested), None) for name in data_type.__annotations__]
     message_class: Any = data_type
-    message_class._definition = Definition(_message_name(data_type.__idl_typename__), "", fields, [])
+    message_class._definition = Definition(message_name(data_type.__idl_typename__), "", fields, [])
     functions = codec.generate(message_class._definition, data_type, nested.__getitem__)
     message_class._write = functions.write
     message_class._read = staticmethod(functions.read)
     message_class._read_big_endian = functions.read_big_endian
-
-
-def _message_name(typename: str) -> str:
-    """The name under which ROS 2 knows a type; the same if it is none of ROS 2."""
-    match = _ROS_NAME.match(typename)
-    return "/".join(match.groups()) if match else typename
 
 
 def _field_type(hint: Any, nested: dict[str, Any]) -> FieldType:

@@ -16,7 +16,10 @@ from functools import partial
 from time import monotonic_ns, time_ns
 from typing import Any, cast
 
+from eventchain_ros2.dds_endpoints import Announced
 from eventchain_ros2.dds_entities import ClosedError, Participant, Reader, WaitSet, Writer
+from eventchain_ros2.definitions import message_name
+from eventchain_ros2.discovery import Announcements
 from eventchain_ros2.parameters import Parameter
 from eventchain_ros2.qos import QoSProfile, ReliabilityPolicy
 from eventchain_ros2.simulation import Process, Publisher, Sample, Simulation, Subscription, Timer
@@ -288,12 +291,20 @@ class _Watch:
         self._wait_set = WaitSet(participant)
         self._ends: list[Writer | Reader] = []
         self._told: dict[Writer | Reader, int] = {}  # when of a missed deadline
+        self._told_types: set[tuple[type, Announced]] = set()
+        self._others: dict[type, Announcements] = {
+            Reader: participant.announced_writers(),
+            Writer: participant.announced_readers(),
+        }
+        for others in self._others.values():
+            self._wait_set.attach(others)
         threading.Thread(target=self._run, name="events", daemon=True).start()
 
     def add(self, end: Writer | Reader) -> None:
         """Watch a writer or reader, too."""
         self._ends.append(end)
         self._wait_set.attach_events(end)
+        self._wait_set.wake()  # others may have been there before
 
     def remove(self, end: Writer | Reader) -> None:
         """Watch it no more."""
@@ -304,8 +315,10 @@ class _Watch:
         try:
             while True:
                 self._wait_set.wait(None)
+                others = {kind: announced.there() for kind, announced in self._others.items()}
                 for end in list(self._ends):
                     self._look_at(end)
+                    self._compare_types(end, others[type(end)])
         except ClosedError:
             return
 
@@ -327,12 +340,26 @@ class _Watch:
                     f"the type hash is {end.type_hash} here and {peer.type_hash} there"
                 )
 
+    def _compare_types(self, end: Writer | Reader, others: set[Announced]) -> None:
+        topic, own = end.announced
+        for other in sorted(others):
+            if other.topic == topic and other.type_name != own and (type(end), other) not in self._told_types:
+                self._told_types.add((type(end), other))
+                names = {"other": message_name(other.type_name), "own": message_name(own)}
+                _warn(_OTHER_TYPE[type(end)].format(topic=end.topic, **names))
+
 
 _INCOMPATIBLE: dict[type, str] = {
     Reader: "New publisher discovered on topic '{topic}', offering incompatible QoS. No messages will be received "
     "from it. Last incompatible policy: {policy}",
     Writer: "New subscription discovered on topic '{topic}', requesting incompatible QoS. No messages will be sent "
     "to it. Last incompatible policy: {policy}",
+}
+_OTHER_TYPE: dict[type, str] = {
+    Reader: "New publisher discovered on topic '{topic}', publishing {other} instead of {own}. No messages will be "
+    "received from it",
+    Writer: "New subscription discovered on topic '{topic}', expecting {other} instead of {own}. No messages will be "
+    "sent to it",
 }
 _MISSED: dict[type, str] = {Reader: "nothing was received in time", Writer: "nothing was published in time"}
 

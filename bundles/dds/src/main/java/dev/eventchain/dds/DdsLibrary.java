@@ -29,7 +29,7 @@ public final class DdsLibrary {
   private final Path path;
   private final Cyclone cyclone;
 
-  private DdsLibrary(Path path, Cyclone cyclone) {
+  DdsLibrary(Path path, Cyclone cyclone) {
     this.path = path;
     this.cyclone = cyclone;
   }

@@ -1,0 +1,63 @@
+"""The writers and readers of a domain, as DDS announces them: also those that match none of ours."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+from eventchain_ros2 import cyclone
+from eventchain_ros2.cyclone import ANY_STATE, checked
+from eventchain_ros2.dds_endpoints import Announced, Lifetime
+
+WRITERS, READERS = 0x7FFF0003, 0x7FFF0004
+"""The library's topics for them: DDS_BUILTIN_TOPIC_DCPSPUBLICATION and DDS_BUILTIN_TOPIC_DCPSSUBSCRIPTION."""
+
+_ALIVE = 1 << 4
+_MOST_TAKEN = 64
+
+
+class Announcements:
+    """The writers, or the readers, that are there. Closed with their participant.
+
+    Args:
+        lifetime: that of the participant.
+        participant: its handle.
+        topic: `WRITERS` or `READERS`.
+
+    """
+
+    def __init__(self, lifetime: Lifetime, participant: int, topic: int) -> None:
+        self._lifetime = lifetime
+        self._library = cyclone.load()
+        self._there: dict[int, Announced] = {}
+        with lifetime.opened():
+            self._handle = checked(self._library.dds_create_reader(participant, topic, None, None), "discovery")
+            self.condition = checked(self._library.dds_create_readcondition(self._handle, ANY_STATE), "discovery")
+
+    @contextmanager
+    def opened(self) -> Iterator[None]:
+        """Hold the lock while the library works on this; `ClosedError` if the participant is closed."""
+        with self._lifetime.opened():
+            yield
+
+    def there(self) -> set[Announced]:
+        """What is announced now."""
+        samples = (ctypes.c_void_p * _MOST_TAKEN)()
+        infos = (cyclone.SampleInfo * _MOST_TAKEN)()
+        with self.opened():
+            while True:
+                count = self._library.dds_take(self._handle, samples, infos, _MOST_TAKEN, _MOST_TAKEN)
+                for sample, info in zip(samples[: checked(count, "discovery")], infos, strict=False):
+                    self._note(sample, info)
+                if not count:
+                    return set(self._there.values())
+                self._library.dds_return_loan(self._handle, samples, count)
+
+    def _note(self, sample: int | None, info: cyclone.SampleInfo) -> None:
+        if info.instance_state != _ALIVE:
+            self._there.pop(info.instance_handle, None)
+        elif info.valid_data and sample:
+            endpoint = cyclone.Endpoint.from_address(sample)
+            names = (name.decode(errors="replace") for name in (endpoint.topic_name, endpoint.type_name))
+            self._there[info.instance_handle] = Announced(*names)
