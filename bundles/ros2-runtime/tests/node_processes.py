@@ -11,8 +11,8 @@ from pathlib import Path
 from queue import Empty, Queue
 from time import monotonic, sleep
 
+from eventchain_ros2.catalog import Catalog
 from eventchain_ros2.dds_entities import Participant, Reader, Writer, loopback_configuration
-from eventchain_ros2.definitions import Catalog
 from eventchain_ros2.qos import QoSProfile
 from wire import EVERY, PATIENCE, fresh_tag, wait_until
 

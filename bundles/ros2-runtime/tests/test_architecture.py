@@ -14,8 +14,8 @@ RUNTIME = "eventchain_ros2"
 # Each module imports only from the lines above its own, so there are no circles.
 LAYERS = (
     {"clock", "cyclone", "definitions", "graph", "logger", "parameters"},
-    {"qos", "type_support", "validation"},
-    {"codec", "dds_qos", "processes"},
+    {"idl_language", "qos", "type_support", "validation"},
+    {"catalog", "codec", "dds_qos", "processes"},
     {"dds_endpoints", "idl", "messages", "simulation"},
     {"context", "discovery"},
     {"dds_entities"},

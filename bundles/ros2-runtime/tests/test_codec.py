@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from eventchain_ros2.definitions import STANDARD_MESSAGES
+from eventchain_ros2.catalog import STANDARD_MESSAGES
 from eventchain_ros2.messages import MalformedMessageError, Message, Messages, from_cdr, to_cdr
 from instances import PLACEHOLDER, STORE, random_message
 from rosbags.typesys import get_types_from_msg

@@ -6,8 +6,8 @@ import random
 from time import time_ns
 
 import pytest
+from eventchain_ros2.catalog import Catalog
 from eventchain_ros2.dds_entities import Participant, loopback_configuration
-from eventchain_ros2.definitions import Catalog
 from eventchain_ros2.messages import Messages, from_cdr, to_cdr
 from eventchain_ros2.qos import DurabilityPolicy, QoSProfile
 from instances import STORE, random_message

@@ -101,3 +101,14 @@ def test_without_the_library_it_says_what_to_do(world: World) -> None:
     assert node.ends() == 3
     assert node.said[0].startswith("error: /no/such/libddsc.so cannot be loaded")
     assert node.said[1].startswith("hint: ")
+
+
+def test_a_wrong_definition_is_named_with_its_line(world: World, tmp_path: Path) -> None:
+    definition = tmp_path / "messages" / "own_msgs" / "msg" / "Own.idl"
+    definition.parent.mkdir(parents=True)
+    definition.write_text("module own_msgs {\n  union Own { };\n};\n")
+    file = tmp_path / "node.py"
+    file.write_text("from own_msgs.msg import Own\n")
+    node = world.run("--messages", tmp_path / "messages", file)
+    assert node.ends() == 2
+    assert node.said[0].startswith(f"error: {definition}:2: own_msgs/msg/Own: 'union' of IDL is no part")

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import pytest
 from eventchain_ros2 import graph
-from eventchain_ros2.definitions import Catalog, Definition, parse
+from eventchain_ros2.catalog import Catalog
+from eventchain_ros2.definitions import Definition, parse
 from eventchain_ros2.graph import GraphNode
 from eventchain_ros2.type_support import dds_type_name, type_hash
 from instances import STORE

@@ -2,8 +2,8 @@
 
 python -m eventchain_ros2 [--messages FOLDER]... NODE.py [--ros-args -p [NODE:]NAME:=VALUE --params-file FILE ...]
 
-FOLDER holds message definitions, `<package>/msg/*.msg`. The domain is that of `ROS_DOMAIN_ID`, and `CYCLONEDDS_URI`
-configures it. `-p use_sim_time:=true` lets the node live in the time of `/clock`.
+FOLDER holds message definitions, `<package>/msg/*.msg` or `*.idl`. The domain is that of `ROS_DOMAIN_ID`, and
+`CYCLONEDDS_URI` configures it. `-p use_sim_time:=true` lets the node live in the time of `/clock`.
 """
 
 from __future__ import annotations
@@ -185,13 +185,17 @@ def _root(node: Path) -> Path:
 
 
 def main() -> int:
-    """Run the command line; 2 if it is wrong, 3 if there is no Cyclone DDS."""
+    """Run the command line; 2 if it, or a message definition, is wrong, 3 if there is no Cyclone DDS."""
     from eventchain_ros2.cyclone import LibraryUnavailableError
+    from eventchain_ros2.definitions import MessageDefinitionError
 
     try:
         run(parse(sys.argv[1:]))
     except UsageError as problem:
         print(f"error: {problem}\n{USAGE}", file=sys.stderr)
+        return 2
+    except MessageDefinitionError as problem:
+        print(f"error: {problem.file}:{problem.line}: {problem}", file=sys.stderr)
         return 2
     except LibraryUnavailableError as problem:
         print(f"error: {problem}\nhint: {problem.hint}", file=sys.stderr)

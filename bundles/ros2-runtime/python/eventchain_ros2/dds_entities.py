@@ -11,6 +11,7 @@ from types import TracebackType
 from xml.sax.saxutils import escape
 
 from eventchain_ros2 import cyclone, discovery, graph
+from eventchain_ros2.catalog import Catalog
 from eventchain_ros2.cyclone import checked
 from eventchain_ros2.dds_endpoints import (
     Announced,
@@ -24,7 +25,7 @@ from eventchain_ros2.dds_endpoints import (
     in_slices,
 )
 from eventchain_ros2.dds_qos import dds_qos
-from eventchain_ros2.definitions import Catalog, Definition, parse
+from eventchain_ros2.definitions import Definition, parse
 from eventchain_ros2.discovery import Announcements
 from eventchain_ros2.graph import GraphNode
 from eventchain_ros2.qos import DurabilityPolicy, HistoryPolicy, QoSProfile

@@ -1,4 +1,4 @@
-"""Message definitions: the `.msg` language of ROS 2, and the catalogue of the types that can be used.
+"""Message definitions: what they say, and the `.msg` language of ROS 2.
 
 The language is that of https://docs.ros.org/en/humble/Concepts/Basic/About-Interfaces.html without `wstring`.
 """
@@ -7,12 +7,7 @@ from __future__ import annotations
 
 import keyword
 import re
-from collections.abc import Iterable, Iterator
-from pathlib import Path
 from typing import NamedTuple
-
-SEPARATOR = "=" * 80 + "\n"
-STANDARD_MESSAGES = Path(__file__).with_name("humble.msgs")
 
 _LITERALS = {"bool": bool, "byte": int, "char": int, "float32": float, "float64": float, "string": str}
 _LITERALS.update({f"{sign}int{bits}": int for sign in ("", "u") for bits in (8, 16, 32, 64)})
@@ -25,7 +20,7 @@ CODES.update({"uint8": "B", "uint16": "H", "uint32": "I", "uint64": "Q"})
 
 _TYPE = re.compile(r"(?P<base>[A-Za-z][\w/]*)(<=(?P<string>\d+))?(\[((?P<bound><=)?(?P<size>\d+))?\])?$")
 _NAME = re.compile(r"[A-Za-z]\w*$", re.ASCII)
-_FULL_NAME = re.compile(r"[a-z]\w*/msg/[A-Z]\w*$", re.ASCII)
+FULL_NAME = re.compile(r"[a-z]\w*/msg/[A-Z]\w*$", re.ASCII)
 _ITEM = re.compile(r"'[^']*'|\"[^\"]*\"|[^,\s]+")
 
 _WIRE_NAME = re.compile(r"(\w+)::(\w+)::dds_::(\w+)_$", re.ASCII)
@@ -110,12 +105,12 @@ def _parse_line(definition: Definition, code: str) -> None:
     field_type = _parse_type(type_text, definition.name.partition("/")[0])
     constant, equals, value = rest.partition("=")
     if equals and _NAME.match(constant.strip()):
-        _check_new(definition, constant.strip())
-        definition.constants.append(Constant(constant.strip(), field_type.base, _literal(field_type.base, value)))
+        check_name(definition, constant.strip())
+        definition.constants.append(Constant(constant.strip(), field_type.base, literal(field_type.base, value)))
         return
     field, _, default = rest.partition(" ")
-    _check_new(definition, field)
-    definition.fields.append(Field(field, field_type, _default(field_type, default.strip())))
+    check_name(definition, field)
+    definition.fields.append(Field(field, field_type, default_value(field_type, default.strip())))
 
 
 def _parse_type(text: str, package: str) -> FieldType:
@@ -124,14 +119,15 @@ def _parse_type(text: str, package: str) -> FieldType:
         raise ValueError(f"'{text}' is not a type")
     base = match["base"]
     if base not in PRIMITIVES:
-        base = _full_name(base, package)
+        base = full_name(base, package)
     kind = "scalar"
     if text.endswith("]"):
         kind = "array" if match["size"] and not match["bound"] else "sequence"
     return FieldType(base, kind, int(match["size"] or 0), int(match["string"] or 0))
 
 
-def _full_name(text: str, package: str) -> str:
+def full_name(text: str, package: str) -> str:
+    """The full name of a message type that a definition of the package names; `ValueError` if it is none."""
     parts = text.split("/")
     if parts == ["Header"]:
         return "std_msgs/msg/Header"
@@ -140,28 +136,30 @@ def _full_name(text: str, package: str) -> str:
     if len(parts) == 2:
         parts.insert(1, "msg")
     name = "/".join(parts)
-    if not _FULL_NAME.match(name):
+    if not FULL_NAME.match(name):
         raise ValueError(f"'{text}' is neither a primitive type nor a message type")
     return name
 
 
-def _check_new(definition: Definition, name: str) -> None:
+def check_name(definition: Definition, name: str) -> None:
+    """Raise `ValueError` if a field or constant that is added cannot have this name."""
     if not _NAME.match(name) or keyword.iskeyword(name):
         raise ValueError(f"'{name}' cannot be the name of a field or constant")
     if name in [field.name for field in definition.fields] + [constant.name for constant in definition.constants]:
         raise ValueError(f"'{name}' is defined twice")
 
 
-def _default(field_type: FieldType, text: str) -> Value | list[Value] | None:
+def default_value(field_type: FieldType, text: str) -> Value | list[Value] | None:
+    """The value that a field starts with, `[1, 2]` for arrays; `ValueError` if it is no such value."""
     if not text:
         return None
     if field_type.base not in PRIMITIVES:
         raise ValueError(f"a field of type {field_type.base} cannot have a default value")
     if field_type.kind == "scalar":
-        return _literal(field_type.base, text)
+        return literal(field_type.base, text)
     if not (text.startswith("[") and text.endswith("]")):
         raise ValueError(f"the default value {text} of an array has to stand in brackets")
-    items = [_literal(field_type.base, item) for item in _ITEM.findall(text[1:-1])]
+    items = [literal(field_type.base, item) for item in _ITEM.findall(text[1:-1])]
     if field_type.size and (
         len(items) > field_type.size or (field_type.kind == "array" and len(items) != field_type.size)
     ):
@@ -169,7 +167,8 @@ def _default(field_type: FieldType, text: str) -> Value | list[Value] | None:
     return items
 
 
-def _literal(base: str, text: str) -> Value:
+def literal(base: str, text: str) -> Value:
+    """A single value of a primitive type; `ValueError` if it is none."""
     text = text.strip()
     if base == "bool":
         if text.lower() not in ("true", "false", "0", "1"):
@@ -181,46 +180,3 @@ def _literal(base: str, text: str) -> Value:
     if base.startswith("float"):
         return float(text)
     return int(text, 0)
-
-
-class Catalog:
-    """The message types that can be used: the standard ones, and those in folders of the user's.
-
-    A folder holds `<package>/msg/<Name>.msg`. A type in a folder hides a standard one of that name.
-    """
-
-    def __init__(self, folders: Iterable[Path] = ()) -> None:
-        self._texts = dict(_standard_texts())
-        self._files: dict[str, Path] = {}
-        for folder in folders:
-            for file in sorted(folder.glob("*/msg/*.msg")):
-                name = f"{file.parent.parent.name}/msg/{file.stem}"
-                if _FULL_NAME.match(name):
-                    self._files[name] = file
-        self.packages = {name.partition("/")[0] for name in (*self._texts, *self._files)}
-
-    def names(self) -> list[str]:
-        """Full names of all types, sorted."""
-        return sorted({*self._texts, *self._files})
-
-    def find(self, name: str) -> Definition | None:
-        """The definition of the type with this full name.
-
-        Raises:
-            MessageDefinitionError: its file cannot be read or is no message definition.
-
-        """
-        file = self._files.get(name)
-        if file is not None:
-            try:
-                return parse(name, file.read_text(encoding="utf-8-sig"), str(file))
-            except (OSError, UnicodeDecodeError) as problem:
-                raise MessageDefinitionError(f"{name} cannot be read: {problem}", str(file), 0) from None
-        text = self._texts.get(name)
-        return None if text is None else parse(name, text, str(STANDARD_MESSAGES))
-
-
-def _standard_texts() -> Iterator[tuple[str, str]]:
-    for part in STANDARD_MESSAGES.read_text(encoding="utf-8").split(SEPARATOR):
-        heading, _, text = part.partition("\n")
-        yield heading.removeprefix("MSG: "), text

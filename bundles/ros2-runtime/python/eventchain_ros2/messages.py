@@ -16,7 +16,8 @@ from types import ModuleType
 from typing import Any, ClassVar
 
 from eventchain_ros2 import codec, validation
-from eventchain_ros2.definitions import Catalog, Constant, Definition, FieldType, MessageDefinitionError
+from eventchain_ros2.catalog import Catalog
+from eventchain_ros2.definitions import Constant, Definition, FieldType, MessageDefinitionError
 
 ENCAPSULATION = b"\x00\x01\x00\x00"  # plain CDR, little endian
 _BIG_ENDIAN = b"\x00\x00"

@@ -1,4 +1,6 @@
-"""Write random messages of every standard type, as rosbags serializes them: `random_messages.py FILE`.
+"""Write random messages of types as rosbags serializes them: `random_messages.py FILE IDL_FOLDER`.
+
+The types are the standard ones and those of the folder.
 
 One JSON object a line: `type`, its `hash`, `cdr` and `cdr_big_endian` (hexadecimal), and `value` as nested lists and
 objects. Floating-point numbers stand as text, so that infinities and NaN survive.
@@ -14,7 +16,7 @@ from typing import Any
 
 import numpy as np
 from rosbags.interfaces import Nodetype
-from rosbags.typesys import Stores, get_typestore
+from rosbags.typesys import Stores, get_types_from_idl, get_typestore
 
 INSTANCES = 5
 MAXIMAL_LENGTH = 5
@@ -79,6 +81,13 @@ def plain(item: Any) -> Any:
     return repr(item) if isinstance(item, float) else item
 
 
+def register(folder: Path) -> None:
+    """Let rosbags know the definitions in IDL; it takes no comment between includes."""
+    for file in sorted(folder.glob("*/msg/*.idl")):
+        lines = file.read_text(encoding="utf-8").splitlines()
+        store.register(get_types_from_idl("\n".join(line for line in lines if not line.startswith("#include"))))
+
+
 def main(target: Path) -> None:
     """Write the file."""
     target.parent.mkdir(parents=True, exist_ok=True)
@@ -97,4 +106,5 @@ def main(target: Path) -> None:
 
 
 if __name__ == "__main__":
+    register(Path(sys.argv[2]))
     main(Path(sys.argv[1]))

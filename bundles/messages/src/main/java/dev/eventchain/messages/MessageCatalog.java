@@ -14,6 +14,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
@@ -24,6 +25,7 @@ import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
@@ -34,12 +36,14 @@ public final class MessageCatalog {
 
   private static final String STANDARD = "humble.msgs";
   private static final String SUFFIX = ".msg";
+  private static final String IDL_SUFFIX = ".idl";
   private static final String HEADING = "MSG: ";
   private static final String SEPARATOR = "=".repeat(80) + "\n";
 
   private final Map<String, String> standard;
   private final List<Path> folders;
   private final SortedMap<String, Path> files = new TreeMap<>();
+  private final Map<String, Path> filesBeside = new HashMap<>();
   private final List<Path> misplaced = new ArrayList<>();
   private final Map<String, MessageType> types = new HashMap<>();
 
@@ -52,8 +56,9 @@ public final class MessageCatalog {
   /**
    * The standard types, and those of folders.
    *
-   * @param folders each holds {@code PACKAGE/msg/NAME.msg}, or links to such files or folders; a
-   *     later folder hides an earlier one, and both hide standard types
+   * @param folders each holds {@code PACKAGE/msg/NAME.msg} or {@code NAME.idl}, or both, which then
+   *     say the same, or links to such files or folders; a later folder hides an earlier one, and
+   *     both hide standard types
    * @throws DiagnosticException {@code file.unreadable}: a folder is missing or cannot be listed
    */
   public static MessageCatalog of(Collection<Path> folders) {
@@ -72,12 +77,14 @@ public final class MessageCatalog {
   }
 
   private void list(Path folder) {
+    Set<String> ofThisFolder = new HashSet<>();
     try (Stream<Path> found = Files.walk(folder, FileVisitOption.FOLLOW_LINKS)) {
       for (Path file : found.filter(MessageCatalog::isDefinition).sorted().toList()) {
         String name = folder.relativize(file).toString().replace('\\', '/');
         String type = name.substring(0, name.length() - SUFFIX.length());
-        if (name.endsWith(SUFFIX) && RosNames.isFullMessageType(type)) {
-          files.put(type, file);
+        boolean isPlaced = name.endsWith(SUFFIX) || name.endsWith(IDL_SUFFIX);
+        if (isPlaced && RosNames.isFullMessageType(type)) {
+          place(type, file, ofThisFolder.add(type));
         } else {
           misplaced.add(file);
         }
@@ -89,9 +96,20 @@ public final class MessageCatalog {
     }
   }
 
+  /** Notes a file; NAME.msg comes after NAME.idl. */
+  private void place(String type, Path file, boolean isFirst) {
+    Path before = files.put(type, file);
+    if (isFirst || before == null) {
+      filesBeside.remove(type);
+    } else {
+      filesBeside.put(type, before);
+    }
+  }
+
   /** Whether a file is called like a definition, in capitals or not. */
   private static boolean isDefinition(Path file) {
-    return file.toString().toLowerCase(Locale.ROOT).endsWith(SUFFIX) && !Files.isDirectory(file);
+    String name = file.toString().toLowerCase(Locale.ROOT);
+    return (name.endsWith(SUFFIX) || name.endsWith(IDL_SUFFIX)) && !Files.isDirectory(file);
   }
 
   private static DiagnosticException unreadable(Path folder, String reason) {
@@ -106,6 +124,11 @@ public final class MessageCatalog {
   /** The folders of the user, as they were named. */
   public List<Path> folders() {
     return folders;
+  }
+
+  /** The file that defines a type, if one of the user's does. */
+  public Optional<Path> file(String type) {
+    return Optional.ofNullable(files.get(RosNames.fullMessageType(type)));
   }
 
   /** The full names of all types. */
@@ -132,7 +155,8 @@ public final class MessageCatalog {
                   "message.place",
                   "This is not read: no message type has this file.",
                   SourceLocation.of(file))
-              .withHint("Name it PACKAGE/msg/NAME.msg within the folder of definitions."));
+              .withHint(
+                  "Name it PACKAGE/msg/NAME.msg, or .idl, within the folder of definitions."));
     }
     for (String name : files.keySet()) {
       try {
@@ -150,7 +174,8 @@ public final class MessageCatalog {
    * @return empty if there is none of this name
    * @throws DiagnosticException its definition, or one that it uses, is wrong: {@code
    *     message.syntax}, {@code message.name.duplicate}, {@code message.value}, {@code
-   *     message.type.unknown}, {@code message.cycle}; or its file cannot be read
+   *     message.type.unknown}, {@code message.cycle}, {@code message.conflict}; or its file cannot
+   *     be read
    */
   public synchronized Optional<MessageType> find(String name) {
     String fullName = RosNames.fullMessageType(name);
@@ -176,6 +201,12 @@ public final class MessageCatalog {
   }
 
   private String ownText(MessageType type) {
+    Path file = files.get(type.name());
+    if (file != null && file.toString().endsWith(IDL_SUFFIX)) {
+      return type.fields().stream()
+          .map(field -> field.type().toString().replace("/msg/", "/") + " " + field.name() + "\n")
+          .collect(Collectors.joining());
+    }
     String text = source(type.name()).text().replace("\r\n", "\n");
     return text.isEmpty() || text.endsWith("\n") ? text : text + "\n";
   }
@@ -196,11 +227,29 @@ public final class MessageCatalog {
   }
 
   private Definition definition(String name) {
-    Definition definition = MessageParser.parse(name, source(name));
-    if (!definition.problems().isEmpty()) {
-      throw new DiagnosticException(DiagnosticException.Reason.INPUT, definition.problems());
+    Path file = files.get(name);
+    if (file == null) {
+      return MessageParser.parse(name, SourceText.of(name, standard.get(name))).orThrow();
+    }
+    Definition definition = definition(name, file);
+    Path beside = filesBeside.get(name);
+    if (beside != null && !definition.saysTheSameAs(definition(name, beside))) {
+      throw new DiagnosticException(
+          DiagnosticException.Reason.INPUT,
+          Diagnostic.error(
+                  "message.conflict",
+                  file.getFileName() + " beside this file defines " + name + " in another way.",
+                  SourceLocation.of(beside))
+              .withHint("Remove one of both, or make it again from the other."));
     }
     return definition;
+  }
+
+  private static Definition definition(String name, Path file) {
+    SourceText source = SourceText.read(file);
+    boolean isIdl = file.toString().endsWith(IDL_SUFFIX);
+    Definition read = isIdl ? IdlParser.parse(name, source) : MessageParser.parse(name, source);
+    return read.orThrow();
   }
 
   private SourceText source(String name) {
@@ -246,7 +295,8 @@ public final class MessageCatalog {
       problems.add(
           Diagnostic.error(
                   "message.type.unknown", "There is no message type " + base + ".", field.place())
-              .withHint("Put its definition into PACKAGE/msg/NAME.msg beside the others."));
+              .withHint(
+                  "Put its definition into PACKAGE/msg/NAME.msg, or .idl, beside the others."));
       return Optional.empty();
     }
     try {

@@ -28,7 +28,8 @@ class CdrCodecTest {
   private static final Path MESSAGES_OF_ROSBAGS = Path.of("target/random-messages.jsonl");
 
   private static final ObjectMapper JSON = new ObjectMapper();
-  private static final MessageCatalog CATALOG = MessageCatalog.of(List.of());
+  private static final MessageCatalog CATALOG =
+      MessageCatalog.of(List.of(Path.of("src/test/resources/idl")));
 
   static List<String> messagesOfRosbags() throws IOException {
     return Files.readAllLines(MESSAGES_OF_ROSBAGS);

@@ -66,6 +66,62 @@ class MessageCatalogTest {
   }
 
   @Test
+  void definitionInIdlIsReadWithDefaultsAndConstants() {
+    MessageCatalog catalog = MessageCatalog.of(List.of(Path.of("src/test/resources/idl")));
+    assertEquals(List.of(), catalog.diagnostics());
+    MessageType type = catalog.find("radar_msgs/Target").orElseThrow();
+    assertEquals(
+        List.of(
+            "std_msgs/msg/Header header",
+            "float64 speed",
+            "bool seen",
+            "string<=20 name",
+            "float64[9] covariance",
+            "string[2] words",
+            "geometry_msgs/msg/Vector3[3] corners",
+            "byte[<=7] raw",
+            "int16[] codes"),
+        type.fields().stream().map(field -> field.type() + " " + field.name()).toList());
+    assertEquals(
+        List.of("LIMIT=-7", "MASK=31", "RANGE=150.0", "IS_NEW=true", "NAME=a name\n"),
+        type.constants().stream().map(c -> c.name() + "=" + c.value()).toList());
+    MessageValue value = MessageValue.of(type);
+    assertEquals(-2.5, value.get("speed"));
+    assertEquals(true, value.get("seen"));
+    assertEquals("no \"name\"", value.get("name"));
+    assertArrayEquals(new short[] {1, 2, 3}, (short[]) value.get("codes"));
+    assertEquals(
+        List.of(), catalog.find("radar_msgs/msg/Nothing").orElseThrow().fields(), "a placeholder");
+  }
+
+  @Test
+  void recordingsHoldDefinitionsInIdlAsMessageDefinitions() {
+    MessageCatalog catalog = MessageCatalog.of(List.of(Path.of("src/test/resources/idl")));
+    String text = catalog.text(catalog.find("radar_msgs/msg/Scan").orElseThrow());
+    assertTrue(text.startsWith("uint64 stamp\nuint64[2] stamps\nradar_msgs/Target nearest\n"));
+    assertTrue(text.contains("MSG: radar_msgs/Target\nstd_msgs/Header header\nfloat64 speed\n"));
+  }
+
+  @Test
+  void bothLanguagesMaySayTheSame(@TempDir Path folder) throws IOException {
+    Path own = Files.createDirectories(folder.resolve("own_msgs/msg"));
+    Files.writeString(own.resolve("Own.msg"), "char a\nfloat32[<=2] b [1, 2]\nint8 C=3\n");
+    Files.writeString(
+        own.resolve("Own.idl"),
+        """
+        module own_msgs { module msg {
+          module Own_Constants { const int8 C = 3; };
+          struct Own { uint8 a; @default(value="(1, 2)") sequence<float, 2> b; };
+        }; };
+        """);
+    MessageCatalog catalog = MessageCatalog.of(List.of(folder));
+    assertEquals(List.of(), catalog.diagnostics());
+    assertEquals(
+        "char a\nfloat32[<=2] b [1, 2]\nint8 C=3\n",
+        catalog.text(catalog.find("own_msgs/Own").orElseThrow()));
+  }
+
+  @Test
   void usingABrokenDefinitionFailsWithItsFindings() {
     MessageCatalog catalog = MessageCatalog.of(List.of(FOLDERS.resolve("message.cycle")));
     DiagnosticException failure =

@@ -11,7 +11,6 @@ import dev.eventchain.simulation.Bench.Consumed;
 import dev.eventchain.simulation.Bench.Effect;
 import dev.eventchain.simulation.Bench.Provided;
 import java.nio.ByteBuffer;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -292,13 +291,14 @@ final class BenchDriver {
 
   /** The place is the file that defines the type, or should. */
   private DiagnosticException refused(String id, String message, Topic topic) {
-    List<Path> files =
-        catalog.folders().stream().map(folder -> folder.resolve(topic.type() + ".msg")).toList();
     Optional<Path> file =
-        files.stream()
-            .filter(Files::isRegularFile)
-            .findFirst()
-            .or(() -> files.stream().findFirst());
+        catalog
+            .file(topic.type())
+            .or(
+                () ->
+                    catalog.folders().stream()
+                        .map(folder -> folder.resolve(topic.type() + ".msg"))
+                        .findFirst());
     return new DiagnosticException(
         DiagnosticException.Reason.INPUT,
         Diagnostic.error(id, message, file.map(SourceLocation::of).orElse(SourceLocation.NONE))
