@@ -148,7 +148,9 @@ class Live(Simulation):
 
         """
         group = frozenset(processes)
-        turns = self._waits.setdefault(group, _Turns(self, group, WaitSet(self._participant)))
+        turns = self._waits.get(group)
+        if turns is None:
+            turns = self._waits[group] = _Turns(self, group, WaitSet(self._participant))
         end = None if timeout is None else monotonic_ns() + timeout
         while self.running:
             self._read_clock()
