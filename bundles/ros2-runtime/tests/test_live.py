@@ -10,6 +10,8 @@ from time import sleep, time_ns
 
 import pytest
 from conftest import FIXTURES
+from eventchain_ros2 import live
+from eventchain_ros2.dds_entities import Participant
 from node_processes import World, clock, number, numbers
 from wire import MILLISECOND, wait_until
 
@@ -214,3 +216,24 @@ def test_what_a_node_raises_ends_the_process(world: World, tmp_path: Path) -> No
     node = world.run(file)
     assert node.ends() == 1
     assert node.said[-1] == "ValueError: broken"
+
+
+def test_spinning_makes_one_wait_set(
+    participants: tuple[Participant, Participant], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made: list[live.WaitSet] = []
+
+    class Counted(live.WaitSet):
+        def __init__(self, participant: Participant) -> None:
+            super().__init__(participant)
+            made.append(self)
+
+    nodes = live.Live(participants[0], [])  # which has one for events
+    monkeypatch.setattr(live, "WaitSet", Counted)
+    try:
+        process = nodes.add_process("idle")
+        for _ in range(3):
+            assert not nodes.spin_once({process}, 0)
+    finally:
+        nodes.stop()
+    assert len(made) == 1

@@ -48,7 +48,7 @@ final class ValidateCommand extends ProjectCommand {
   @Option(
       names = "--messages",
       paramLabel = "FOLDER",
-      description = "Holds PACKAGE/msg/NAME.msg that event chains use; may be repeated.")
+      description = "Holds PACKAGE/msg/NAME.msg or .idl that event chains use; may be repeated.")
   private List<Path> messages = List.of();
 
   @Mixin private LlmOptions llm;
