@@ -53,7 +53,9 @@ final class ReportData {
     diagnostics(found);
     JsonNode simulated = report(Stage.SIMULATE);
     data.set("scenarios", run.before().beside(arrayOf(simulated, "scenarios")));
-    data.set("nodes", arrayOf(simulated, "nodes"));
+    for (String part : List.of("nodes", "hops", "topics")) {
+      data.set(part, arrayOf(simulated, part));
+    }
     data.set("requirements", new Traceability(run, model, outcomes).table());
     return data;
   }

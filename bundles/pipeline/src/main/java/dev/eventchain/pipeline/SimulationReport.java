@@ -12,6 +12,7 @@ import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.simulation.Measurements;
+import dev.eventchain.simulation.MessageFlow;
 import dev.eventchain.simulation.ScenarioVerdict;
 import dev.eventchain.simulation.SimulationResult;
 import java.io.IOException;
@@ -54,7 +55,40 @@ final class SimulationReport {
       statistics(json, "hostExecutionTime", node.hostExecutionTime());
       node.timesWorstCase().ifPresent(times -> json.put("timesWorstCase", times));
     }
+    flow(report, result.measurements().flow());
     return report;
+  }
+
+  /** What is not measured is absent. */
+  private static void flow(ObjectNode report, MessageFlow flow) {
+    ArrayNode hops = report.putArray("hops");
+    for (MessageFlow.Hop hop : flow.hops()) {
+      ObjectNode json = hops.addObject().put("topic", hop.topic());
+      json.put("writer", hop.writer()).put("reader", hop.reader());
+      statistics(json, "waiting", hop.waiting());
+      statistics(json, "age", hop.age());
+      hop.samples()
+          .ifPresent(
+              samples ->
+                  json.putObject("samples")
+                      .put("published", samples.published())
+                      .put("read", samples.read())
+                      .put("neverRead", samples.neverRead())
+                      .put("unreadAtEnd", samples.unreadAtEnd()));
+      hop.tooOld().ifPresent(exceeded -> exceeded(json.putObject("tooOld"), exceeded));
+      hop.late().ifPresent(exceeded -> exceeded(json.putObject("late"), exceeded));
+    }
+    ArrayNode topics = report.putArray("topics");
+    for (MessageFlow.Topic topic : flow.topics()) {
+      ObjectNode json = topics.addObject().put("name", topic.name());
+      topic.published().ifPresent(published -> json.put("published", published));
+      topic.dropped().ifPresent(dropped -> json.put("dropped", dropped));
+      topic.lost().ifPresent(lost -> json.put("lost", lost));
+    }
+  }
+
+  private static void exceeded(ObjectNode json, MessageFlow.Exceeded exceeded) {
+    json.put("limit", exceeded.limit()).put("times", exceeded.times()).put("of", exceeded.of());
   }
 
   /**
@@ -271,6 +305,7 @@ final class SimulationReport {
         s ->
             json.putObject(name)
                 .put("minimum", s.minimum())
+                .put("mean", s.mean())
                 .put("median", s.median())
                 .put("percentile99", s.percentile99())
                 .put("maximum", s.maximum())

@@ -216,15 +216,17 @@ final class BenchDriver {
   private void measure(int index, World world, SampledRun moment) {
     Publisher publisher = publishers.get(index);
     checked(publisher.topic(), () -> publisher.fill(world, moment, lidar));
-    if (publisher.arrives(moment)) {
-      underway.add(
-          new Underway(
-              world.now() + publisher.latency(),
-              measured++,
-              index,
-              ByteBuffer.wrap(CdrCodec.encode(publisher.message())),
-              values(publisher.recorded(), publisher.message())));
+    if (!publisher.arrives(moment)) {
+      world.trace().drop(publisher.topic().name());
+      return;
     }
+    underway.add(
+        new Underway(
+            world.now() + publisher.latency(),
+            measured++,
+            index,
+            ByteBuffer.wrap(CdrCodec.encode(publisher.message())),
+            values(publisher.recorded(), publisher.message())));
   }
 
   /** Takes what the nodes published: the vehicle follows it from when it was published on. */

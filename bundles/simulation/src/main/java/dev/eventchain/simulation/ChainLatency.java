@@ -23,6 +23,9 @@ import java.util.stream.Collectors;
  * <p>The reaction time counts the first output that is based on a stimulus (first-to-first, as in
  * the maximum reaction time); the data age counts every output. Both end when the activation does
  * and its outputs can be seen.
+ *
+ * <p>A time is the sum of its hops: how old each sample on the way was when it was read, and how
+ * long its reader took from there to the next sample ({@link MessageFlow}).
  */
 final class ChainLatency {
 
@@ -34,9 +37,11 @@ final class ChainLatency {
    * several ways lead there, it is the one whose sample came last.
    *
    * @param origin when the stimulus was, in ns
+   * @param topic that of the sample that led to this activation; empty if none did
+   * @param since when that sample could be seen, in ns; that of the stimulus if none did
    * @param before the activation whose sample led to this one; null if the stimulus did
    */
-  private record Passage(Step step, long origin, Passage before) {
+  private record Passage(Step step, long origin, String topic, long since, Passage before) {
 
     long end() {
       return step.activation().end();
@@ -48,12 +53,14 @@ final class ChainLatency {
   }
 
   /**
-   * What a node contributes to a latency, in ns.
+   * What a node contributes to a latency, in ns: the hop to it, and what it makes of the sample.
    *
-   * @param waiting from the end of the node before, or from the stimulus, to its start
-   * @param execution from its start to its end
+   * @param topic that of the hop; empty if the node's activation is the stimulus
+   * @param waiting how old the sample was at the node's start
+   * @param execution from its start to the moment at which its sample could be seen by the next
+   *     node; to its end for the last one
    */
-  record Part(String node, long waiting, long execution) {}
+  record Part(String topic, String node, long waiting, long execution) {}
 
   /**
    * A time from a stimulus to what is based on it.
@@ -65,14 +72,12 @@ final class ChainLatency {
 
     private static Latency of(Passage passage) {
       Deque<Part> parts = new ArrayDeque<>();
+      long end = passage.end();
       for (Passage each = passage; each != null; each = each.before()) {
-        Activation activation = each.step().activation();
-        long since = each.before() == null ? each.origin() : each.before().end();
-        parts.addFirst(
-            new Part(
-                each.step().node(),
-                activation.start() - since,
-                activation.end() - activation.start()));
+        long start = each.step().activation().start();
+        String node = each.step().node();
+        parts.addFirst(new Part(each.topic(), node, start - each.since(), end - start));
+        end = each.since();
       }
       return new Latency(passage.time(), List.copyOf(parts));
     }
@@ -199,15 +204,17 @@ final class ChainLatency {
     Passage oldest = null;
     boolean starts = first.contains(step.node());
     if (starts && stimulus.isEmpty()) {
-      oldest = new Passage(step, step.activation().start(), null);
+      long start = step.activation().start();
+      oldest = new Passage(step, start, "", start, null);
     }
     for (SampleId read : step.activation().reads()) {
       Passage writer = writers.get(read);
       Passage found = null;
       if (starts && read.topic().equals(stimulus)) {
-        found = new Passage(step, log.time(read), null);
+        long time = log.time(read);
+        found = new Passage(step, time, stimulus, time, null);
       } else if (!starts && writer != null && writer.step().position() < step.position()) {
-        found = new Passage(step, writer.origin(), writer);
+        found = new Passage(step, writer.origin(), read.topic(), log.time(read), writer);
       }
       if (found != null && (oldest == null || isBehind(found, oldest))) {
         oldest = found;
@@ -226,6 +233,6 @@ final class ChainLatency {
     if (one.origin() != other.origin()) {
       return one.origin() < other.origin();
     }
-    return one.before() != null && one.before().end() > other.before().end();
+    return one.since() > other.since();
   }
 }

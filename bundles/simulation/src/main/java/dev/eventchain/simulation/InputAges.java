@@ -48,29 +48,36 @@ final class InputAges {
     return found;
   }
 
-  private void check(SoftwareNode node, List<Diagnostic> found) {
+  /** How old what a component reads of a topic may be, in ms, for the topics that have a limit. */
+  static Map<String, Double> limits(SoftwareNode node, NodeSetup setup) {
     Map<String, Double> limits = new LinkedHashMap<>();
     for (Data input : node.getInput()) {
       TopicIndex.nameOf(input, node)
           .ifPresent(
               topic -> {
-                double limit = limit(input, topic);
+                double limit =
+                    input.isSetMaximumAge() ? input.getMaximumAge() : setup.usualAge(topic);
                 if (limit > 0) {
                   limits.merge(topic, limit, Math::min);
                 }
               });
     }
-    limits.forEach(
-        (topic, limit) -> {
-          runs.stream()
-              .flatMap(run -> tooOld(run, node, topic, limit).stream())
-              .reduce(Worst::with)
-              .ifPresent(
-                  worst -> {
-                    boolean rare = 2L * worst.times() < activations(node);
-                    found.add(finding(node, topic, limit, worst, rare));
-                  });
-        });
+    return limits;
+  }
+
+  private void check(SoftwareNode node, List<Diagnostic> found) {
+    limits(node, setup)
+        .forEach(
+            (topic, limit) -> {
+              runs.stream()
+                  .flatMap(run -> tooOld(run, node, topic, limit).stream())
+                  .reduce(Worst::with)
+                  .ifPresent(
+                      worst -> {
+                        boolean rare = 2L * worst.times() < activations(node);
+                        found.add(finding(node, topic, limit, worst, rare));
+                      });
+            });
   }
 
   /** How often a component was due in all scenarios. */
@@ -89,11 +96,6 @@ final class InputAges {
         && node.getInput().stream()
             .filter(input -> TopicIndex.nameOf(input, node).filter(topic::equals).isPresent())
             .allMatch(Data::isSetMaximumAge);
-  }
-
-  /** In ms; 0 for none. */
-  private double limit(Data input, String topic) {
-    return input.isSetMaximumAge() ? input.getMaximumAge() : setup.usualAge(topic);
   }
 
   /** The vehicle keeps to the last command that it was given, however old. */

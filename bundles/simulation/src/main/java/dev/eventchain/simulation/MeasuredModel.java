@@ -64,6 +64,7 @@ final class MeasuredModel {
     }
     verdict.figures().forEach(figure -> measurement.getMeasurements().add(figure(figure)));
     verdict.criteria().forEach(each -> margin(each).ifPresent(measurement.getMeasurements()::add));
+    measurement.getMeasurements().addAll(MeasuredFlow.of(verdict.flow()));
     measurement.setPassed(verdict.passed());
     return measurement;
   }

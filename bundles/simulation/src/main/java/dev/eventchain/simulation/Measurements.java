@@ -13,8 +13,10 @@ import java.util.OptionalDouble;
  * @param firstNode the node that reads the sensor's samples; empty if no node does
  * @param lastNode the node that writes the commands; empty if no node does
  * @param nodes one for each node, in chain order
+ * @param flow how messages went
  */
-public record Measurements(String runId, String firstNode, String lastNode, List<Node> nodes) {
+public record Measurements(
+    String runId, String firstNode, String lastNode, List<Node> nodes, MessageFlow flow) {
 
   /** Copies the lists. */
   public Measurements {
@@ -25,9 +27,10 @@ public record Measurements(String runId, String firstNode, String lastNode, List
    * A distribution. Percentiles are values that occurred (nearest rank).
    *
    * @param count number of values, at least 1
+   * @param mean the arithmetic one: those of parts sum up to that of the whole
    */
   public record Statistics(
-      long count, double minimum, double median, double percentile99, double maximum) {
+      long count, double minimum, double mean, double median, double percentile99, double maximum) {
 
     /** Of some values; empty if there is none. */
     static Optional<Statistics> of(double[] values) {
@@ -40,6 +43,7 @@ public record Measurements(String runId, String firstNode, String lastNode, List
           new Statistics(
               sorted.length,
               sorted[0],
+              Arrays.stream(sorted).average().orElseThrow(),
               rank(sorted, 0.5),
               rank(sorted, 0.99),
               sorted[sorted.length - 1]));

@@ -26,6 +26,7 @@ final class MeasurementsTable {
         "scenario", "subject_kind", "subject", "name", "statistic", "value", "unit", "time_s");
     result.verdicts().forEach(verdict -> table.scenario(verdict, chain));
     result.measurements().nodes().forEach(table::node);
+    table.flow("", result.measurements().flow());
     return table.text.toString().getBytes(StandardCharsets.UTF_8);
   }
 
@@ -49,6 +50,45 @@ final class MeasurementsTable {
       Subject subject = new Subject(scenario, "latency constraint", name);
       verdict.latencies().get(i).ifPresent(latency -> latency(subject, latency));
     }
+    flow(scenario, verdict.flow());
+  }
+
+  private void flow(String scenario, MessageFlow flow) {
+    flow.hops().forEach(hop -> hop(new Subject(scenario, "hop", hop.words()), hop));
+    for (MessageFlow.Processing node : flow.processing()) {
+      rows(new Subject(scenario, "node", node.node()), "processing", node.time());
+    }
+    for (MessageFlow.Topic topic : flow.topics()) {
+      Subject subject = new Subject(scenario, "topic", topic.name());
+      topic.published().ifPresent(published -> count(subject, "published", published));
+      topic.dropped().ifPresent(dropped -> count(subject, "dropped", dropped));
+      topic.lost().ifPresent(lost -> count(subject, "lost", lost));
+    }
+  }
+
+  private void hop(Subject subject, MessageFlow.Hop hop) {
+    rows(subject, "waiting", hop.waiting());
+    rows(subject, "age", hop.age());
+    hop.samples()
+        .ifPresent(
+            samples -> {
+              count(subject, "published", samples.published());
+              count(subject, "read", samples.read());
+              count(subject, "neverRead", samples.neverRead());
+              count(subject, "unreadAtEnd", samples.unreadAtEnd());
+            });
+    hop.tooOld().ifPresent(exceeded -> exceeded(subject, "tooOld", exceeded));
+    hop.late().ifPresent(exceeded -> exceeded(subject, "late", exceeded));
+  }
+
+  private void exceeded(Subject subject, String name, MessageFlow.Exceeded exceeded) {
+    row(subject, name, "limit", exceeded.limit(), MILLISECOND, "");
+    count(subject, name, exceeded.times());
+    row(subject, name, "of", (double) exceeded.of(), "1", "");
+  }
+
+  private void count(Subject subject, String name, long count) {
+    row(subject, name, "count", (double) count, "1", "");
   }
 
   private void latency(Subject subject, ScenarioVerdict.Latency latency) {
@@ -74,6 +114,7 @@ final class MeasurementsTable {
     values.ifPresent(
         it -> {
           row(subject, name, "minimum", it.minimum(), MILLISECOND, "");
+          row(subject, name, "mean", it.mean(), MILLISECOND, "");
           row(subject, name, "median", it.median(), MILLISECOND, "");
           row(subject, name, "percentile99", it.percentile99(), MILLISECOND, "");
           row(subject, name, "maximum", it.maximum(), MILLISECOND, "");

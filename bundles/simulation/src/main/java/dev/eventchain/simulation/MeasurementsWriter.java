@@ -10,6 +10,7 @@ import java.io.UncheckedIOException;
 import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
+import java.util.OptionalLong;
 
 /** Writes {@code measurements.json}. Numbers are rounded to what they are worth. */
 final class MeasurementsWriter {
@@ -48,6 +49,7 @@ final class MeasurementsWriter {
       node(node);
     }
     json.writeEndArray();
+    flow(result.measurements().flow());
     host(result);
     json.writeEndObject();
   }
@@ -71,6 +73,7 @@ final class MeasurementsWriter {
       latency(latency);
     }
     json.writeEndArray();
+    flow(verdict.flow());
     series(verdict.series());
     json.writeEndObject();
   }
@@ -143,6 +146,78 @@ final class MeasurementsWriter {
     json.writeEndObject();
   }
 
+  private void flow(MessageFlow flow) throws IOException {
+    json.writeArrayFieldStart("hops");
+    for (MessageFlow.Hop hop : flow.hops()) {
+      hop(hop);
+    }
+    json.writeEndArray();
+    json.writeArrayFieldStart("processing");
+    for (MessageFlow.Processing node : flow.processing()) {
+      json.writeStartObject();
+      json.writeStringField("name", node.node());
+      statistics("time", node.time());
+      json.writeEndObject();
+    }
+    json.writeEndArray();
+    json.writeArrayFieldStart("topics");
+    for (MessageFlow.Topic topic : flow.topics()) {
+      json.writeStartObject();
+      json.writeStringField("name", topic.name());
+      count("published", topic.published());
+      count("dropped", topic.dropped());
+      count("lost", topic.lost());
+      json.writeEndObject();
+    }
+    json.writeEndArray();
+  }
+
+  private void hop(MessageFlow.Hop hop) throws IOException {
+    json.writeStartObject();
+    json.writeStringField("topic", hop.topic());
+    json.writeStringField("writer", hop.writer());
+    json.writeStringField("reader", hop.reader());
+    statistics("waiting", hop.waiting());
+    statistics("age", hop.age());
+    json.writeFieldName("samples");
+    if (hop.samples().isPresent()) {
+      MessageFlow.Samples samples = hop.samples().get();
+      json.writeStartObject();
+      json.writeNumberField("published", samples.published());
+      json.writeNumberField("read", samples.read());
+      json.writeNumberField("neverRead", samples.neverRead());
+      json.writeNumberField("unreadAtEnd", samples.unreadAtEnd());
+      json.writeEndObject();
+    } else {
+      json.writeNull();
+    }
+    exceeded("tooOld", hop.tooOld());
+    exceeded("late", hop.late());
+    json.writeEndObject();
+  }
+
+  private void exceeded(String name, Optional<MessageFlow.Exceeded> exceeded) throws IOException {
+    json.writeFieldName(name);
+    if (exceeded.isEmpty()) {
+      json.writeNull();
+      return;
+    }
+    json.writeStartObject();
+    field("limit", exceeded.get().limit());
+    json.writeNumberField("times", exceeded.get().times());
+    json.writeNumberField("of", exceeded.get().of());
+    json.writeEndObject();
+  }
+
+  private void count(String name, OptionalLong count) throws IOException {
+    json.writeFieldName(name);
+    if (count.isPresent()) {
+      json.writeNumber(count.getAsLong());
+    } else {
+      json.writeNull();
+    }
+  }
+
   /** What differs from run to run stands apart. */
   private void host(SimulationResult result) throws IOException {
     SimulationResult.Host host = result.host();
@@ -179,6 +254,7 @@ final class MeasurementsWriter {
 
   private void statistics(Measurements.Statistics values) throws IOException {
     field("minimum", values.minimum());
+    field("mean", values.mean());
     field("median", values.median());
     field("percentile99", values.percentile99());
     field("maximum", values.maximum());

@@ -38,7 +38,11 @@ final class ResultBuilder {
     List<Measurements.Node> nodes = setup.nodes().stream().map(this::measure).toList();
     Measurements measurements =
         new Measurements(
-            runId(verdicts, nodes), setup.reader(setup.entry()), setup.writer(setup.exit()), nodes);
+            runId(verdicts, nodes),
+            setup.reader(setup.entry()),
+            setup.writer(setup.exit()),
+            nodes,
+            MessageFlows.of(runs, setup));
     SimulationResult.Host host =
         new SimulationResult.Host(
             setup.driver().words(),
@@ -160,6 +164,7 @@ final class ResultBuilder {
     CRC32 digest = new CRC32();
     for (ScenarioVerdict verdict : verdicts) {
       String text = verdict.scenario() + verdict.passed() + verdict.latency() + verdict.series();
+      text += verdict.flow();
       digest.update(text.getBytes(StandardCharsets.UTF_8));
     }
     for (Measurements.Node node : nodes) {

@@ -49,6 +49,7 @@ final class ScenarioJudge {
         WhatHappened.figures(trace, signals),
         latency(run.log(), setup),
         setup.latencyConstraints().stream().map(each -> latency(run.log(), each)).toList(),
+        MessageFlows.of(List.of(run), setup),
         WhatHappened.series(scenario.situation(), trace, signals));
   }
 

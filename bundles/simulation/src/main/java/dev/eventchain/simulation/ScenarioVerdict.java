@@ -19,6 +19,7 @@ import java.util.Optional;
  * @param latency from what the chain's first node senses to the first command that is based on it,
  *     in ms; empty if no command is based on it
  * @param latencies what was measured of each latency constraint of the chain, in its order
+ * @param flow how messages went
  * @param series what happened over time
  */
 public record ScenarioVerdict(
@@ -32,6 +33,7 @@ public record ScenarioVerdict(
     List<Figure> figures,
     Optional<Measurements.Statistics> latency,
     List<Optional<Latency>> latencies,
+    MessageFlow flow,
     Series series) {
 
   /** Copies the lists. */

@@ -73,6 +73,7 @@ final class Trace {
   private final Map<String, List<Sample>> samples = new HashMap<>();
   private final List<Command> commands = new ArrayList<>();
   private final List<Contact> fromBehind = new ArrayList<>();
+  private final Map<String, Long> dropped = new HashMap<>();
   private final List<ScenarioVerdict.Scan> scans = new ArrayList<>();
   private OptionalDouble impactSpeed = OptionalDouble.empty();
   private String impact = "";
@@ -153,6 +154,16 @@ final class Trace {
    */
   List<Sample> samples(String signal) {
     return samples.getOrDefault(signal, List.of());
+  }
+
+  /** A message of a topic got lost before it reached the nodes, as the bench says. */
+  void drop(String topic) {
+    dropped.merge(topic, 1L, Long::sum);
+  }
+
+  /** How many messages of a topic got lost so. */
+  long dropped(String topic) {
+    return dropped.getOrDefault(topic, 0L);
   }
 
   /** What the lidar saw, for people. */

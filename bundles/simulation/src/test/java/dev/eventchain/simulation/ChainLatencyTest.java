@@ -12,11 +12,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -92,6 +94,8 @@ class ChainLatencyTest {
     int found = 0;
     for (int seed = 0; seed < 30; seed++) {
       RunLog log = random(nodes, new Random(seed * 100L + nodes));
+      HopLog hops = new HopLog(log);
+      Map<String, List<Long>> ages = new HashMap<>();
       for (boolean dataAge : new boolean[] {false, true}) {
         for (ChainLatency.Latency each :
             ChainLatency.between(log, "N0", "N" + (nodes - 1), dataAge)) {
@@ -101,6 +105,7 @@ class ChainLatencyTest {
           assertTrue(
               each.parts().stream().allMatch(p -> p.waiting() >= 0 && p.execution() >= 0),
               each.toString());
+          assertConsistsOfHops(hops, ages, each);
           assertEquals("N0", each.parts().get(0).node());
           assertEquals("N" + (nodes - 1), each.parts().get(each.parts().size() - 1).node());
         }
@@ -109,11 +114,44 @@ class ChainLatencyTest {
     assertTrue(found > 100, found + " times");
   }
 
+  /** Each part is one age of a hop from the node before, and what this node then took. */
+  private static void assertConsistsOfHops(
+      HopLog hops, Map<String, List<Long>> known, ChainLatency.Latency latency) {
+    String writer = MessageFlow.VEHICLE;
+    for (ChainLatency.Part part : latency.parts()) {
+      String from = writer;
+      List<Long> ages =
+          known.computeIfAbsent(
+              part.topic() + " " + writer + " " + part.node(),
+              hop -> hops.passed(part.topic(), from, part.node()).ages());
+      assertTrue(ages.contains(part.waiting()), part + " is none of " + ages);
+      assertTrue(hops.processing(part.node()).contains(part.execution()), part.toString());
+      writer = part.node();
+    }
+  }
+
+  /** In real time a sample can be seen before its writer's activation has ended. */
+  @Test
+  void noPartIsNegativeInRealTime() throws IOException {
+    String json = Files.readString(Path.of("src/test/resources/hops/real-time.json"));
+    RunLog log = RunLog.parse(new ObjectMapper().readTree(json));
+    List<ChainLatency.Latency> found = ChainLatency.between(log, "A", "B", false);
+    assertEquals(List.of(8L, 19L), found.stream().map(ChainLatency.Latency::time).toList());
+    assertEquals(
+        List.of(
+            new ChainLatency.Part("/scan", "A", 1, 5), new ChainLatency.Part("/gap", "B", 1, 1)),
+        found.get(0).parts());
+    assertEquals(
+        List.of(
+            new ChainLatency.Part("/scan", "A", 11, 5), new ChainLatency.Part("/gap", "B", 2, 1)),
+        found.get(1).parts());
+  }
+
   /**
    * Nodes in a row, each with a period, an offset and an execution time of its own, that read what
    * came last on the topic before theirs, and some on topics of other nodes before or behind them.
    */
-  private static RunLog random(int nodes, Random random) {
+  static RunLog random(int nodes, Random random) {
     Map<String, List<Activation>> activations = new LinkedHashMap<>();
     Map<String, Map<Long, Long>> publications = new LinkedHashMap<>();
     List<Long> duration = new ArrayList<>();

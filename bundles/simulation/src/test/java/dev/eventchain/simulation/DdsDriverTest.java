@@ -71,6 +71,12 @@ class DdsDriverTest {
       double longest = node.executionTime().orElseThrow().maximum();
       assertTrue(longest > 0 && longest != Math.rint(longest), node.name() + " " + longest);
     }
+    MessageFlow flow = result.measurements().flow();
+    for (MessageFlow.Hop hop : flow.hops()) {
+      boolean isKnown = !hop.reader().equals(MessageFlow.VEHICLE);
+      assertEquals(isKnown, hop.waiting().filter(it -> it.minimum() >= 0).isPresent(), hop::words);
+    }
+    assertTrue(flow.topics().stream().allMatch(each -> each.lost().isPresent()));
   }
 
   @Test

@@ -62,6 +62,7 @@ class MeasurementsTableTest {
     JsonNode json = new ObjectMapper().readTree(result.toJson());
     json.path("scenarios").forEach(scenario -> addScenario(scenario, project, expected));
     json.path("nodes").forEach(node -> addNode(node, expected));
+    addFlow("", json, expected);
     assertEquals(expected, rows.subList(1, rows.size()));
     assertTrue(rows.toString().contains("keeps \"its\" speed, at first"), rows.toString());
     assertTrue(rows.stream().anyMatch(row -> row.get(1).equals("latency constraint")));
@@ -91,6 +92,49 @@ class MeasurementsTableTest {
         addTime(rows, subject, "execution of " + node, "slowest", part.path("execution"));
       }
     }
+    addFlow(scenario, json, rows);
+  }
+
+  private static void addFlow(String scenario, JsonNode json, List<List<String>> rows) {
+    for (JsonNode hop : json.path("hops")) {
+      String name =
+          hop.path("topic").asText()
+              + " from "
+              + hop.path("writer").asText()
+              + " to "
+              + hop.path("reader").asText();
+      List<String> subject = List.of(scenario, "hop", name);
+      addStatistics(rows, subject, hop, "waiting");
+      addStatistics(rows, subject, hop, "age");
+      addCounts(rows, subject, hop.path("samples"));
+      for (String limited : List.of("tooOld", "late")) {
+        if (hop.path(limited).isObject()) {
+          addTime(rows, subject, limited, "limit", hop.path(limited).path("limit"));
+          String times = number(hop.path(limited).path("times"));
+          addRow(rows, subject, limited, "count", times, "1", "");
+          addRow(rows, subject, limited, "of", number(hop.path(limited).path("of")), "1", "");
+        }
+      }
+    }
+    for (JsonNode node : json.path("processing")) {
+      List<String> subject = List.of(scenario, "node", node.path("name").asText());
+      addValues(rows, subject, "processing", node.path("time"));
+    }
+    for (JsonNode topic : json.path("topics")) {
+      addCounts(rows, List.of(scenario, "topic", topic.path("name").asText()), topic);
+    }
+  }
+
+  private static void addCounts(List<List<String>> rows, List<String> subject, JsonNode counts) {
+    counts
+        .properties()
+        .forEach(
+            count -> {
+              if (count.getValue().isNumber()) {
+                String value = number(count.getValue());
+                addRow(rows, subject, count.getKey(), "count", value, "1", "");
+              }
+            });
   }
 
   private static void addNode(JsonNode json, List<List<String>> rows) {
@@ -109,7 +153,7 @@ class MeasurementsTableTest {
   private static void addValues(
       List<List<String>> rows, List<String> subject, String name, JsonNode values) {
     if (values.isObject()) {
-      for (String statistic : List.of("minimum", "median", "percentile99", "maximum")) {
+      for (String statistic : List.of("minimum", "mean", "median", "percentile99", "maximum")) {
         addTime(rows, subject, name, statistic, values.path(statistic));
       }
       addRow(rows, subject, name, "count", number(values.path("count")), "1", "");

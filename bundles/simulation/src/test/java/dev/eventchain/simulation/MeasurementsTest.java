@@ -138,7 +138,7 @@ class MeasurementsTest {
         new AebProject(folder).simulate(List.of(AebProject.scenario("stopped-vehicle-50")));
     JsonNode json = new ObjectMapper().readTree(result.toJson());
     assertEquals(
-        List.of("runId", "passed", "scenarios", "nodes", "host"),
+        List.of("runId", "passed", "scenarios", "nodes", "hops", "processing", "topics", "host"),
         json.properties().stream().map(java.util.Map.Entry::getKey).toList());
     JsonNode scenario = json.get("scenarios").get(0);
     assertEquals("stopped-vehicle-50", scenario.get("name").asText());
@@ -183,11 +183,11 @@ class MeasurementsTest {
       values[i] = 200 - i;
     }
     assertEquals(
-        new Measurements.Statistics(200, 1, 100, 198, 200),
+        new Measurements.Statistics(200, 1, 100.5, 100, 198, 200),
         Measurements.Statistics.of(values).orElseThrow());
     assertTrue(Measurements.Statistics.of(new double[0]).isEmpty());
     assertEquals(
-        new Measurements.Statistics(1, 7, 7, 7, 7),
+        new Measurements.Statistics(1, 7, 7, 7, 7, 7),
         Measurements.Statistics.of(new double[] {7}).orElseThrow());
   }
 }

@@ -123,12 +123,14 @@ class RunTest {
     assertFalse(report.matches("(?s).*<script[^>]+src=.*"), "no script elsewhere");
     assertTrue(report.contains("stopped-vehicle-50"));
     assertTrue(report.contains("AEB-4"));
+    assertTrue(report.contains("\"hops\":[{\"topic\":\"/carla/ego_vehicle/lidar\""));
   }
 
   @Test
   void theMeasuredModelHoldsTheLatencyThatTheRuleIsAbout() throws IOException {
     String model = Files.readString(project.resolve("out/chain.measured.xmi"));
     assertTrue(model.contains("<latency"), model.substring(0, 200));
+    assertTrue(model.contains("name=\"waiting on /scan from ObjectDetection to TTC_Calculation\""));
     assertTrue(Files.readString(project.resolve("out/generated.ocl")).contains("250"));
   }
 

@@ -7,6 +7,8 @@ const validation = records(data.validation);
 const stages = records(data.stages);
 const diagnostics = sortedDiagnostics(records(data.diagnostics));
 const nodes = records(data.nodes);
+const hops = records(data.hops);
+const topics = records(data.topics);
 const failedScenarios = scenarios.filter((scenario) => scenario.passed !== true);
 const unproved = requirements.filter((requirement) => requirement.proved !== true);
 const errors = diagnostics.filter((diagnostic) => severityOf(diagnostic) === "ERROR");
@@ -315,6 +317,55 @@ function completeMeasurements() {
   }
 }
 
+/** A count of how often a number of the model was exceeded; a dash where the model states none or nothing was there to exceed it. */
+function exceeded(count) {
+  const [times, of] = [number(record(count).times), number(record(count).of)];
+  if (times === null) {
+    return "\u2013";
+  }
+  const words = `${whole(times)} of ${whole(of)}`;
+  return [times > 0 ? html("strong", null, words) : words, html("div", { class: "small muted" }, `over ${milliseconds(count.limit)} ms`)];
+}
+
+const HOP_TIMES = [["minimum", "Shortest"], ["mean", "Mean"], ["median", "Median"], ["maximum", "Longest"]];
+
+/** From one that writes a topic to one that reads it, over all scenarios: how long samples waited, and what became of them. */
+function hopTable() {
+  const columns = [{ name: "Hop", row: true },
+    ...HOP_TIMES.map(([, name]) => ({ name: `${name} wait`, number: true })), { name: "Oldest when read", number: true },
+    { name: "Published", number: true }, { name: "Read", number: true }, { name: "Never read", number: true },
+    { name: "Unread at the end", number: true }, { name: "Too old", number: true }, { name: "Late", number: true }];
+  const rows = hops.map((hop) => {
+    const [waiting, samples] = [record(hop.waiting), record(hop.samples)];
+    const times = number(waiting.count) === null ? ["not measured", "", "", "", ""]
+      : [...HOP_TIMES.map(([name]) => milliseconds(waiting[name])), milliseconds(record(hop.age).maximum)];
+    const counts = ["published", "read", "neverRead", "unreadAtEnd"].map((name) => whole(samples[name]));
+    const ends = html("div", { class: "small muted" }, `${text(hop.writer)} to ${text(hop.reader)}`);
+    return { cells: [[code(text(hop.topic)), ends], ...times, ...counts, exceeded(hop.tooOld), exceeded(hop.late)] };
+  });
+  return table("Hops over all scenarios, times in ms", columns, rows);
+}
+
+function topicTable() {
+  const columns = [{ name: "Topic", row: true }, { name: "Published", number: true },
+    { name: "Dropped by the bench", number: true }, { name: "Lost on the way", number: true }];
+  const rows = topics.map((topic) => ({ cells: [code(text(topic.name)), whole(topic.published),
+    whole(topic.dropped), number(topic.lost) === null ? "not counted" : whole(topic.lost)] }));
+  return table("Messages by topic, over all scenarios", columns, rows);
+}
+
+/** Adds how messages went from node to node, of which the model has the numbers of each scenario. */
+function completeFlow() {
+  const place = document.getElementById("measurements");
+  if (place && hops.length > 0) {
+    place.append(html("h3", null, "Hops, over all scenarios, in ms"),
+      html("p", { class: "lead" }, "A wait is from the moment at which a message could be seen to the start of the activation that read it first. A latency is the sum of "
+        + "its hops: how old each message was when it was read, and the time from there to the next message. When the vehicle reads is not recorded. "
+        + "A dash stands where the model states no number, or nothing was there to be counted."),
+      hopTable(), topicTable());
+  }
+}
+
 function stageSection() {
   if (stages.length === 0) {
     return null;
@@ -365,6 +416,7 @@ function page() {
   completeChain();
   completeSilence();
   completeMeasurements();
+  completeFlow();
   whenShown.forEach((action) => action());
 }
 
