@@ -49,6 +49,13 @@ class Publisher:
         else:
             raise TypeError(f"Expected {self.msg_type}, got {type(message)}")
 
+    def decodes(self, data: bytes | bytearray | memoryview) -> bool:
+        """Whether these bytes are a message of its type, in the only form that it has."""
+        try:
+            return to_cdr(from_cdr(self.msg_type, data)) == bytes(data)
+        except (ValueError, AssertionError, TypeError, OverflowError):
+            return False
+
     def get_subscription_count(self) -> int:
         """The number of subscriptions that receive what is published."""
         return sum(getattr(each, "count", 1) for each in self.matched)

@@ -18,15 +18,16 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from component_client import Limits
+from component_client import ComponentError, Limits
 
-from eventchain_ros2 import context, message_objects
+from eventchain_ros2 import context, faults, message_objects
 from eventchain_ros2.channel import Channel, Kind
 from eventchain_ros2.clock import NANOSECONDS_PER_SECOND, Duration
 from eventchain_ros2.components import Components, Configuration, Environment
 from eventchain_ros2.dds import DomainParticipant
 from eventchain_ros2.endpoints import Timer
 from eventchain_ros2.failures import HostError, StepTimeout, describe
+from eventchain_ros2.faults import NEVER
 from eventchain_ros2.messages import Messages
 from eventchain_ros2.node import Node
 from eventchain_ros2.qos import DurabilityPolicy, HistoryPolicy, LivelinessPolicy, QoSProfile, ReliabilityPolicy
@@ -59,6 +60,10 @@ class HostedNodes:
         self.processes: list[Process] = []
         self._messages = Messages(Path(folder) for folder in configuration.get("messages", []))
         self._components = self._make_components()
+        self._losses: dict[str, dict[str, Any]] = {}  # of nodes that have failed, by their names
+        self.simulation.fault = faults.of(configuration.get("fault"))
+        if "fault" in configuration:
+            self.simulation.survives = self._lose
         self._objects: list[object] = []  # keeps the nodes alive
 
     def _make_components(self) -> Components:
@@ -113,7 +118,7 @@ class HostedNodes:
         node = node_class(DomainParticipant())
         for clock in ("now", "wall_clock"):  # by which its inputs become too old, and its messages are stamped
             if hasattr(node_class, clock):
-                setattr(node, clock, lambda: self.simulation.now)
+                setattr(node, clock, lambda: self.simulation.clock(process))
         period = int(float(node.period) * NANOSECONDS_PER_SECOND)
         if period <= 0:
             raise ValueError(f"a node needs a period of at least a nanosecond, not {node.period} s")
@@ -121,8 +126,25 @@ class HostedNodes:
         return node
 
     def activations(self) -> list[dict[str, Any]]:
-        """What each node has done."""
-        return [{"name": process.name, "activations": process.activations} for process in self.processes]
+        """What each node has done, and what a fault has done to it."""
+        return [
+            {"name": process.name, "activations": process.activations, **self._affected(process)}
+            for process in self.processes
+        ]
+
+    def _affected(self, process: Process) -> dict[str, Any]:
+        if "fault" not in self.configuration:
+            return {}
+        fault = self.simulation.fault
+        count, first = (0, NEVER) if fault is None else fault.affected.get(process.name, (0, NEVER))
+        return {"affected": count, "affected_first": first, "loss": self._losses.get(process.name)}
+
+    def _lose(self, process: Process, error: BaseException) -> bool:
+        """In a run with a fault, a node whose code fails is gone, as its process would be, and the others go on."""
+        if not isinstance(error, Exception | ComponentError | SystemExit):
+            return False
+        self._losses[process.name] = {"time": self.simulation.now, **describe(error, process.name, self.folders)}
+        return True
 
     def warnings(self) -> list[dict[str, Any]]:
         """The connections that were not made."""

@@ -61,7 +61,7 @@ class Node:
         self.__logger = Logger(self.get_fully_qualified_name().strip("/").replace("/", "."), self.__now)
 
     def __now(self) -> int:
-        return self.__simulation.now
+        return self.__simulation.clock(self.__process)
 
     @property
     def _eventchain_process(self) -> Process:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import deque
 from typing import NamedTuple, Protocol
 
+from eventchain_ros2.faults import NEVER
 from eventchain_ros2.qos import QoSProfile
 
 
@@ -54,6 +55,9 @@ class Publisher(Protocol):
     qos_profile: QoSProfile
     matched: list[Subscription]
     retained: deque[Sample]
+
+    def decodes(self, data: bytes | bytearray | memoryview) -> bool:
+        """Whether these bytes are a message of its type: DDS hands on nothing else."""
 
 
 class Subscription(Protocol):
@@ -127,3 +131,9 @@ class Process:
         mine = [index for index, (receiver, _) in enumerate(self.inbox) if receiver is subscription]
         if capacity is not None and len(mine) > capacity:
             del self.inbox[mine[0]]
+
+    def end(self) -> None:
+        """Run no callback any more; what waits is never received."""
+        self.busy_until = NEVER
+        self.writes = None
+        self.inbox.clear()

@@ -14,6 +14,7 @@ from heapq import heappop, heappush
 from time import thread_time_ns
 from typing import Any, NamedTuple
 
+from eventchain_ros2.faults import NEVER, Fault
 from eventchain_ros2.processes import (
     Activation,
     Bridge,
@@ -84,6 +85,9 @@ class Simulation:
         self._starting: Process | None = None
         self._records = 0
         self._spent = 0  # processor time of components within the callback that runs, ns
+        self._sent = False  # whether the callback that runs has published
+        self.fault: Fault | None = None
+        self.survives: Callable[[Process, BaseException], bool] | None = None
 
     def _record(self) -> None:
         self._records += 1
@@ -96,6 +100,10 @@ class Simulation:
 
     def follow_clock(self) -> None:
         """Show the time of `/clock`: there is no other time anyway."""
+
+    def clock(self, process: Process) -> int:
+        """What the clock of a process shows, in ns."""
+        return self.now if self.fault is None else self.fault.clock(process.name, self.now)
 
     def stop(self) -> None:
         """Run no callback any more."""
@@ -183,10 +191,21 @@ class Simulation:
 
     def publish(self, publisher: Publisher, data: bytes | bytearray | memoryview) -> None:
         """Send a sample; it can be seen when the activation that publishes it has ended."""
-        topic, process = publisher.topic, publisher.process
-        sequence, time = len(topic.publications), self.now
+        process, time = publisher.process, self.now
         if process.writes is not None:
+            self._sent = True
             time = self.ended(process)
+        if self.fault is None:
+            self._send(publisher, time, data)
+        elif time < NEVER:
+            for each in self.fault.sent(process.name, publisher.topic.name, time, data):
+                if each is data or publisher.decodes(each):
+                    self._send(publisher, time, each)
+
+    def _send(self, publisher: Publisher, time: int, data: bytes | bytearray | memoryview) -> None:
+        topic, process = publisher.topic, publisher.process
+        sequence = len(topic.publications)
+        if process.writes is not None:
             process.writes.append((topic.name, sequence))
         self._record()
         topic.publications.append((sequence, time))
@@ -196,7 +215,9 @@ class Simulation:
         """Fire the timer at its `due` time, unless its `token` has changed by then."""
         process = timer.process
         self._count += 1
-        time = max(timer.due, process.busy_until)
+        time = self._free(process, timer.due)
+        if time >= NEVER:
+            return
         fire = (self._fire, (timer, timer.token))
         heappush(self._events, Event(time, _TIMER, process.index, timer.index, self._count, *fire))
 
@@ -229,7 +250,13 @@ class Simulation:
 
     def ended(self, process: Process) -> int:
         """What time it is when the callback ends that runs."""
-        return self.now + process.execution_time
+        end = self.now + process.execution_time
+        return end if self.fault is None else self.fault.ended(process.name, self.now, end)
+
+    def _free(self, process: Process, time: int) -> int:
+        """From when on, this time or later, a process may run a callback."""
+        time = max(time, process.busy_until)
+        return time if self.fault is None else self.fault.free(process.name, time)
 
     def spin_once(self, processes: set[Process], timeout: int | None) -> bool:
         """Let time pass until a callback of one of these processes has run, and nobody else's.
@@ -293,18 +320,24 @@ class Simulation:
         process = subscription.process
         if process.inbox or process.paused:
             process.keep(subscription, sample)
-        elif self.now < process.busy_until:
-            process.keep(subscription, sample)
-            self._schedule(process.busy_until, self._wake, process)
-        else:
+            return
+        free = self._free(process, self.now)
+        if free == self.now:
             self._receive(process, subscription, sample)
+        elif free < NEVER:
+            process.keep(subscription, sample)
+            self._schedule(free, self._wake, process)
 
     def _wake(self, process: Process) -> None:
-        while process.inbox and self.now >= process.busy_until and not process.paused:
+        while process.inbox and self._free(process, self.now) == self.now and not process.paused:
             subscription, sample = process.inbox.pop(0)
             self._receive(process, subscription, sample)
         if process.inbox and not process.paused:
-            self._schedule(process.busy_until, self._wake, process)
+            free = self._free(process, self.now)
+            if free >= NEVER:
+                process.inbox.clear()
+            else:
+                self._schedule(free, self._wake, process)
 
     def _receive(self, process: Process, subscription: Subscription, sample: Sample) -> None:
         process.latest[sample.topic] = sample.sequence
@@ -315,7 +348,7 @@ class Simulation:
         if timer.token != token:
             return
         process = timer.process
-        if self.now >= process.busy_until:
+        if self._free(process, self.now) == self.now:
             timer.advance(self.now)
             self._activate(process, timer.run, None, timed=True)
             if timer.token != token:  # cancelled or reset by its own callback
@@ -327,13 +360,21 @@ class Simulation:
         self.current = process
         writes: list[tuple[str, int]] = []
         process.writes = writes
-        self._spent = 0
+        self._spent, self._sent = 0, False
         started = thread_time_ns()
-        callback(argument)
+        try:
+            callback(argument)
+        except BaseException as error:
+            if self.survives is None or not self.survives(process, error):
+                raise
+            process.end()
+            return
         host = thread_time_ns() - started + self._spent
         process.writes = None
-        if timed or writes:
-            process.busy_until = self.ended(process)
+        if not timed and not self._sent:
+            return
+        process.busy_until = self.ended(process)
+        if process.busy_until < NEVER:
             reads = list(process.latest.items())
             self._record()
             process.activations.append(Activation(self.now, process.busy_until, host, reads, writes))

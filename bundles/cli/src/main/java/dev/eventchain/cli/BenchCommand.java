@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.pipeline.Project;
 import dev.eventchain.pipeline.ProjectBench;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
 import picocli.CommandLine.Command;
@@ -40,6 +41,9 @@ final class BenchCommand implements Callable<Integer> {
   @Option(names = "--scenario-schema", description = "Print the JSON Schema of scenarios instead.")
   private boolean scenarioSchema;
 
+  @Option(names = "--faults-schema", description = "Print the JSON Schema of --faults instead.")
+  private boolean faultsSchema;
+
   @Spec private CommandSpec spec;
 
   private final Console console;
@@ -50,12 +54,20 @@ final class BenchCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
-    if (Stream.of(schema, scenarioSchema, folder != null).filter(it -> it).count() != 1) {
+    List<String> schemas =
+        Stream.of(
+                schema ? ProjectBench.schema() : "",
+                scenarioSchema ? ProjectBench.scenarioSchema() : "",
+                faultsSchema ? ProjectBench.faultsSchema() : "")
+            .filter(it -> !it.isEmpty())
+            .toList();
+    if (schemas.size() + (folder == null ? 0 : 1) != 1) {
       throw new ParameterException(
-          spec.commandLine(), "name a project's folder, or say --schema or --scenario-schema");
+          spec.commandLine(),
+          "name a project's folder, or say --schema, --scenario-schema or --faults-schema");
     }
-    if (schema || scenarioSchema) {
-      console.out().print(schema ? ProjectBench.schema() : ProjectBench.scenarioSchema());
+    if (!schemas.isEmpty()) {
+      console.out().print(schemas.get(0));
       console.out().flush();
       return ExitCode.FINE;
     }

@@ -168,6 +168,7 @@ abstract class ProjectCommand implements Callable<Integer> {
             driver(scenarios),
             scenarios.mcap,
             Optional.ofNullable(scenarios.compare),
+            Optional.ofNullable(scenarios.faults),
             suppressions(project),
             timeLimit());
     return Outcome.of(
@@ -240,6 +241,9 @@ abstract class ProjectCommand implements Callable<Integer> {
     for (RunResult.ScenarioLine line : result.scenarios()) {
       console.out().printf(Locale.ROOT, "%-6s  %-28s %s%n", word(line), line.name(), line.text());
     }
+    for (RunResult.FaultLine line : result.faults()) {
+      console.out().printf(Locale.ROOT, "%-6s  %-28s %s%n", word(line), line.name(), line.text());
+    }
     boolean judged =
         result.verdict() != RunResult.Verdict.INCOMPLETE
             || result.failure().isPresent()
@@ -253,9 +257,17 @@ abstract class ProjectCommand implements Callable<Integer> {
   }
 
   private static String word(RunResult.ScenarioLine line) {
-    if (!line.tested()) {
+    return word(line.tested(), line.passed());
+  }
+
+  private static String word(RunResult.FaultLine line) {
+    return word(line.tested(), line.passed());
+  }
+
+  private static String word(boolean tested, boolean passed) {
+    if (!tested) {
       return "-";
     }
-    return line.passed() ? "passed" : "FAILED";
+    return passed ? "passed" : "FAILED";
   }
 }

@@ -52,6 +52,10 @@ final class RunCommand extends ProjectCommand {
         && (from.compareTo(Stage.SIMULATE) > 0 || to.compareTo(Stage.SIMULATE) < 0)) {
       throw wrongUsage("--mcap records a simulation, and the stage simulate is not run");
     }
+    if (scenarios.faults != null
+        && (from.compareTo(Stage.SIMULATE) > 0 || to.compareTo(Stage.SIMULATE) < 0)) {
+      throw wrongUsage("--faults is about a simulation, and the stage simulate is not run");
+    }
     return execute(folder, from, to, again, llm, scenarios);
   }
 }

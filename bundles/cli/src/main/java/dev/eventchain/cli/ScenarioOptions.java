@@ -62,6 +62,16 @@ final class ScenarioOptions {
   boolean mcap;
 
   @Option(
+      names = "--faults",
+      paramLabel = "FILE",
+      description = {
+        "Also simulate scenarios with what is wrong in them as this file says (YAML; its schema is",
+        "that of 'bench --faults-schema'): a node that dies, messages that get lost, a clock that",
+        "jumps. Each fault is alone in a run of its own, beside the scenario without it."
+      })
+  Path faults;
+
+  @Option(
       names = "--compare",
       paramLabel = "FILE",
       description = {

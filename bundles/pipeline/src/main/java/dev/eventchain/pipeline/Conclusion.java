@@ -10,6 +10,7 @@ import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.Suppressions.Suppressed;
 import dev.eventchain.pipeline.Progress.Status;
+import dev.eventchain.pipeline.RunResult.FaultLine;
 import dev.eventchain.pipeline.RunResult.ScenarioLine;
 import dev.eventchain.pipeline.RunResult.Verdict;
 import java.nio.file.Path;
@@ -35,6 +36,8 @@ final class Conclusion {
           "project.requirement.untested",
           "simulation.command.ignored",
           "simulation.criterion.untested",
+          "simulation.fault.no-effect",
+          "simulation.fault.untested",
           "simulation.latency.unmeasured",
           "simulation.node.silent",
           "simulation.rule.untested");
@@ -82,7 +85,8 @@ final class Conclusion {
       report = writeReport(verdict, summary, found);
       found.addAll(run.takeFindings());
     }
-    return new RunResult(verdict, summary, scenarios, found, suppressed, coverage, report, failure);
+    return new RunResult(verdict, summary, scenarios, found, suppressed, coverage, report, failure)
+        .withFaults(faultLines());
   }
 
   /**
@@ -131,9 +135,12 @@ final class Conclusion {
     long errors = found.stream().filter(finding -> finding.severity() == Severity.ERROR).count();
     String errorText = Coverage.counted(errors, "error");
     String requirements = RequirementOutcomes.counted(requirementOutcomes());
-    String counted = requirements.isEmpty() ? "" : requirements + ", ";
+    String counted = faultText() + (requirements.isEmpty() ? "" : requirements + ", ");
     return switch (verdict) {
-      case PASSED -> requirements.isEmpty() ? scenarioText : scenarioText + ", " + requirements;
+      case PASSED ->
+          requirements.isEmpty() && faultText().isEmpty()
+              ? scenarioText
+              : (scenarioText + ", " + counted).replaceFirst(", $", "");
       case FAILED -> scenarios.isEmpty() ? errorText : scenarioText + ", " + counted + errorText;
       case INCOMPLETE ->
           onlyUntested(found)
@@ -209,6 +216,44 @@ final class Conclusion {
       }
     }
     return lines;
+  }
+
+  /** How many of the faults that are judged went as expected, and how many are not judged. */
+  private String faultText() {
+    long judged = 0;
+    long passed = 0;
+    long observed = 0;
+    for (JsonNode fault : faults()) {
+      boolean isJudged = fault.path("judged").asBoolean();
+      judged += isJudged ? 1 : 0;
+      observed += isJudged ? 0 : 1;
+      passed += fault.path("passed").asBoolean() ? 1 : 0;
+    }
+    String text =
+        judged == 0 ? "" : passed + " of " + Coverage.counted(judged, "fault") + " as expected, ";
+    return observed == 0 ? text : text + Coverage.counted(observed, "fault") + " not judged, ";
+  }
+
+  /** What came of faults in this run. */
+  private List<FaultLine> faultLines() {
+    List<FaultLine> lines = new ArrayList<>();
+    for (JsonNode fault : faults()) {
+      boolean tested = fault.path("judged").asBoolean() && fault.path("tested").asBoolean();
+      lines.add(
+          new FaultLine(
+              fault.path("name").asText(),
+              tested,
+              fault.path("passed").asBoolean(),
+              fault.path("text").asText()));
+    }
+    return lines;
+  }
+
+  private JsonNode faults() {
+    StageOutcome simulated = outcome(Stage.SIMULATE);
+    return simulated.status() == Status.NOT_RUN || simulated.report().isEmpty()
+        ? MissingNode.getInstance()
+        : simulated.report().get().path("faults");
   }
 
   private StageOutcome outcome(Stage stage) {

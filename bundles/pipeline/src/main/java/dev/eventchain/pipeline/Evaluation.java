@@ -280,6 +280,7 @@ public final class Evaluation {
         RunOptions.Driver.LOCKSTEP,
         false,
         Optional.empty(),
+        Optional.empty(),
         options.suppressions(),
         options.timeLimit());
   }

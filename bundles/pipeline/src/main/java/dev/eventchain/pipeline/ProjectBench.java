@@ -8,6 +8,7 @@ import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.modeler.SoftwareBase;
 import dev.eventchain.simulation.Bench;
+import dev.eventchain.simulation.FaultPlan;
 import dev.eventchain.simulation.Scenario;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -62,5 +63,10 @@ public record ProjectBench(String text, List<Diagnostic> diagnostics) {
   /** The JSON Schema of a scenario. */
   public static String scenarioSchema() {
     return Scenario.schema();
+  }
+
+  /** The JSON Schema of files with faults. */
+  public static String faultsSchema() {
+    return FaultPlan.schema();
   }
 }

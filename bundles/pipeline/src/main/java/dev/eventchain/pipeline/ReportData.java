@@ -53,7 +53,7 @@ final class ReportData {
     diagnostics(found);
     JsonNode simulated = report(Stage.SIMULATE);
     data.set("scenarios", run.before().beside(arrayOf(simulated, "scenarios")));
-    for (String part : List.of("nodes", "hops", "topics")) {
+    for (String part : List.of("faults", "nodes", "hops", "topics")) {
       data.set(part, arrayOf(simulated, part));
     }
     data.set("requirements", new Traceability(run, model, outcomes).table());

@@ -46,6 +46,7 @@ final class ReportPage {
           "plots.js",
           "chain.js",
           "scenarios.js",
+          "faults.js",
           "conversations.js",
           "report.js");
 

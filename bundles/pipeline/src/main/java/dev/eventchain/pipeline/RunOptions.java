@@ -22,6 +22,7 @@ import java.util.Optional;
  * @param mcap whether the messages of the scenarios are recorded, too
  * @param compare what another run measured, which the report shows beside what this one does: its
  *     {@code measurements.json}, or the folder of it
+ * @param faults a file with faults that scenarios are simulated with besides
  * @param suppressions the findings that do not count
  * @param timeLimit the processor time that a constraint may take on the whole model
  */
@@ -37,6 +38,7 @@ public record RunOptions(
     Driver driver,
     boolean mcap,
     Optional<Path> compare,
+    Optional<Path> faults,
     Suppressions suppressions,
     Duration timeLimit) {
 
@@ -73,6 +75,7 @@ public record RunOptions(
         driver,
         mcap,
         compare,
+        faults,
         suppressions,
         timeLimit);
   }

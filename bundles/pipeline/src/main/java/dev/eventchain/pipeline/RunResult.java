@@ -20,6 +20,7 @@ import java.util.Optional;
  * @param report the report, when one was written
  * @param failure why the run could not go on, when it could not
  * @param recordings the messages of scenarios, where they were recorded
+ * @param faults a line for each run with a fault
  */
 public record RunResult(
     Verdict verdict,
@@ -30,7 +31,8 @@ public record RunResult(
     Coverage coverage,
     Optional<Path> report,
     Optional<DiagnosticException.Reason> failure,
-    List<Path> recordings) {
+    List<Path> recordings,
+    List<FaultLine> faults) {
 
   /** Without recordings. */
   RunResult(
@@ -43,13 +45,46 @@ public record RunResult(
       Optional<Path> report,
       Optional<DiagnosticException.Reason> failure) {
     this(
-        verdict, summary, scenarios, diagnostics, suppressed, coverage, report, failure, List.of());
+        verdict,
+        summary,
+        scenarios,
+        diagnostics,
+        suppressed,
+        coverage,
+        report,
+        failure,
+        List.of(),
+        List.of());
   }
 
   /** The same with recordings. */
   RunResult withRecordings(List<Path> files) {
     return new RunResult(
-        verdict, summary, scenarios, diagnostics, suppressed, coverage, report, failure, files);
+        verdict,
+        summary,
+        scenarios,
+        diagnostics,
+        suppressed,
+        coverage,
+        report,
+        failure,
+        files,
+        faults);
+  }
+
+  /** The same with what came of faults. */
+  RunResult withFaults(List<FaultLine> lines) {
+    return new RunResult(
+        verdict,
+        summary,
+        scenarios,
+        diagnostics,
+        suppressed,
+        coverage,
+        report,
+        failure,
+        recordings,
+        lines);
   }
 
   /** What a run comes to. */
@@ -74,4 +109,14 @@ public record RunResult(
    * @param text what happened, in a sentence
    */
   public record ScenarioLine(String name, boolean tested, boolean passed, String text) {}
+
+  /**
+   * A run with a fault in a line.
+   *
+   * @param name the fault's name
+   * @param tested whether something was expected and all of it could be judged, or one fails
+   * @param passed whether it was judged and everything expected holds
+   * @param text what happened, in a sentence
+   */
+  public record FaultLine(String name, boolean tested, boolean passed, String text) {}
 }

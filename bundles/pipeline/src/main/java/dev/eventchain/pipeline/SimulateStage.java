@@ -12,6 +12,7 @@ import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.LatencyConstraint;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import dev.eventchain.ocl.OclResult;
+import dev.eventchain.simulation.FaultPlan;
 import dev.eventchain.simulation.Scenario;
 import dev.eventchain.simulation.ScenarioVerdict;
 import dev.eventchain.simulation.Simulation;
@@ -43,6 +44,7 @@ final class SimulateStage implements StageWork {
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
     Project project = run.project();
     fingerprint.add(run.options().driver());
+    run.options().faults().ifPresent(fingerprint::addFile);
     fingerprint.addFile(run.model());
     for (Path file : Scenario.filesIn(project.scenarios())) {
       fingerprint.add(project.scenarios().relativize(file)).addFile(file);
@@ -196,9 +198,10 @@ final class SimulateStage implements StageWork {
     long passed = result.verdicts().stream().filter(ScenarioVerdict::passed).count();
     return String.format(
         Locale.ROOT,
-        "%d of %d scenarios passed, %.0f times real time, %s",
+        "%d of %d scenarios passed,%s %.0f times real time, %s",
         passed,
         result.verdicts().size(),
+        result.faults().isEmpty() ? "" : " " + result.faults().size() + " runs with faults,",
         result.host().realTimeFactor(),
         result.host().confinement());
   }
@@ -211,6 +214,7 @@ final class SimulateStage implements StageWork {
     run.models().simulated(result);
     found.addAll(result.diagnostics());
     result.verdicts().forEach(verdict -> found.addAll(verdict.diagnostics()));
+    result.faults().forEach(fault -> found.addAll(fault.diagnostics()));
     return result;
   }
 
@@ -218,14 +222,17 @@ final class SimulateStage implements StageWork {
       RunContext run, EventChain chain, List<Scenario> scenarios) {
     GeneratedPackage generated = GeneratedPackage.required(run);
     Recordings recordings = new Recordings(run, scenarios);
-    SimulationRequest request = recordings.begin(request(run, chain, generated, scenarios));
+    FaultPlan faults = ProjectFaults.selected(run, chain, scenarios);
+    SimulationRequest request =
+        recordings.begin(request(run, chain, generated, scenarios).withFaults(faults));
+    int all = scenarios.size() + faults.size();
     AtomicInteger done = new AtomicInteger();
     try {
       return Simulation.run(
           request,
           run.python(Stage.SIMULATE),
           name -> {
-            String count = done.incrementAndGet() + " of " + scenarios.size();
+            String count = done.incrementAndGet() + " of " + all;
             run.progress().step(Stage.SIMULATE, count + ": " + name);
           });
     } catch (DiagnosticException e) {

@@ -45,6 +45,9 @@ final class SimulationReport {
             result.host().realTimeFactor()));
     ArrayNode scenarios = report.putArray("scenarios");
     result.verdicts().forEach(verdict -> scenarios.add(scenario(verdict)));
+    if (!result.faults().isEmpty()) {
+      report.set("faults", FaultReport.of(result));
+    }
     ArrayNode nodes = report.putArray("nodes");
     for (Measurements.Node node : result.measurements().nodes()) {
       ObjectNode json = nodes.addObject().put("name", node.name());
@@ -121,6 +124,9 @@ final class SimulationReport {
     json.set("requirements", outcomes);
     ArrayNode scenarios = json.putArray("scenarios");
     result.verdicts().forEach(verdict -> outcome(scenarios.addObject(), verdict));
+    if (!result.faults().isEmpty()) {
+      json.set("faults", FaultReport.of(result));
+    }
     return pretty(json);
   }
 

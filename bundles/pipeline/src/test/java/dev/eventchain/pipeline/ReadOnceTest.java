@@ -94,6 +94,7 @@ class ReadOnceTest {
             RunOptions.Driver.LOCKSTEP,
             false,
             Optional.empty(),
+            Optional.empty(),
             new Suppressions(List.of(), LocalDate.of(2027, 1, 1)),
             Duration.ofMinutes(1));
     return Pipeline.run(

@@ -54,6 +54,7 @@ final class BenchDriver {
   private final Scenario scenario;
   private final ChainSignals chain;
   private final Lidar lidar;
+  private final WorldFault fault;
   private final List<Publisher> publishers = new ArrayList<>();
   private final List<Receiver> receivers = new ArrayList<>();
   private final Map<Actuator, Double> demands = new EnumMap<>(Actuator.class);
@@ -66,10 +67,12 @@ final class BenchDriver {
    * Offers what is asked for, so that nothing is computed in vain; the clock is always offered.
    *
    * @param setup the topics that the nodes read and write
+   * @param fault what is wrong with its messages
    * @throws DiagnosticException (INPUT) {@code message.unknown} or {@code message.field.missing}: a
    *     message type is not defined, or is not as the bench needs it
    */
-  BenchDriver(NodeSetup setup, Scenario scenario) {
+  BenchDriver(NodeSetup setup, Scenario scenario, WorldFault fault) {
+    this.fault = fault;
     this.setup = setup;
     this.catalog = setup.catalog();
     this.bench = setup.bench();
@@ -207,17 +210,27 @@ final class BenchDriver {
     List<NodeSession.Inbound> sensed = new ArrayList<>();
     while (!underway.isEmpty() && underway.peek().arrival() <= world.now()) {
       Underway message = underway.remove();
-      sensed.add(new NodeSession.Inbound(message.publisher(), message.bytes()));
-      message.values().forEach((name, it) -> world.trace().sample(name, world.now(), it));
+      Publisher publisher = publishers.get(message.publisher());
+      String topic = publisher.topic().name();
+      MessageType type = publisher.message().type();
+      for (ByteBuffer bytes : fault.arriving(type, topic, world.now(), message.bytes())) {
+        sensed.add(new NodeSession.Inbound(message.publisher(), bytes));
+        message.values().forEach((name, it) -> world.trace().sample(name, world.now(), it));
+      }
     }
     return sensed;
   }
 
   private void measure(int index, World world, SampledRun moment) {
     Publisher publisher = publishers.get(index);
-    checked(publisher.topic(), () -> publisher.fill(world, moment, lidar));
+    long now = world.now();
+    long shown = publisher.isStamped() ? fault.stamp(now) : fault.clock(now);
+    checked(publisher.topic(), () -> publisher.fill(world, moment, lidar, shown));
     if (!publisher.arrives(moment)) {
       world.trace().drop(publisher.topic().name());
+      return;
+    }
+    if (fault.silences(publisher.topic().name(), now)) {
       return;
     }
     underway.add(

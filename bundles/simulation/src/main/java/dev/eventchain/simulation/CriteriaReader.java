@@ -1,5 +1,6 @@
 package dev.eventchain.simulation;
 
+import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import java.util.ArrayList;
@@ -20,6 +21,30 @@ final class CriteriaReader {
    * The criteria in the order of their kinds, with those that every scenario has; formulas last.
    */
   static List<Expectation> read(ObjectReader section, FormulasReader formulas) {
+    List<Expectation> all = read(section, formulas, true);
+    boolean formulasAreWritten =
+        section.value("formulas").filter(JsonNode::isArray).filter(it -> !it.isEmpty()).isPresent();
+    if (!formulasAreWritten && all.stream().allMatch(CriteriaReader::isAlwaysAsked)) {
+      section.find(
+          "scenario.key.missing",
+          "Nothing is asked of the software in this scenario.",
+          section.location());
+    }
+    section.refuseOthers();
+    return all;
+  }
+
+  private static boolean isAlwaysAsked(Expectation expectation) {
+    return expectation instanceof Criterion criterion && criterion.kind().always();
+  }
+
+  /** Only the criteria that are written, in the same order; there may be none, and other keys. */
+  static List<Expectation> readWritten(ObjectReader section, FormulasReader formulas) {
+    return read(section, formulas, false);
+  }
+
+  private static List<Expectation> read(
+      ObjectReader section, FormulasReader formulas, boolean withUsual) {
     Criterion.Tolerances usual = Criterion.Tolerances.USUAL;
     Criterion.Tolerances tolerances =
         new Criterion.Tolerances(
@@ -27,25 +52,16 @@ final class CriteriaReader {
             section.number("tolerance_reaction_s", REACTION).orElse(usual.reaction()));
     List<Criterion> criteria = new ArrayList<>();
     for (CriterionKind kind : CriterionKind.values()) {
-      if (kind.always() || section.has(kind.key())) {
+      if (kind.always() ? withUsual : section.has(kind.key())) {
         criteria.add(criterion(section, kind, tolerances));
       }
     }
     List<ObjectReader> written = section.objects("formulas");
     List<FormulaCriterion> named = NamedFormulas.read(section, formulas);
-    if (written.isEmpty()
-        && named.isEmpty()
-        && criteria.stream().allMatch(each -> each.kind().always())) {
-      section.find(
-          "scenario.key.missing",
-          "Nothing is asked of the software in this scenario.",
-          section.location());
-    }
     checkTolerance(section, tolerances, criteria);
     List<Expectation> all = new ArrayList<>(criteria);
     all.addAll(named);
     all.addAll(formulas.read(written));
-    section.refuseOthers();
     return all;
   }
 

@@ -38,6 +38,11 @@ record HostFailures(String who, Supplier<LastWords> lastWords, UserFiles files) 
 
   /** The process said what went wrong in the user's code. */
   DiagnosticException failed(JsonNode failure) {
+    return finding(inUserCode(failure, files));
+  }
+
+  /** What went wrong in the user's code, as a finding. */
+  static Diagnostic inUserCode(JsonNode failure, UserFiles files) {
     String node = failure.path("node").asText("");
     String message = Printable.line(failure.path("message").asText(""));
     SourceLocation location =
@@ -48,9 +53,8 @@ record HostFailures(String who, Supplier<LastWords> lastWords, UserFiles files) 
             node,
             failure.path("excerpt").asText(""));
     String text = node.isEmpty() ? message : "Node " + node + ": " + message;
-    return finding(
-        Diagnostic.error(failure.path("id").asText("node.failed"), text, location)
-            .withHint(failure.path("hint").asText("")));
+    return Diagnostic.error(failure.path("id").asText("node.failed"), text, location)
+        .withHint(failure.path("hint").asText(""));
   }
 
   /**

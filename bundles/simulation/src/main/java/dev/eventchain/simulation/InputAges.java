@@ -13,6 +13,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.LongUnaryOperator;
 
 /**
  * Whether inputs were older than they may be when a component was due. Generated nodes do not
@@ -31,6 +32,16 @@ final class InputAges {
     }
   }
 
+  /**
+   * Something that was older than it may be.
+   *
+   * @param node who should have had something newer, or should have commanded
+   * @param time since when it was, or when the component was due with it, in ns
+   * @param command whether it is a command that the vehicle still followed
+   * @param words what happened, for people
+   */
+  record TooOld(String node, String topic, long time, boolean command, String words) {}
+
   private final NodeSetup setup;
   private final List<Run> runs;
 
@@ -48,6 +59,72 @@ final class InputAges {
     return found;
   }
 
+  /**
+   * Everything that was too old in a run, by nodes and topics, each in the order of time.
+   *
+   * @param clock what the nodes' clocks show at a time, both in ns
+   */
+  static List<TooOld> tooOld(Run run, NodeSetup setup, LongUnaryOperator clock) {
+    List<TooOld> found = new ArrayList<>();
+    for (SoftwareNode node : setup.nodes()) {
+      limits(node, setup)
+          .forEach(
+              (topic, limit) ->
+                  tooOld(run, node, topic, limit, clock)
+                      .forEach(it -> found.add(input(node, topic, limit, it))));
+    }
+    for (String topic : setup.commands()) {
+      double limit = setup.lifetime(topic) / MILLISECOND;
+      if (limit > 0) {
+        silences(run, topic, limit)
+            .forEach(it -> found.add(command(setup.writer(topic), topic, limit, it)));
+      }
+    }
+    return found;
+  }
+
+  private static TooOld input(SoftwareNode node, String topic, double limit, Worst worst) {
+    String instead =
+        node.getOutput().stream().allMatch(output -> output.getSafeValue() != null)
+            ? "published its safe values"
+            : "did not execute";
+    String words =
+        String.format(
+            Locale.ROOT,
+            "'%s' %s, as its clock had %s %.0f ms old and %.0f ms are allowed",
+            node.getName(),
+            instead,
+            topic,
+            worst.age(),
+            limit);
+    return new TooOld(node.getName(), topic, worst.time(), false, words);
+  }
+
+  private static TooOld command(String writer, String topic, double limit, Worst worst) {
+    long since = worst.time() - Math.round((worst.age() - limit) * MILLISECOND);
+    String words =
+        String.format(
+            Locale.ROOT,
+            "no command came on %s for more than the usual %.0f ms, and the vehicle followed the last one",
+            topic,
+            limit);
+    return new TooOld(writer, topic, since, true, words);
+  }
+
+  private void check(SoftwareNode node, List<Diagnostic> found) {
+    limits(node, setup)
+        .forEach(
+            (topic, limit) ->
+                runs.stream()
+                    .flatMap(run -> tooOld(run, node, topic, limit, time -> time).stream())
+                    .reduce(Worst::with)
+                    .ifPresent(
+                        worst -> {
+                          boolean rare = 2L * worst.times() < activations(node);
+                          found.add(finding(node, topic, limit, worst, rare));
+                        }));
+  }
+
   /** How old what a component reads of a topic may be, in ms, for the topics that have a limit. */
   static Map<String, Double> limits(SoftwareNode node, NodeSetup setup) {
     Map<String, Double> limits = new LinkedHashMap<>();
@@ -63,21 +140,6 @@ final class InputAges {
               });
     }
     return limits;
-  }
-
-  private void check(SoftwareNode node, List<Diagnostic> found) {
-    limits(node, setup)
-        .forEach(
-            (topic, limit) -> {
-              runs.stream()
-                  .flatMap(run -> tooOld(run, node, topic, limit).stream())
-                  .reduce(Worst::with)
-                  .ifPresent(
-                      worst -> {
-                        boolean rare = 2L * worst.times() < activations(node);
-                        found.add(finding(node, topic, limit, worst, rare));
-                      });
-            });
   }
 
   /** How often a component was due in all scenarios. */
@@ -140,13 +202,18 @@ final class InputAges {
             "Find out why the component fell silent; another vehicle may let go of the brake.");
   }
 
-  private static List<Worst> tooOld(Run run, SoftwareNode node, String topic, double limit) {
+  /** An age below zero, after a jump of the clock, is none that a node trusts. */
+  private static List<Worst> tooOld(
+      Run run, SoftwareNode node, String topic, double limit, LongUnaryOperator clock) {
     List<Worst> found = new ArrayList<>();
     for (Activation activation : run.log().nodes().getOrDefault(node.getName(), List.of())) {
       for (SampleId read : activation.reads()) {
         if (read.topic().equals(topic)) {
-          double age = (activation.start() - run.log().time(read)) / MILLISECOND;
-          if (age > limit) {
+          long then = run.log().time(read);
+          long jumped = clock.applyAsLong(activation.start()) - clock.applyAsLong(then);
+          double age = jumped / MILLISECOND;
+          boolean backwards = age < 0 && jumped != activation.start() - then;
+          if (age > limit || backwards) {
             found.add(new Worst(run.scenario().name(), activation.start(), age, 1));
           }
         }

@@ -70,6 +70,11 @@ final class NodeSetup {
     return request.driver();
   }
 
+  /** The files that the user's code is in. */
+  UserFiles userFiles() {
+    return new UserFiles(request.packageFolder());
+  }
+
   /** The message types that the nodes use. */
   MessageCatalog catalog() {
     return catalog;

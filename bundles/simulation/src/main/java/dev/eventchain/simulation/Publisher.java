@@ -68,6 +68,11 @@ final class Publisher {
     return topic;
   }
 
+  /** Whether its messages hold the time. */
+  boolean isStamped() {
+    return !stamps.isEmpty();
+  }
+
   /** Whether its messages are scans. */
   boolean isLidar() {
     return provided.filter(Provided::lidar).isPresent();
@@ -93,14 +98,18 @@ final class Publisher {
     return provided.map(it -> it.transfer().latency()).orElse(0L);
   }
 
-  /** What there is to say at this moment. */
-  void fill(World world, SampledRun moment, Lidar lidar) {
+  /**
+   * What there is to say at this moment.
+   *
+   * @param shown the time on the clock, in ns
+   */
+  void fill(World world, SampledRun moment, Lidar lidar, long shown) {
     count++;
     if (provided.isEmpty()) {
-      stamp(message, "clock", world.now());
+      stamp(message, "clock", shown);
       return;
     }
-    stamps.forEach(path -> stamp(message, path, world.now()));
+    stamps.forEach(path -> stamp(message, path, shown));
     if (provided.get().lidar()) {
       RoadScene scene = RoadScene.of(world);
       lidar.scan(scene, message);

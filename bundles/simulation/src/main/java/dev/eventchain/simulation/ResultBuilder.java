@@ -22,19 +22,19 @@ final class ResultBuilder {
 
   private final NodeSetup setup;
   private final List<Run> runs;
+  private final List<FaultRun> faultRuns;
 
-  ResultBuilder(NodeSetup setup, List<Run> runs) {
+  ResultBuilder(NodeSetup setup, List<Run> runs, List<FaultRun> faultRuns) {
     this.setup = setup;
     this.runs = runs;
+    this.faultRuns = faultRuns;
   }
 
   SimulationResult build(String confinement, int processes, double wallSeconds) {
     List<Diagnostic> silent = Silence.in(runs.stream().map(Run::log).toList(), setup);
+    boolean worked = silent.stream().allMatch(setup::isAccepted);
     ScenarioJudge judge = new ScenarioJudge(setup);
-    List<ScenarioVerdict> verdicts =
-        runs.stream()
-            .map(run -> judge.verdict(run, silent.stream().allMatch(setup::isAccepted)))
-            .toList();
+    List<ScenarioVerdict> verdicts = runs.stream().map(run -> judge.verdict(run, worked)).toList();
     List<Measurements.Node> nodes = setup.nodes().stream().map(this::measure).toList();
     Measurements measurements =
         new Measurements(
@@ -56,7 +56,20 @@ final class ResultBuilder {
         Stream.of(silent, ignored(), tooOld(), fromBehind(), wire(), warnings())
             .flatMap(List::stream)
             .toList();
-    return new SimulationResult(verdicts, measurements, found, host);
+    return new SimulationResult(verdicts, measurements, found, faults(worked), host);
+  }
+
+  private List<FaultVerdict> faults(boolean worked) {
+    FaultJudge judge = new FaultJudge(setup, worked);
+    return faultRuns.stream().map(run -> judge.verdict(run, without(run.fault()))).toList();
+  }
+
+  /** The run of a fault's scenario without it. */
+  private Run without(Fault fault) {
+    return runs.stream()
+        .filter(run -> run.scenario().name().equals(fault.scenario().name()))
+        .findFirst()
+        .orElseThrow(() -> new IllegalStateException("a fault in another scenario"));
   }
 
   private Measurements.Node measure(SoftwareNode node) {

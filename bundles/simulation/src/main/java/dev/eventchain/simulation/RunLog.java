@@ -7,7 +7,24 @@ import java.util.List;
 import java.util.Map;
 
 /** What the nodes did in a scenario: each activation with the samples that it read and wrote. */
-record RunLog(Map<String, List<Activation>> nodes, Map<String, Map<Long, Long>> publications) {
+record RunLog(
+    Map<String, List<Activation>> nodes,
+    Map<String, Map<Long, Long>> publications,
+    Map<String, Affected> affected) {
+
+  /** Of a run without a fault. */
+  RunLog(Map<String, List<Activation>> nodes, Map<String, Map<Long, Long>> publications) {
+    this(nodes, publications, Map.of());
+  }
+
+  /**
+   * What a fault has done to a node.
+   *
+   * @param count how many activations or messages it has changed
+   * @param first when it was first, in ns
+   * @param loss why the node is no more, as the process said it; missing if it is
+   */
+  record Affected(long count, long first, JsonNode loss) {}
 
   /** The sample with this sequence number on a topic. */
   record SampleId(String topic, long sequence) {}
@@ -22,6 +39,7 @@ record RunLog(Map<String, List<Activation>> nodes, Map<String, Map<Long, Long>> 
    */
   static RunLog parse(JsonNode json) {
     Map<String, List<Activation>> nodes = new LinkedHashMap<>();
+    Map<String, Affected> affected = new LinkedHashMap<>();
     for (JsonNode node : json.required("nodes")) {
       List<Activation> activations = new ArrayList<>();
       for (JsonNode activation : node.required("activations")) {
@@ -36,12 +54,20 @@ record RunLog(Map<String, List<Activation>> nodes, Map<String, Map<Long, Long>> 
       if (nodes.put(text(node.required("name")), activations) != null) {
         throw new IllegalArgumentException("a node twice");
       }
+      if (node.has("affected")) {
+        affected.put(text(node.required("name")), affected(node));
+      }
     }
     Map<String, Map<Long, Long>> publications = new LinkedHashMap<>();
     json.required("publications")
         .properties()
         .forEach(topic -> publications.put(topic.getKey(), times(topic.getValue())));
-    return new RunLog(nodes, publications);
+    return new RunLog(nodes, publications, affected);
+  }
+
+  private static Affected affected(JsonNode node) {
+    long count = node.path("affected").longValue();
+    return new Affected(count, node.path("affected_first").longValue(), node.path("loss"));
   }
 
   private static long number(JsonNode array, int index) {

@@ -90,7 +90,7 @@ final class RunLogCheck {
 
   private void check(String node, Activation activation, long earliest, long executionTime) {
     boolean inTime = activation.start() >= earliest && activation.start() < Math.max(end, 1);
-    boolean asLong = activation.end() - activation.start() == executionTime;
+    boolean asLong = activation.end() == end(node, activation.start(), executionTime);
     require(inTime && asLong && activation.host() >= 0, "an impossible time of " + node);
     for (SampleId read : activation.reads()) {
       require(time(read) <= activation.start(), "a sample that " + node + " could not read");
@@ -100,6 +100,23 @@ final class RunLogCheck {
       require(
           first && time(sample) == activation.end(), "a sample that " + node + " could not write");
     }
+  }
+
+  /** When an activation ends: a fault may stop it on its way, or let it take longer. */
+  private long end(String node, long start, long executionTime) {
+    JsonNode fault = configuration.path("fault");
+    long usual = start + executionTime;
+    if (!fault.path("target").asText().equals(node)) {
+      return usual;
+    }
+    long from = fault.path("start").asLong();
+    long until = fault.path("end").asLong(Fault.NEVER);
+    return switch (fault.path("kind").asText()) {
+      case "stop" -> start < from && from <= usual ? usual + until - from : usual;
+      case "delay" ->
+          start >= from && start < until ? usual + fault.path("amount").asLong() : usual;
+      default -> usual;
+    };
   }
 
   /** When a sample could be seen; never if it was not published. */

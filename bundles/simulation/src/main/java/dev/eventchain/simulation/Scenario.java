@@ -61,6 +61,13 @@ public final class Scenario {
       SourceLocation requirementsLocation,
       SourceLocation location) {}
 
+  /** The same with other criteria. */
+  Scenario with(List<Expectation> others) {
+    Heading heading =
+        new Heading(name, title, description, requirements, requirementsLocation, location);
+    return new Scenario(heading, seed, duration, situation, inputs, others);
+  }
+
   /**
    * Reads one scenario.
    *

@@ -30,11 +30,7 @@ final class ScenarioJudge {
     Scenario scenario = run.scenario();
     Trace trace = run.trace();
     List<Signal> signals = setup.chainSignals().with(setup.bench().signals().reported(scenario));
-    List<CriterionResult> criteria =
-        scenario.criteria().stream()
-            .filter(this::applies)
-            .map(each -> judge(each, run, worked))
-            .toList();
+    List<CriterionResult> criteria = criteria(run, worked);
     boolean passed = criteria.stream().allMatch(CriterionResult::passed);
     boolean failed = criteria.stream().anyMatch(each -> each.tested() && !each.passed());
     boolean tested = failed || criteria.stream().allMatch(CriterionResult::tested);
@@ -51,6 +47,14 @@ final class ScenarioJudge {
         setup.latencyConstraints().stream().map(each -> latency(run.log(), each)).toList(),
         MessageFlows.of(List.of(run), setup),
         WhatHappened.series(scenario.situation(), trace, signals));
+  }
+
+  /** The criteria of the run's scenario, as far as they apply, as {@link #verdict} has them. */
+  List<CriterionResult> criteria(Run run, boolean worked) {
+    return run.scenario().criteria().stream()
+        .filter(this::applies)
+        .map(each -> judge(each, run, worked))
+        .toList();
   }
 
   /** What holds for every scenario holds for software that commands the vehicle. */
@@ -90,7 +94,7 @@ final class ScenarioJudge {
         Criterion.format("this machine was %.0f ms behind the clock", run.overrun() / MILLISECOND));
   }
 
-  private static CriterionResult result(Expectation criterion, Criterion.Outcome outcome) {
+  static CriterionResult result(Expectation criterion, Criterion.Outcome outcome) {
     return new CriterionResult(
         criterion.text(),
         outcome.tested(),

@@ -1,10 +1,12 @@
 package dev.eventchain.simulation;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.simulation.NodeSession.Inbound;
 import dev.eventchain.simulation.NodeSession.Notice;
 import dev.eventchain.simulation.NodeSession.Outbound;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
@@ -14,6 +16,9 @@ final class ScenarioRunner {
 
   /** How long it goes on after the ego has stopped, in ns. */
   private static final long AFTER_STOP = 1_000_000_000L;
+
+  /** How long it goes on after a fault, at least, in ns. */
+  private static final long AFTER_FAULT = 2_000_000_000L;
 
   /**
    * What happened.
@@ -37,6 +42,11 @@ final class ScenarioRunner {
     /** From here on the world was not the one that the nodes were to meet. */
     private static final long MOST_OVERRUN = 20_000_000L;
 
+    /** The same, judged by another scenario's criteria. */
+    Run with(Scenario other) {
+      return new Run(other, trace, log, ready, lost, notices, overrun, hostNanos);
+    }
+
     /** Whether the world fell so far behind the clock that nothing can be concluded. */
     boolean isOverrun() {
       return overrun > MOST_OVERRUN;
@@ -52,12 +62,14 @@ final class ScenarioRunner {
   }
 
   Run run(Scenario scenario) {
-    BenchDriver driver = new BenchDriver(setup, scenario);
+    BenchDriver driver = new BenchDriver(setup, scenario, new WorldFault(Optional.empty()));
     JsonNode ready = session.configure(setup.configuration(scenario, driver));
     Optional<Recording> recording =
         setup.recordings().map(to -> new Recording(to, scenario, driver, setup.catalog()));
     try {
-      Run run = drive(scenario, driver, ready, recording);
+      World world = world(scenario);
+      long hostNanos = drive(world, driver, scenario.horizon(), duration(scenario), recording);
+      Run run = finish(scenario, world, ready, hostNanos);
       recording.ifPresent(it -> it.finish("at its end"));
       return run;
     } catch (DiagnosticException e) {
@@ -69,14 +81,51 @@ final class ScenarioRunner {
     }
   }
 
-  private Run drive(
-      Scenario scenario, BenchDriver driver, JsonNode ready, Optional<Recording> recording) {
+  /**
+   * Drives the scenario of a fault with it. A node that fails is gone, and the run goes on; what
+   * ends the run besides is a part of the result. Nothing is recorded.
+   */
+  FaultRun run(Fault fault) {
+    List<Expectation> criteria = new ArrayList<>(fault.scenario().criteria());
+    criteria.addAll(fault.expected());
+    Scenario scenario = fault.scenario().with(criteria);
+    WorldFault atWorld = new WorldFault(Optional.of(fault));
+    BenchDriver driver = new BenchDriver(setup, scenario, atWorld);
+    ObjectNode configuration = setup.configuration(scenario, driver);
+    configuration.set("fault", fault.toJson());
+    World world = world(scenario);
+    long decided = fault.end() < Fault.NEVER ? fault.end() : fault.start();
+    long horizon = Math.max(scenario.horizon(), decided + AFTER_FAULT);
+    JsonNode ready = session.configure(configuration);
+    try {
+      long hostNanos = drive(world, driver, horizon, duration(scenario), Optional.empty());
+      return new FaultRun(
+          fault, finish(scenario, world, ready, hostNanos), atWorld, Optional.empty());
+    } catch (DiagnosticException e) {
+      if (e.reason() != DiagnosticException.Reason.FINDINGS) {
+        throw e;
+      }
+      RunLog log = new RunLog(Map.of(), Map.of());
+      Run run = new Run(scenario, world.trace(), log, ready, Map.of(), List.of(), 0, 0);
+      return new FaultRun(fault, run, atWorld, Optional.of(e.diagnostics().get(0)));
+    }
+  }
+
+  private static World world(Scenario scenario) {
     Situation situation = scenario.situation();
-    World world = new World(situation, new Trace(scenario.inputs(), situation.road()));
-    long end = World.nanoseconds(scenario.duration());
-    long stoppedAt = scenario.situation().ego().speed() > 0 ? Long.MAX_VALUE : end;
+    return new World(situation, new Trace(scenario.inputs(), situation.road()));
+  }
+
+  private static long duration(Scenario scenario) {
+    return World.nanoseconds(scenario.duration());
+  }
+
+  /** Lets time pass; answers how much of it passed on this machine, in ns. */
+  private long drive(
+      World world, BenchDriver driver, long least, long end, Optional<Recording> recording) {
+    long stoppedAt = world.egoSpeed() > 0 ? Long.MAX_VALUE : end;
     long started = System.nanoTime();
-    long horizon = Math.min(end, scenario.horizon());
+    long horizon = Math.min(end, least);
     while (world.now() < end
         && !world.impacted()
         && (world.now() < horizon || world.now() - AFTER_STOP < stoppedAt)) {
@@ -96,7 +145,7 @@ final class ScenarioRunner {
     }
     driver.finish(world);
     recording.ifPresent(it -> it.scene(world));
-    return finish(scenario, world, ready, System.nanoTime() - started);
+    return System.nanoTime() - started;
   }
 
   private Run finish(Scenario scenario, World world, JsonNode ready, long hostNanos) {

@@ -1,5 +1,6 @@
 package dev.eventchain.simulation;
 
+import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.python.Confinement;
 import dev.eventchain.python.PythonEnvironment;
@@ -29,6 +30,7 @@ public final class Simulation {
   private final AtomicBoolean stopped = new AtomicBoolean();
   private final List<NodeHosts> open = new ArrayList<>();
   private final SortedMap<Integer, Run> runs = new TreeMap<>();
+  private final SortedMap<Integer, FaultRun> faultRuns = new TreeMap<>();
   private final SortedMap<Integer, Throwable> failures = new TreeMap<>();
 
   private Simulation(
@@ -43,13 +45,15 @@ public final class Simulation {
    * Simulates all scenarios and judges them.
    *
    * @param python the Python that runs the nodes
-   * @param progress gets the name of each scenario when it has been simulated, one at a time, from
-   *     threads of the simulation; the order may differ from that of the request
+   * @param progress gets the name of each scenario when it has been simulated, and those of faults
+   *     with theirs, one at a time, from threads of the simulation; the order may differ from that
+   *     of the request
    * @throws DiagnosticException (INPUT) if the messages of the vehicle are not defined ({@code
    *     message.unknown}, {@code message.field.missing}), or the manifest is not that of the chain
-   *     ({@code simulation.manifest}); (FINDINGS) if the nodes cannot be driven through a scenario:
-   *     one raises, hangs, ends its process, or returns something else than its signature says
-   *     ({@code component.*}, {@code node.*}), or the process that runs the nodes hangs ({@code
+   *     ({@code simulation.manifest}), or there are faults that the driver cannot inject ({@code
+   *     fault.driver}); (FINDINGS) if the nodes cannot be driven through a scenario: one raises,
+   *     hangs, ends its process, or returns something else than its signature says ({@code
+   *     component.*}, {@code node.*}), or the process that runs the nodes hangs ({@code
    *     simulation.step.timeout}), ends ({@code simulation.process.ended}), writes or publishes
    *     without end ({@code simulation.limit}) or breaks the protocol ({@code
    *     simulation.protocol}); on DDS also if a node is stopped or lost ({@code
@@ -68,7 +72,8 @@ public final class Simulation {
     long started = System.nanoTime();
     // In real time two scenarios would take each other's time.
     int most = request.driver() == Driver.DDS_IN_REAL_TIME ? 1 : request.processes();
-    int processes = Math.min(most, request.scenarios().size());
+    refuseFaultsInRealTime();
+    int processes = Math.min(most, runsInAll());
     List<Thread> workers = new ArrayList<>();
     for (int i = 0; i < processes; i++) {
       int turn = i;
@@ -84,14 +89,9 @@ public final class Simulation {
       stop(workers);
       throw e;
     }
-    if (!failures.isEmpty()) {
-      throwUnchecked(failures.get(failures.firstKey()));
-    }
-    if (runs.size() != request.scenarios().size()) {
-      throw new IllegalStateException("a scenario was not simulated");
-    }
+    requireAll();
     double wallSeconds = (System.nanoTime() - started) / 1e9;
-    return new ResultBuilder(setup, List.copyOf(runs.values()))
+    return new ResultBuilder(setup, List.copyOf(runs.values()), List.copyOf(faultRuns.values()))
         .build(confinement.describe(), processes, wallSeconds);
   }
 
@@ -113,19 +113,76 @@ public final class Simulation {
     }
   }
 
-  /** Takes scenario after scenario until none is left. */
+  private void requireAll() {
+    if (!failures.isEmpty()) {
+      throwUnchecked(failures.get(failures.firstKey()));
+    }
+    if (runs.size() + faultRuns.size() != runsInAll()) {
+      throw new IllegalStateException("a scenario was not simulated");
+    }
+  }
+
+  private int runsInAll() {
+    return request.scenarios().size() + request.faults().faults().size();
+  }
+
+  private void refuseFaultsInRealTime() {
+    if (request.driver() == Driver.DDS_IN_REAL_TIME) {
+      List<Diagnostic> refused =
+          request.faults().faults().stream().map(Simulation::inRealTime).distinct().toList();
+      if (!refused.isEmpty()) {
+        throw new DiagnosticException(DiagnosticException.Reason.INPUT, refused);
+      }
+    }
+  }
+
+  private static Diagnostic inRealTime(Fault fault) {
+    return Diagnostic.error(
+            "fault.driver",
+            "The fault '" + fault.name() + "' cannot be injected in real time.",
+            fault.location())
+        .withHint("Leave out --real-time: in simulated time, all faults can.");
+  }
+
+  /** Takes run after run until none is left, in new processes after one that did not survive. */
   private void work(int turn) {
-    int scenario = -1;
+    int[] taken = {-1};
+    try {
+      boolean more = true;
+      while (more) {
+        more = workInOneProcess(turn, taken);
+      }
+    } catch (RuntimeException | Error e) { // rethrown by run(): a thread must not end unnoticed
+      failed(taken[0], e);
+    }
+  }
+
+  /**
+   * Takes run after run.
+   *
+   * @param taken gets the number of each
+   * @return whether there may be more, but not for this process, which a fault has ended
+   */
+  private boolean workInOneProcess(int turn, int[] taken) {
     try (NodeHosts process = start(turn)) {
       synchronized (open) {
         open.add(process);
       }
       ScenarioRunner runner = new ScenarioRunner(setup, process.session());
-      while (!stopped.get() && (scenario = next.getAndIncrement()) < request.scenarios().size()) {
-        done(scenario, runner.run(request.scenarios().get(scenario)));
+      int scenarios = request.scenarios().size();
+      while (!stopped.get() && (taken[0] = next.getAndIncrement()) < runsInAll()) {
+        int number = taken[0];
+        if (number < scenarios) {
+          done(number, runner.run(request.scenarios().get(number)));
+        } else {
+          FaultRun run = runner.run(request.faults().faults().get(number - scenarios));
+          done(number, run);
+          if (run.ended().isPresent()) {
+            return !stopped.get() && next.get() < runsInAll();
+          }
+        }
       }
-    } catch (RuntimeException | Error e) { // rethrown by run(): a thread must not end unnoticed
-      failed(scenario, e);
+      return false;
     }
   }
 
@@ -138,6 +195,11 @@ public final class Simulation {
   private synchronized void done(int scenario, Run run) {
     runs.put(scenario, run);
     progress.accept(run.scenario().name());
+  }
+
+  private synchronized void done(int number, FaultRun run) {
+    faultRuns.put(number, run);
+    progress.accept(run.fault().scenario().name() + " with " + run.fault().name());
   }
 
   private synchronized void failed(int scenario, Throwable failure) {

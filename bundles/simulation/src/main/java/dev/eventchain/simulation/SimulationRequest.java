@@ -29,6 +29,8 @@ import java.util.function.Predicate;
  *     NAME.mcap} once the scenario has ended, also by a failure of a node; empty: nothing is
  *     recorded
  * @param driver how the nodes are run
+ * @param faults what else is simulated: each fault in one more run of its scenario, which is one of
+ *     the scenarios
  */
 public record SimulationRequest(
     EventChain chain,
@@ -42,13 +44,18 @@ public record SimulationRequest(
     Limits limits,
     Predicate<Diagnostic> accepted,
     Optional<Path> recordings,
-    Driver driver) {
+    Driver driver,
+    FaultPlan faults) {
 
   /** What brings messages from one to another, and lets time pass. */
   public enum Driver {
     /** All nodes in one process, messages in memory. */
     LOCKSTEP("lock-step"),
-    /** Each node in a process of its own on Cyclone DDS, in simulated time. */
+    /**
+     * Each node in a process of its own on Cyclone DDS, in simulated time. Faults that kill or stop
+     * a node act within its host, at an instant of simulated time, so that they do the same as in
+     * lock-step; the host itself goes on.
+     */
     DDS("Cyclone DDS in simulated time"),
     /** The same in real time: one scenario after the other, and nobody waits for anybody. */
     DDS_IN_REAL_TIME("Cyclone DDS in real time");
@@ -111,37 +118,43 @@ public record SimulationRequest(
         Limits.DEFAULT,
         finding -> false,
         Optional.empty(),
-        Driver.LOCKSTEP);
+        Driver.LOCKSTEP,
+        FaultPlan.NONE);
   }
 
   /** The same on another number of processes. */
   public SimulationRequest withProcesses(int number) {
-    return with(number, generated, limits, accepted, recordings, driver);
+    return with(number, generated, limits, accepted, recordings, driver, faults);
   }
 
   /** The same with other components that count as generated. */
   public SimulationRequest withGenerated(Set<String> names) {
-    return with(processes, names, limits, accepted, recordings, driver);
+    return with(processes, names, limits, accepted, recordings, driver, faults);
   }
 
   /** The same with other limits. */
   public SimulationRequest withLimits(Limits other) {
-    return with(processes, generated, other, accepted, recordings, driver);
+    return with(processes, generated, other, accepted, recordings, driver, faults);
   }
 
   /** The same with other findings that people accept. */
   public SimulationRequest withAccepted(Predicate<Diagnostic> other) {
-    return with(processes, generated, limits, other, recordings, driver);
+    return with(processes, generated, limits, other, recordings, driver, faults);
   }
 
   /** The same with recordings in a folder, which exists. */
   public SimulationRequest withRecordings(Path folder) {
-    return with(processes, generated, limits, accepted, Optional.of(folder), driver);
+    return with(processes, generated, limits, accepted, Optional.of(folder), driver, faults);
   }
 
   /** The same with another driver. */
   public SimulationRequest withDriver(Driver other) {
-    return with(processes, generated, limits, accepted, recordings, other);
+    return with(processes, generated, limits, accepted, recordings, other, faults);
+  }
+
+  /** The same with faults, each in a scenario of this request. */
+  public SimulationRequest withFaults(FaultPlan other) {
+    return with(processes, generated, limits, accepted, recordings, driver, other);
   }
 
   private SimulationRequest with(
@@ -150,7 +163,8 @@ public record SimulationRequest(
       Limits newLimits,
       Predicate<Diagnostic> newAccepted,
       Optional<Path> newRecordings,
-      Driver newDriver) {
+      Driver newDriver,
+      FaultPlan newFaults) {
     return new SimulationRequest(
         chain,
         packageFolder,
@@ -163,6 +177,7 @@ public record SimulationRequest(
         newLimits,
         newAccepted,
         newRecordings,
-        newDriver);
+        newDriver,
+        newFaults);
   }
 }

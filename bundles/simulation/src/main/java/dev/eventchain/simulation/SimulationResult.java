@@ -12,16 +12,19 @@ import java.util.List;
  * @param measurements what was measured of the nodes
  * @param diagnostics findings that do not belong to a criterion, such as connections that were not
  *     made ({@code topic.type.mismatch}, {@code qos.incompatible})
+ * @param faults what came of each fault, in the order of the request
  * @param host how the simulation itself ran
  */
 public record SimulationResult(
     List<ScenarioVerdict> verdicts,
     Measurements measurements,
     List<Diagnostic> diagnostics,
+    List<FaultVerdict> faults,
     Host host) {
 
   /** Copies the lists. */
   public SimulationResult {
+    faults = List.copyOf(faults);
     verdicts = List.copyOf(verdicts);
     diagnostics = List.copyOf(diagnostics);
   }

@@ -82,6 +82,11 @@ final class WireRecord {
   private ObjectNode translated(JsonNode node) {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     json.set("name", node.required("name"));
+    for (String ofFault : List.of("affected", "affected_first", "loss")) {
+      if (node.has(ofFault)) {
+        json.set(ofFault, node.get(ofFault));
+      }
+    }
     ArrayNode activations = json.putArray("activations");
     for (JsonNode activation : node.required("activations")) {
       ArrayNode translated = activations.addArray();

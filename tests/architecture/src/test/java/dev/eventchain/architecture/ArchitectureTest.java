@@ -55,7 +55,7 @@ class ArchitectureTest {
               Map.entry("m2t", 5),
               Map.entry("modeler", 10),
               Map.entry("analysis", 2),
-              Map.entry("simulation", 9),
+              Map.entry("simulation", 11),
               Map.entry("agents", 9),
               Map.entry("pipeline", 15),
               Map.entry("cli", 1)));

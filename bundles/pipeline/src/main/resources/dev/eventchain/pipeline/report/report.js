@@ -2,6 +2,7 @@
 
 const data = record(JSON.parse(document.getElementById("data").textContent));
 const scenarios = records(data.scenarios);
+const faults = records(data.faults);
 const requirements = records(data.requirements);
 const validation = records(data.validation);
 const stages = records(data.stages);
@@ -407,7 +408,7 @@ function page() {
   const shown = (id) => (made(id).hidden ? null : made(id));
   completeRequirements();
   const findings = diagnosticSection();
-  const sections = [errors.length > 0 ? findings : null, scenarioSection(), made("chain"), shown("requirements"), validationSection(),
+  const sections = [errors.length > 0 ? findings : null, scenarioSection(), faultSection(), made("chain"), shown("requirements"), validationSection(),
     errors.length > 0 ? null : findings, made("measurements"), stageSection(), conversationSection(), provenanceSection()].filter(Boolean);
   const links = sections.map((one) => html("li", null, html("a", { href: "#" + one.id }, one.querySelector("h2").textContent)));
   document.querySelector("header").after(html("nav", { class: "contents", "aria-label": "Contents" }, html("ul", null, links)));

@@ -1,0 +1,98 @@
+package dev.eventchain.simulation;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.simulation.FaultVerdict.Detection;
+import dev.eventchain.simulation.FaultVerdict.Means;
+import dev.eventchain.simulation.InputAges.TooOld;
+import dev.eventchain.simulation.RunLog.Affected;
+import dev.eventchain.simulation.ScenarioRunner.Run;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.Set;
+
+/**
+ * What tells of a fault in a run that does not do so in the run without it. That components did not
+ * work at all is no such thing: that is known here because the fault is. Nor is what DDS notices of
+ * deadlines and liveliness: its clock is not the simulated one.
+ */
+final class FaultDetections {
+
+  private final NodeSetup setup;
+  private final FaultRun faulty;
+  private final Run without;
+
+  FaultDetections(NodeSetup setup, FaultRun faulty, Run without) {
+    this.setup = setup;
+    this.faulty = faulty;
+    this.without = without;
+  }
+
+  /** In the order of time; those without one last. */
+  List<Detection> all() {
+    List<Detection> all = new ArrayList<>();
+    inputs(all);
+    losses(all);
+    faulty
+        .ended()
+        .ifPresent(
+            it -> {
+              double time = World.seconds(faulty.run().trace().end().time());
+              all.add(
+                  new Detection(
+                      Means.FAILURE,
+                      it.id(),
+                      it.location().element(),
+                      it.message(),
+                      OptionalDouble.of(time)));
+            });
+    all.sort(
+        Comparator.comparingDouble((Detection it) -> it.time().orElse(Double.POSITIVE_INFINITY))
+            .thenComparing(Detection::means));
+    return all;
+  }
+
+  /** The first time at which each input was too old and was not without the fault. */
+  private void inputs(List<Detection> all) {
+    Set<String> known = new HashSet<>();
+    InputAges.tooOld(without, setup, time -> time).forEach(it -> known.add(key(it) + it.time()));
+    Set<String> told = new HashSet<>();
+    for (TooOld each : InputAges.tooOld(faulty.run(), setup, faulty.fault()::clock)) {
+      boolean caused =
+          each.time() >= faulty.fault().start() && !known.contains(key(each) + each.time());
+      if (caused && told.add(key(each))) {
+        all.add(
+            new Detection(
+                each.command() ? Means.CHECK : Means.SOFTWARE,
+                "simulation.input.too-old",
+                each.node(),
+                each.words(),
+                OptionalDouble.of(World.seconds(each.time()))));
+      }
+    }
+  }
+
+  private static String key(TooOld each) {
+    return each.node() + " " + each.topic() + " " + each.command() + " ";
+  }
+
+  /** The nodes that have failed. */
+  private void losses(List<Detection> all) {
+    for (Map.Entry<String, Affected> each : faulty.run().log().affected().entrySet()) {
+      if (each.getValue().loss().isObject()) {
+        Diagnostic found = HostFailures.inUserCode(each.getValue().loss(), setup.userFiles());
+        double time = World.seconds(each.getValue().loss().path("time").asLong());
+        all.add(
+            new Detection(
+                Means.FAILURE,
+                found.id(),
+                each.getKey(),
+                found.message(),
+                OptionalDouble.of(time)));
+      }
+    }
+  }
+}

@@ -1,0 +1,177 @@
+package dev.eventchain.simulation;
+
+import dev.eventchain.simulation.Fault.Detected;
+import dev.eventchain.simulation.FaultVerdict.Detection;
+import dev.eventchain.simulation.FaultVerdict.Deviation;
+import dev.eventchain.simulation.FaultVerdict.Vehicle;
+import dev.eventchain.simulation.ScenarioRunner.Run;
+import dev.eventchain.simulation.ScenarioVerdict.CriterionResult;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/** Compares a run with a fault with the one without it, and judges it. */
+final class FaultJudge {
+
+  private final NodeSetup setup;
+  private final boolean worked;
+
+  /**
+   * A judge.
+   *
+   * @param worked whether every component works without faults, or people accept that it does not
+   */
+  FaultJudge(NodeSetup setup, boolean worked) {
+    this.setup = setup;
+    this.worked = worked;
+  }
+
+  FaultVerdict verdict(FaultRun faulty, Run without) {
+    Fault fault = faulty.fault();
+    List<Detection> detections = new FaultDetections(setup, faulty, without).all();
+    boolean effective = faulty.tookEffect();
+    List<CriterionResult> expected = expected(faulty, effective, detections);
+    boolean failed = expected.stream().anyMatch(each -> each.tested() && !each.passed());
+    boolean tested = effective && (failed || expected.stream().allMatch(CriterionResult::tested));
+    boolean held = expected.stream().allMatch(CriterionResult::passed);
+    return new FaultVerdict(
+        fault.name(),
+        fault.scenario().name(),
+        fault.words(),
+        effect(faulty, effective),
+        effective,
+        fault.isJudged(),
+        tested,
+        fault.isJudged() && tested && held,
+        vehicle(faulty.run().trace()),
+        vehicle(without.trace()),
+        deviation(faulty.run().trace(), without.trace()),
+        criteria(faulty, fault.scenario().criteria()),
+        expected,
+        detections,
+        faulty.ended(),
+        fault.location());
+  }
+
+  private static String effect(FaultRun faulty, boolean effective) {
+    Fault fault = faulty.fault();
+    double end = World.seconds(faulty.run().trace().end().time());
+    if (!effective) {
+      return fault.start() >= faulty.run().trace().end().time()
+          ? Criterion.format("the run was over after %.2f s", end)
+          : fault.kind().isAboutMessages()
+              ? Criterion.format("no message came on %s meanwhile", fault.target())
+              : "nothing was there that it could change";
+    }
+    long count = faulty.affected();
+    if (faulty.ended().isPresent()) {
+      return ""; // There is no record of it.
+    }
+    return switch (fault.kind()) {
+      case DROP, DEAD_SENSOR -> counted(count, "message") + " did not come";
+      case REPEAT, FLOOD -> counted(count, "message") + " came more than once";
+      case CORRUPT ->
+          counted(count, "message") + " changed; those that nobody can decode any more got lost";
+      case DELAY -> counted(count, "activation") + " took longer";
+      default -> "";
+    };
+  }
+
+  private static String counted(long count, String what) {
+    return count + " " + what + (count == 1 ? "" : "s");
+  }
+
+  private List<CriterionResult> criteria(FaultRun faulty, List<Expectation> criteria) {
+    Run run = faulty.run().with(faulty.run().scenario().with(criteria));
+    if (faulty.ended().isEmpty()) {
+      return new ScenarioJudge(setup).criteria(run, worked);
+    }
+    return criteria.stream()
+        .map(each -> untested(each, "the run was ended: " + faulty.ended().get().message()))
+        .toList();
+  }
+
+  private static CriterionResult untested(Expectation criterion, String why) {
+    return ScenarioJudge.result(criterion, Criterion.Outcome.untested(why));
+  }
+
+  /** A fault that changed nothing says nothing, whatever held. */
+  private List<CriterionResult> expected(
+      FaultRun faulty, boolean effective, List<Detection> detections) {
+    Fault fault = faulty.fault();
+    List<CriterionResult> results =
+        effective
+            ? new ArrayList<>(criteria(faulty, fault.expected()))
+            : new ArrayList<>(
+                fault.expected().stream()
+                    .map(each -> untested(each, "the fault had no effect"))
+                    .toList());
+    fault
+        .detection()
+        .map(it -> detection(fault, it, effective, detections))
+        .ifPresent(results::add);
+    return results;
+  }
+
+  private static CriterionResult detection(
+      Fault fault, Detected wanted, boolean effective, List<Detection> detections) {
+    String text =
+        wanted.within().isPresent()
+            ? Criterion.format("the fault is detected within %.2f s", wanted.within().getAsDouble())
+            : "the fault is detected";
+    double start = World.seconds(fault.start());
+    double latest = start + wanted.within().orElse(Double.POSITIVE_INFINITY);
+    Optional<Detection> first = detections.stream().findFirst();
+    boolean passed =
+        effective
+            && first.isPresent()
+            && (wanted.within().isEmpty() || first.get().time().orElse(Double.NaN) <= latest);
+    String measured =
+        !effective
+            ? "the fault had no effect"
+            : first.map(it -> measured(it, start)).orElse("nothing told of it");
+    return new CriterionResult(
+        text, effective, passed, measured, Optional.empty(), List.of(), wanted.location());
+  }
+
+  private static String measured(Detection detection, double start) {
+    return detection.time().isPresent()
+        ? Criterion.format(
+            "%s, %.2f s after its start", detection.words(), detection.time().getAsDouble() - start)
+        : detection.words() + ", nobody knows when";
+  }
+
+  private static Vehicle vehicle(Trace trace) {
+    OptionalDouble stopped = OptionalDouble.empty();
+    List<Trace.State> states = trace.states();
+    for (int i = states.size() - 1; i >= 0 && states.get(i).speed() == 0.0; i--) {
+      stopped = OptionalDouble.of(World.seconds(states.get(i).time()));
+    }
+    return new Vehicle(
+        trace.impactSpeed(),
+        trace.impact(),
+        stopped,
+        trace.minimalGap(),
+        trace.end().speed(),
+        World.seconds(trace.end().time()));
+  }
+
+  /** As long as both runs last; who stood at the end of the shorter one would still stand. */
+  private static Deviation deviation(Trace faulty, Trace without) {
+    Deviation largest = new Deviation(0, 0);
+    boolean stands = without.end().speed() == 0.0 && without.impactSpeed().isEmpty();
+    for (Trace.State state : faulty.states()) {
+      if (state.time() <= without.end().time() || stands) {
+        Trace.State other = without.stateAt(state.time());
+        double distance =
+            Math.hypot(
+                state.position() - other.position(), state.pose().offset() - other.pose().offset());
+        if (other.time() <= state.time() && distance > largest.distance()) {
+          largest = new Deviation(distance, World.seconds(state.time()));
+        }
+      }
+    }
+    return largest;
+  }
+}

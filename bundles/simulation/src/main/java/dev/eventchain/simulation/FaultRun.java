@@ -1,0 +1,38 @@
+package dev.eventchain.simulation;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.simulation.RunLog.Affected;
+import dev.eventchain.simulation.ScenarioRunner.Run;
+import java.util.Optional;
+
+/**
+ * A run with a fault.
+ *
+ * @param run what happened; without a log if it was ended
+ * @param world what the fault did to the world's messages
+ * @param ended why it could not go on to its end; empty if it did
+ */
+record FaultRun(Fault fault, Run run, WorldFault world, Optional<Diagnostic> ended) {
+
+  /** How many activations or messages the fault has changed. */
+  long affected() {
+    return world.affected()
+        + run.log().affected().values().stream().mapToLong(Affected::count).sum();
+  }
+
+  /** When the fault first made a difference, in ns; {@link Fault#NEVER} if it never did. */
+  long first() {
+    return run.log().affected().values().stream()
+        .mapToLong(Affected::first)
+        .reduce(world.first(), Math::min);
+  }
+
+  /**
+   * Whether it made a difference to something before the run was over. Of one that was ended there
+   * is no record; a fault that had begun is what ended it.
+   */
+  boolean tookEffect() {
+    long end = run.trace().end().time();
+    return ended.isPresent() ? fault.start() <= end : first() < end;
+  }
+}
