@@ -128,7 +128,7 @@ class FaultsReaderTest {
   @ParameterizedTest
   @MethodSource("invalidButYaml")
   void theSchemaRefusesTheSame(Path file) throws IOException {
-    String first = Files.readAllLines(file).get(0).substring(EXPECT.length()).split(" ")[0];
+    String first = Files.readAllLines(file).get(0).substring(EXPECT.length()).split(" ", -1)[0];
     String name = file.getFileName().toString();
     boolean beyond =
         BEYOND_THE_SCHEMA.contains(first)

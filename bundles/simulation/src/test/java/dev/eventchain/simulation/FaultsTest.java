@@ -285,7 +285,7 @@ class FaultsTest {
     List<FaultVerdict> wanted = new ArrayList<>();
     List<String> names = List.of("stopped", "clock-forwards");
     StringBuilder text = new StringBuilder("faults:\n");
-    for (String part : FAULTS.split("(?=  - name: )")) {
+    for (String part : FAULTS.split("(?=  - name: )", -1)) {
       if (names.stream().anyMatch(name -> part.startsWith("  - name: " + name + "\n"))) {
         text.append(part);
       }
