@@ -48,12 +48,14 @@ final class RunCommand extends ProjectCommand {
       throw wrongUsage(
           "the stage " + from.id() + " (--from) comes after the stage " + to.id() + " (--to)");
     }
-    if (scenarios.mcap
-        && (from.compareTo(Stage.SIMULATE) > 0 || to.compareTo(Stage.SIMULATE) < 0)) {
+    boolean simulates = from.compareTo(Stage.SIMULATE) <= 0 && to.compareTo(Stage.SIMULATE) >= 0;
+    if (scenarios.mcap && !simulates) {
       throw wrongUsage("--mcap records a simulation, and the stage simulate is not run");
     }
-    if (scenarios.faults != null
-        && (from.compareTo(Stage.SIMULATE) > 0 || to.compareTo(Stage.SIMULATE) < 0)) {
+    if (scenarios.attach && !simulates) {
+      throw wrongUsage("--attach is about a simulation, and the stage simulate is not run");
+    }
+    if (scenarios.faults != null && !simulates) {
       throw wrongUsage("--faults is about a simulation, and the stage simulate is not run");
     }
     return execute(folder, from, to, again, llm, scenarios);

@@ -33,6 +33,15 @@ final class ScenarioOptions {
       })
   private boolean realTime;
 
+  @Option(
+      names = "--attach",
+      description = {
+        "With --driver dds, start no nodes, but drive those that others started, in ROS 2 or",
+        "without, in the domain of ROS_DOMAIN_ID, by the clock on the wall. CYCLONEDDS_URI and",
+        "ROS_LOCALHOST_ONLY hold. What happens inside of such nodes is not measured."
+      })
+  boolean attach;
+
   private enum Transport {
     LOCKSTEP,
     DDS
@@ -44,8 +53,14 @@ final class ScenarioOptions {
    * @throws IllegalArgumentException if the options contradict each other
    */
   RunOptions.Driver driver() {
+    if (attach && driver != Transport.DDS) {
+      throw new IllegalArgumentException("--attach needs --driver dds");
+    }
     if (realTime && driver != Transport.DDS) {
       throw new IllegalArgumentException("--real-time needs --driver dds");
+    }
+    if (attach) {
+      return RunOptions.Driver.DDS_ATTACHED;
     }
     return driver == Transport.LOCKSTEP
         ? RunOptions.Driver.LOCKSTEP

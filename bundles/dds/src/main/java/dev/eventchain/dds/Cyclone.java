@@ -4,6 +4,7 @@ import com.sun.jna.FunctionMapper;
 import com.sun.jna.Library;
 import com.sun.jna.NativeLibrary;
 import com.sun.jna.Pointer;
+import com.sun.jna.ptr.LongByReference;
 import com.sun.jna.ptr.PointerByReference;
 import java.lang.reflect.Method;
 import java.util.Locale;
@@ -69,6 +70,12 @@ interface Cyclone extends Library {
 
   int assertLiveliness(int entity);
 
+  int readMask(int reader, Pointer samples, Pointer information, long size, int most, int mask);
+
+  int returnLoan(int reader, Pointer samples, int count);
+
+  void free(Pointer memory);
+
   Pointer createQos();
 
   void deleteQos(Pointer qos);
@@ -91,6 +98,18 @@ interface Cyclone extends Library {
   void qsetWriterDataLifecycle(Pointer qos, boolean autodispose);
 
   void qsetUserdata(Pointer qos, byte[] data, long size);
+
+  // A truth value of C is a byte; what stands beside it in the register means nothing.
+
+  byte qgetReliability(Pointer qos, int[] kind, long[] maximalBlockingTime);
+
+  byte qgetDurability(Pointer qos, int[] kind);
+
+  byte qgetDeadline(Pointer qos, long[] period);
+
+  byte qgetLiveliness(Pointer qos, int[] kind, long[] lease);
+
+  byte qgetUserdata(Pointer qos, PointerByReference data, LongByReference size);
 
   DynamicTypes.Type.ByValue dynamicTypeCreate(
       int entity, DynamicTypes.Descriptor.ByValue descriptor);

@@ -2,11 +2,15 @@ package dev.eventchain.dds;
 
 import dev.eventchain.messages.MessageType;
 import dev.eventchain.messages.RosNames;
+import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /** How names of ROS 2 stand in DDS (design.ros2.org, "Topic and Service name mapping to DDS"). */
 final class DdsNames {
 
   private static final String TOPIC = "rt";
+  private static final Pattern TYPE = Pattern.compile("((?:\\w+::)+)dds_::(\\w+)_");
 
   private DdsNames() {}
 
@@ -30,5 +34,18 @@ final class DdsNames {
         + "::dds_::"
         + type.name().substring(slash + 1)
         + "_";
+  }
+
+  /** The full name in ROS 2 of a topic of DDS; empty if it is none of ROS 2. */
+  static Optional<String> rosTopic(String name) {
+    return name.startsWith(TOPIC + "/")
+        ? Optional.of(name.substring(TOPIC.length()))
+        : Optional.empty();
+  }
+
+  /** The name in ROS 2 of a type of DDS; that of DDS if it is none of ROS 2. */
+  static String rosType(String name) {
+    Matcher matcher = TYPE.matcher(name);
+    return matcher.matches() ? matcher.group(1).replace("::", "/") + matcher.group(2) : name;
   }
 }

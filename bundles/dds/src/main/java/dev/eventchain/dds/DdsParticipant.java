@@ -3,6 +3,7 @@ package dev.eventchain.dds;
 import dev.eventchain.messages.MessageType;
 import dev.eventchain.messages.QosSettings;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -24,6 +25,39 @@ public final class DdsParticipant implements AutoCloseable {
 
   private record Topic(MessageType type, int handle) {}
 
+  /**
+   * A writer or a reader of another participant.
+   *
+   * @param writes whether it is a writer
+   * @param topic the full name in ROS 2, {@code /scan}
+   * @param type the full name in ROS 2, {@code sensor_msgs/msg/LaserScan}, or that of DDS if it is
+   *     no type of ROS 2
+   * @param qos as far as it decides whether samples flow
+   * @param typeHash of the definition of the type, as {@link MessageType#hash} has it; empty if the
+   *     other side does not tell (before Iron)
+   * @param node the full name of its node; empty if the other side does not tell
+   * @param participant whose it is: the same for all of one participant
+   * @param id no other one has the same
+   * @param handle what {@link DdsSample#publication} says of what a writer wrote
+   */
+  public record Peer(
+      boolean writes,
+      String topic,
+      String type,
+      QosSettings qos,
+      String typeHash,
+      String node,
+      String participant,
+      String id,
+      long handle) {
+
+    static final Comparator<Peer> ORDER =
+        Comparator.comparing(Peer::topic)
+            .thenComparing(Peer::writes)
+            .thenComparing(Peer::node)
+            .thenComparing(Peer::id);
+  }
+
   private final Cyclone cyclone;
   private final Domain domain;
   private final int handle;
@@ -31,6 +65,7 @@ public final class DdsParticipant implements AutoCloseable {
   private final Map<String, Topic> topics = new HashMap<>();
   private final List<AutoCloseable> endpoints = new ArrayList<>();
   private Optional<Graph> graph = Optional.empty();
+  private Optional<Discovery> discovery = Optional.empty();
   private boolean closed;
 
   private DdsParticipant(Cyclone cyclone, Domain domain) {
@@ -92,6 +127,14 @@ public final class DdsParticipant implements AutoCloseable {
           "'" + tag + "' is no tag: up to 64 letters, digits, '_', '.' and '-'.");
     }
     return loopback("<Tag>" + tag + "</Tag>");
+  }
+
+  /**
+   * The configuration of {@link #loopback} without a tag: it meets all on this machine that are on
+   * the loopback interface.
+   */
+  public static String loopbackConfiguration() {
+    return loopback("");
   }
 
   /** With more of the discovery's settings. */
@@ -177,6 +220,24 @@ public final class DdsParticipant implements AutoCloseable {
       }
     }
     graph = Optional.of(announced);
+  }
+
+  /**
+   * The writers and readers that others have on topics of ROS 2 in this domain, as far as they have
+   * been found until now, in a fixed order.
+   *
+   * @throws IllegalStateException if this participant is, or gets, closed
+   */
+  public List<Peer> peers() {
+    return discovery().peers();
+  }
+
+  private synchronized Discovery discovery() {
+    requireOpen();
+    if (discovery.isEmpty()) {
+      discovery = Optional.of(new Discovery(this, cyclone));
+    }
+    return discovery.get();
   }
 
   /** A topic by the name of DDS; one is made the first time. Holds the lock. */

@@ -24,13 +24,13 @@ final class Graph {
   /** Since Iron; in Humble an identifier has 24 bytes. */
   private static final String GID_TEXT = "uint8[16] data\n";
 
-  private static final QosSettings QOS =
+  static final QosSettings QOS =
       QosSettings.named("default")
           .orElseThrow()
           .withDurability(QosSettings.Durability.TRANSIENT_LOCAL)
           .withDepth(1);
 
-  private final MessageCatalog catalog = MessageCatalog.ofTexts(Map.of(GID, GID_TEXT));
+  private static final MessageCatalog CATALOG = MessageCatalog.ofTexts(Map.of(GID, GID_TEXT));
   private final String node;
   private final byte[] participantGid;
   private final DdsWriter writer;
@@ -39,7 +39,7 @@ final class Graph {
 
   Graph(DdsParticipant participant, Cyclone cyclone, String node) {
     this.node = node;
-    Endpoint endpoint = new Endpoint(cyclone, TOPIC, TOPIC, type(PARTICIPANT));
+    Endpoint endpoint = endpoint(cyclone);
     participantGid = endpoint.gid(participant.handle());
     writer = new DdsWriter(participant, endpoint, QOS);
     publish();
@@ -78,7 +78,17 @@ final class Graph {
     return MessageValue.of(type(GID)).set("data", bytes);
   }
 
-  private MessageType type(String name) {
-    return catalog.find(name).orElseThrow();
+  /** The topic on which all tell of their nodes. */
+  static Endpoint endpoint(Cyclone cyclone) {
+    return new Endpoint(cyclone, TOPIC, TOPIC, participantType());
+  }
+
+  /** What a participant tells of its nodes. */
+  static MessageType participantType() {
+    return type(PARTICIPANT);
+  }
+
+  private static MessageType type(String name) {
+    return CATALOG.find(name).orElseThrow();
   }
 }

@@ -4,11 +4,13 @@ import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.dds.DdsParticipant.Peer;
 import dev.eventchain.messages.CdrCodec;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.messages.MessageType;
 import dev.eventchain.messages.MessageValue;
 import dev.eventchain.messages.QosSettings;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -54,6 +56,56 @@ class DiscoveryTest {
     assertEquals(
         List.of(4, 4, 4, 4, 4, 4, 4, 4), matches(List.of(one, one, one, one), 4), "the same tag");
     assertEquals(List.of(2, 2, 2, 2, 2, 2, 2, 2), matches(List.of(one, other, one, other), 2));
+  }
+
+  @Test
+  void othersAreSeenWithTheirNodesTypesAndQualityOfService() throws Exception {
+    String tag = Wire.newTag();
+    QosSettings kept =
+        QosSettings.named("sensor_data")
+            .orElseThrow()
+            .withDurability(QosSettings.Durability.TRANSIENT_LOCAL);
+    QosSettings timed = QOS.withDeadline(Duration.ofMillis(70)).withLease(Duration.ofSeconds(3));
+    try (DdsParticipant world = Wire.onTheWire(tag)) {
+      assertEquals(List.of(), world.peers());
+      world.writer("/own", FLOAT, QOS);
+      try (DdsParticipant other = Wire.onTheWire(tag)) {
+        other.announce("brake");
+        other.reader("/scan", FLOAT, kept);
+        DdsWriter force = other.writer("/force", FLOAT, timed);
+        List<Peer> peers = seen(world, 2);
+        assertEquals(
+            List.of("false /scan", "true /force"),
+            peers.stream().map(each -> each.writes() + " " + each.topic()).sorted().toList());
+        for (Peer peer : peers) {
+          assertEquals("/brake", peer.node());
+          assertEquals("std_msgs/msg/Float32", peer.type());
+          assertEquals(FLOAT.hash(), peer.typeHash());
+          QosSettings expected = peer.writes() ? timed : kept;
+          assertEquals(expected.withHistory(QosSettings.History.KEEP_ALL).withDepth(0), peer.qos());
+        }
+        try (DdsReader reader = world.reader("/force", FLOAT, QOS)) {
+          assertTrue(reader.waitForMatches(1, Wire.PATIENCE));
+          assertTrue(force.waitForMatches(1, Wire.PATIENCE));
+          force.write(CdrCodec.encode(MessageValue.of(FLOAT)));
+          assertEquals(
+              peers.get(0).handle(), reader.take(Wire.PATIENCE).get(0).publication(), "/force");
+        }
+      }
+      assertEquals(List.of(), seen(world, 0));
+    }
+  }
+
+  /** The endpoints of others as soon as there are so many, all with their nodes. */
+  private static List<Peer> seen(DdsParticipant participant, int count) throws Exception {
+    long end = System.nanoTime() + Wire.PATIENCE.toNanos();
+    List<Peer> peers = participant.peers();
+    while (System.nanoTime() < end
+        && (peers.size() != count || peers.stream().anyMatch(each -> each.node().isEmpty()))) {
+      Thread.sleep(2);
+      peers = participant.peers();
+    }
+    return peers;
   }
 
   @Test

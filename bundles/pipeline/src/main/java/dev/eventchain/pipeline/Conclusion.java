@@ -40,7 +40,8 @@ final class Conclusion {
           "simulation.fault.untested",
           "simulation.latency.unmeasured",
           "simulation.node.silent",
-          "simulation.rule.untested");
+          "simulation.rule.untested",
+          "simulation.wire.unmatched");
 
   private final RunContext run;
   private final Map<Stage, StageOutcome> outcomes;
@@ -78,7 +79,7 @@ final class Conclusion {
     if (verdict == Verdict.PASSED && unproved && suppressed.isEmpty()) {
       throw new IllegalStateException("a scenario did not pass, and no finding says why");
     }
-    String summary = summary(verdict, scenarios, found) + suppressedText(suppressed);
+    String summary = summary(verdict, scenarios, found) + suppressedText(suppressed) + attached();
     Optional<Path> report = Optional.empty();
     boolean reportable = !run.options().isPartial() && !failure.equals(Optional.of(Reason.WAITING));
     if (run.options().runs(Stage.REPORT) && reportable) {
@@ -166,6 +167,16 @@ final class Conclusion {
   private static String suppressedText(List<Suppressed> suppressed) {
     int count = suppressed.size();
     return count == 0 ? "" : ", " + Coverage.counted(count, "finding") + " suppressed";
+  }
+
+  /** A verdict about nodes that others run must say so. */
+  private String attached() {
+    String words =
+        outcome(Stage.SIMULATE)
+            .report()
+            .map(report -> report.path(SimulationReport.ATTACHED).asText())
+            .orElse("");
+    return words.isEmpty() ? "" : " (" + words + ")";
   }
 
   private String stopped() {

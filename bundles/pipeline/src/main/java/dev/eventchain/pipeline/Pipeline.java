@@ -280,9 +280,9 @@ public final class Pipeline {
   }
 
   private boolean mayBeSkipped(Stage stage) {
-    boolean records = stage == Stage.SIMULATE && run.options().mcap();
+    boolean anyway = stage == Stage.SIMULATE && run.options().simulatesAnyway();
     boolean corrected = stage == Stage.IMPLEMENT && !run.models().corrections().isEmpty();
-    boolean asked = run.options().again() || records || isPartial(stage) || corrected;
+    boolean asked = run.options().again() || anyway || isPartial(stage) || corrected;
     return WORK.get(stage).skippable() && !asked;
   }
 

@@ -49,7 +49,9 @@ public record RunOptions(
     /** Each node in a process of its own on Cyclone DDS, in simulated time. */
     DDS,
     /** The same in real time. */
-    DDS_IN_REAL_TIME
+    DDS_IN_REAL_TIME,
+    /** Others run the nodes, in the DDS domain that the environment names, in real time. */
+    DDS_ATTACHED
   }
 
   /** Checks the order of the stages. */
@@ -83,6 +85,16 @@ public record RunOptions(
   /** Whether only some of the scenarios are simulated, which is not enough for a verdict. */
   boolean isPartial() {
     return !scenarios.isEmpty();
+  }
+
+  /** Whether others run the nodes: nobody knows whether they are those of before. */
+  boolean isAttached() {
+    return driver == Driver.DDS_ATTACHED;
+  }
+
+  /** Whether scenarios are simulated even where nothing has changed here. */
+  boolean simulatesAnyway() {
+    return mcap || isAttached();
   }
 
   /** Whether nothing is written, so that it works where nothing can be written. */

@@ -17,6 +17,7 @@ import dev.eventchain.simulation.Scenario;
 import dev.eventchain.simulation.ScenarioVerdict;
 import dev.eventchain.simulation.Simulation;
 import dev.eventchain.simulation.SimulationRequest;
+import dev.eventchain.simulation.SimulationRequest.Attachment;
 import dev.eventchain.simulation.SimulationResult;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -163,10 +164,21 @@ final class SimulateStage implements StageWork {
       LatencyConstraint constraint = chain.getLatencyConstraints().get(i);
       int index = i;
       if (result.verdicts().stream().allMatch(each -> each.latencies().get(index).isEmpty())) {
-        found.add(unmeasured(constraint, locator.apply(constraint)));
+        SourceLocation place = locator.apply(constraint);
+        found.add(
+            result.host().attached() ? unseen(constraint, place) : unmeasured(constraint, place));
       }
     }
     return found;
+  }
+
+  private static Diagnostic unseen(LatencyConstraint constraint, SourceLocation place) {
+    return Diagnostic.error(
+            "simulation.latency.unmeasured",
+            "The latency constraint '%s' was not measured: others ran the nodes, and nobody saw which output is based on which input."
+                .formatted(constraint.getName()),
+            place)
+        .withHint("Simulate with a driver that starts the nodes, or measure it where they run.");
   }
 
   private static Diagnostic unmeasured(LatencyConstraint constraint, SourceLocation place) {
@@ -198,12 +210,16 @@ final class SimulateStage implements StageWork {
     long passed = result.verdicts().stream().filter(ScenarioVerdict::passed).count();
     return String.format(
         Locale.ROOT,
-        "%d of %d scenarios passed,%s %.0f times real time, %s",
+        "%d of %d scenarios passed,%s %s",
         passed,
         result.verdicts().size(),
         result.faults().isEmpty() ? "" : " " + result.faults().size() + " runs with faults,",
-        result.host().realTimeFactor(),
-        result.host().confinement());
+        result.host().attached() ? result.host().driver() : how(result.host()));
+  }
+
+  private static String how(SimulationResult.Host host) {
+    return String.format(
+        Locale.ROOT, "%.0f times real time, %s", host.realTimeFactor(), host.confinement());
   }
 
   /** Simulates, and adds what was found. */
@@ -252,21 +268,22 @@ final class SimulateStage implements StageWork {
 
   private static SimulationRequest request(
       RunContext run, EventChain chain, GeneratedPackage generated, List<Scenario> scenarios) {
-    return SimulationRequest.of(
-            chain,
-            run.file(generated.folder()),
-            generated.manifest(),
-            run.project().messageFolders(),
-            run.bench(),
-            scenarios)
-        .withGenerated(written(run, chain))
-        .withDriver(
-            switch (run.options().driver()) {
-              case LOCKSTEP -> SimulationRequest.Driver.LOCKSTEP;
-              case DDS -> SimulationRequest.Driver.DDS;
-              case DDS_IN_REAL_TIME -> SimulationRequest.Driver.DDS_IN_REAL_TIME;
-            })
-        .withAccepted(run.options().suppressions()::accepts);
+    SimulationRequest request =
+        SimulationRequest.of(
+                chain,
+                run.file(generated.folder()),
+                generated.manifest(),
+                run.project().messageFolders(),
+                run.bench(),
+                scenarios)
+            .withGenerated(written(run, chain))
+            .withAccepted(run.options().suppressions()::accepts);
+    return switch (run.options().driver()) {
+      case LOCKSTEP -> request;
+      case DDS -> request.withDriver(SimulationRequest.Driver.DDS);
+      case DDS_IN_REAL_TIME -> request.withDriver(SimulationRequest.Driver.DDS_IN_REAL_TIME);
+      case DDS_ATTACHED -> request.withAttachment(Attachment.of(System.getenv()));
+    };
   }
 
   /** The components that a language model wrote: those that the software base does not have. */

@@ -29,6 +29,9 @@ final class SimulationReport {
 
   private static final double CENTIMETRES = 1e2;
 
+  /** There if others ran the nodes: how they were driven, in words. */
+  static final String ATTACHED = "attached";
+
   private SimulationReport() {}
 
   /** What the simulation adds to the report. */
@@ -43,6 +46,9 @@ final class SimulationReport {
             "%s, %.0f times real time",
             result.host().driver(),
             result.host().realTimeFactor()));
+    if (result.host().attached()) {
+      report.put(ATTACHED, result.host().driver());
+    }
     ArrayNode scenarios = report.putArray("scenarios");
     result.verdicts().forEach(verdict -> scenarios.add(scenario(verdict)));
     if (!result.faults().isEmpty()) {
@@ -108,6 +114,9 @@ final class SimulationReport {
     boolean accepted = result.passed() || !found.suppressed().isEmpty();
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     json.put("chain", chain.getName()).put("passed", accepted && errors.isEmpty());
+    if (result.host().attached()) {
+      json.put("driver", result.host().driver()); // else the driver does not matter
+    }
     if (!found.suppressed().isEmpty()) {
       json.put("suppressed", found.suppressed().size());
     }

@@ -36,6 +36,7 @@ final class VerdictCorrection {
   static boolean isAllowed(RunContext run) {
     return run.options().runs(Stage.IMPLEMENT)
         && !run.options().isPartial()
+        && !run.options().isAttached() // others do not take up what is changed here
         && run.models().simulated().isPresent();
   }
 

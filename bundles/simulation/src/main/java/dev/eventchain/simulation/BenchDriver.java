@@ -62,6 +62,7 @@ final class BenchDriver {
       new PriorityQueue<>(
           Comparator.comparingLong(Underway::arrival).thenComparingLong(Underway::number));
   private long measured;
+  private long epoch;
 
   /**
    * Offers what is asked for, so that nothing is computed in vain; the clock is always offered.
@@ -193,6 +194,16 @@ final class BenchDriver {
         .orElse("");
   }
 
+  /** Lets clocks and stamps show this at time 0, in ns. */
+  void startAt(long time) {
+    epoch = time;
+  }
+
+  /** What clocks and stamps show at a time of the scenario, in ns. */
+  long shown(long time) {
+    return epoch + time;
+  }
+
   /** When the next message is due, in ns; after what was sensed last. */
   long nextDue() {
     long due = publishers.stream().mapToLong(Publisher::due).min().orElseThrow();
@@ -224,7 +235,7 @@ final class BenchDriver {
   private void measure(int index, World world, SampledRun moment) {
     Publisher publisher = publishers.get(index);
     long now = world.now();
-    long shown = publisher.isStamped() ? fault.stamp(now) : fault.clock(now);
+    long shown = epoch + (publisher.isStamped() ? fault.stamp(now) : fault.clock(now));
     checked(publisher.topic(), () -> publisher.fill(world, moment, lidar, shown));
     if (!publisher.arrives(moment)) {
       world.trace().drop(publisher.topic().name());

@@ -12,8 +12,9 @@ import java.util.OptionalDouble;
  * @param runId the same for equal measurements
  * @param firstNode the node that reads the sensor's samples; empty if no node does
  * @param lastNode the node that writes the commands; empty if no node does
- * @param nodes one for each node, in chain order
- * @param flow how messages went
+ * @param nodes one for each node, in chain order; none if others run the nodes, so that nothing is
+ *     known of what happens inside
+ * @param flow how messages went; empty if others run the nodes
  */
 public record Measurements(
     String runId, String firstNode, String lastNode, List<Node> nodes, MessageFlow flow) {

@@ -222,6 +222,7 @@ final class MeasurementsWriter {
   private void host(SimulationResult result) throws IOException {
     SimulationResult.Host host = result.host();
     json.writeObjectFieldStart("host");
+    json.writeStringField("driver", host.driver());
     json.writeStringField("confinement", host.confinement());
     json.writeStringField("python", host.python());
     json.writeNumberField("processes", host.processes());

@@ -50,6 +50,14 @@ interface NodeSession {
   RunLog finish();
 
   /**
+   * What clocks and stamps show at time 0 of the scenario that was configured last, in ns; 0 where
+   * the nodes have no other time.
+   */
+  default long epoch() {
+    return 0;
+  }
+
+  /**
    * How far the world, or a node at its start, fell behind the clock at most, in ns; 0 where nobody
    * follows one.
    */

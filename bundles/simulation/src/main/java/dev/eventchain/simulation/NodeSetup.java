@@ -48,13 +48,15 @@ final class NodeSetup {
   NodeSetup(SimulationRequest request) {
     this.request = request;
     this.catalog = MessageCatalog.of(request.messageFolders());
-    this.nodes =
+    List<SoftwareNode> components =
         request.chain().getSoftware().stream()
             .filter(node -> node.getImplementation() == ComponentImplementation.COMPONENT)
             .toList();
+    // Others may run whatever they like for what is a node by itself.
+    this.nodes = isAttached() ? List.copyOf(request.chain().getSoftware()) : components;
     this.topics = TopicIndex.of(request.chain());
     List<Diagnostic> problems =
-        request.manifest().problems(request.chain(), request.packageFolder(), nodes);
+        request.manifest().problems(request.chain(), request.packageFolder(), components);
     if (!problems.isEmpty()) {
       throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
     }
@@ -68,6 +70,22 @@ final class NodeSetup {
   /** How the nodes are run. */
   SimulationRequest.Driver driver() {
     return request.driver();
+  }
+
+  /** The same for people. */
+  String driverWords() {
+    return request.driverWords();
+  }
+
+  /** Whether others run the nodes, so that nobody sees what happens inside. */
+  boolean isAttached() {
+    return request.driver() == SimulationRequest.Driver.DDS_ATTACHED;
+  }
+
+  /** The topics that nodes write and the vehicle takes, in the bench's order. */
+  List<String> topicsTaken() {
+    Set<String> written = topicsWritten();
+    return bench().consumed().keySet().stream().filter(written::contains).toList();
   }
 
   /** The files that the user's code is in. */
@@ -311,7 +329,9 @@ final class NodeSetup {
     ArrayNode messages = json.putArray("messages");
     request.messageFolders().forEach(folder -> messages.add(absolute(folder)));
     ArrayNode configured = json.putArray("nodes");
-    nodes.forEach(node -> configured.add(configuration(node, scenario.seed())));
+    if (!isAttached()) {
+      nodes.forEach(node -> configured.add(configuration(node, scenario.seed())));
+    }
     ArrayNode publishes = json.putArray("world_publishes");
     driver.published().forEach(topic -> publishes.add(configuration(topic)));
     ArrayNode subscribes = json.putArray("world_subscribes");

@@ -85,7 +85,7 @@ final class Recording implements AutoCloseable {
   /** Where everything is at this moment. */
   void scene(World world) {
     ScenePoses scene = ScenePoses.of(world, scenario.situation().ego());
-    long now = world.now();
+    long now = driver.shown(world.now());
     writing(
         () -> {
           writer.message(transforms, now, ByteBuffer.wrap(scenes.transforms(scene, now)));
@@ -102,7 +102,7 @@ final class Recording implements AutoCloseable {
             Topic topic = driver.published().get(message.topic());
             // What the world listens to itself comes back to it.
             if (!driver.received().contains(topic)) {
-              writer.message(channels.get(topic), world.now(), message.message());
+              writer.message(channels.get(topic), driver.shown(world.now()), message.message());
             }
           }
         });
@@ -111,7 +111,8 @@ final class Recording implements AutoCloseable {
   /** What the nodes published, in the order of time. */
   void took(NodeSession.Outbound message) {
     Topic topic = driver.received().get(message.topic());
-    writing(() -> writer.message(channels.get(topic), message.time(), message.message()));
+    long time = driver.shown(message.time());
+    writing(() -> writer.message(channels.get(topic), time, message.message()));
   }
 
   /**

@@ -31,21 +31,15 @@ final class ResultBuilder {
   }
 
   SimulationResult build(String confinement, int processes, double wallSeconds) {
-    List<Diagnostic> silent = Silence.in(runs.stream().map(Run::log).toList(), setup);
-    boolean worked = silent.stream().allMatch(setup::isAccepted);
+    List<Diagnostic> silent = silent();
     ScenarioJudge judge = new ScenarioJudge(setup);
-    List<ScenarioVerdict> verdicts = runs.stream().map(run -> judge.verdict(run, worked)).toList();
-    List<Measurements.Node> nodes = setup.nodes().stream().map(this::measure).toList();
-    Measurements measurements =
-        new Measurements(
-            runId(verdicts, nodes),
-            setup.reader(setup.entry()),
-            setup.writer(setup.exit()),
-            nodes,
-            MessageFlows.of(runs, setup));
+    List<ScenarioVerdict> verdicts =
+        runs.stream().map(run -> judge.verdict(run, worked(run, silent))).toList();
+    Measurements measurements = measurements(verdicts);
     SimulationResult.Host host =
         new SimulationResult.Host(
-            setup.driver().words(),
+            setup.driverWords(),
+            setup.isAttached(),
             confinement,
             runs.get(0).ready().path("python").asText(),
             processes,
@@ -53,10 +47,11 @@ final class ResultBuilder {
             wallSeconds,
             runs.stream().mapToDouble(run -> World.seconds(run.hostNanos())).sum());
     List<Diagnostic> found =
-        Stream.of(silent, ignored(), tooOld(), fromBehind(), wire(), warnings())
+        Stream.of(silent, attached(), ignored(), tooOld(), fromBehind(), wire(), warnings())
             .flatMap(List::stream)
             .toList();
-    return new SimulationResult(verdicts, measurements, found, faults(worked), host);
+    return new SimulationResult(
+        verdicts, measurements, found, faults(silent.stream().allMatch(setup::isAccepted)), host);
   }
 
   private List<FaultVerdict> faults(boolean worked) {
@@ -70,6 +65,46 @@ final class ResultBuilder {
         .filter(run -> run.scenario().name().equals(fault.scenario().name()))
         .findFirst()
         .orElseThrow(() -> new IllegalStateException("a fault in another scenario"));
+  }
+
+  /** Components that did not work, as far as they can be seen. */
+  private List<Diagnostic> silent() {
+    return setup.isAttached()
+        ? AttachedFindings.neverHeard(runs, setup)
+        : Silence.in(runs.stream().map(Run::log).toList(), setup);
+  }
+
+  private List<Diagnostic> silentIn(Run run) {
+    return setup.isAttached() ? AttachedFindings.silentIn(run, setup) : List.of();
+  }
+
+  private boolean worked(Run run, List<Diagnostic> silent) {
+    return Stream.of(silent, silentIn(run)).flatMap(List::stream).allMatch(setup::isAccepted);
+  }
+
+  /** Nothing is measured of nodes that others run. */
+  private Measurements measurements(List<ScenarioVerdict> verdicts) {
+    if (setup.isAttached()) {
+      return new Measurements(
+          runId(verdicts, List.of()), "", "", List.of(), MessageFlows.of(runs, setup));
+    }
+    List<Measurements.Node> nodes = setup.nodes().stream().map(this::measure).toList();
+    return new Measurements(
+        runId(verdicts, nodes),
+        setup.reader(setup.entry()),
+        setup.writer(setup.exit()),
+        nodes,
+        MessageFlows.of(runs, setup));
+  }
+
+  /** What has to be known of nodes that others run. */
+  private List<Diagnostic> attached() {
+    return setup.isAttached()
+        ? Stream.concat(
+                runs.stream().flatMap(run -> silentIn(run).stream()),
+                AttachedFindings.about(runs, setup).stream())
+            .toList()
+        : List.of();
   }
 
   private Measurements.Node measure(SoftwareNode node) {

@@ -64,6 +64,7 @@ final class ScenarioRunner {
   Run run(Scenario scenario) {
     BenchDriver driver = new BenchDriver(setup, scenario, new WorldFault(Optional.empty()));
     JsonNode ready = session.configure(setup.configuration(scenario, driver));
+    driver.startAt(session.epoch());
     Optional<Recording> recording =
         setup.recordings().map(to -> new Recording(to, scenario, driver, setup.catalog()));
     try {

@@ -56,7 +56,7 @@ public final class Simulation {
    *     component.*}, {@code node.*}), or the process that runs the nodes hangs ({@code
    *     simulation.step.timeout}), ends ({@code simulation.process.ended}), writes or publishes
    *     without end ({@code simulation.limit}) or breaks the protocol ({@code
-   *     simulation.protocol}); on DDS also if a node is stopped or lost ({@code
+   *     simulation.protocol}); on DDS also if a node is stopped, lost or vanishes ({@code
    *     simulation.node.lost}), finds others not ({@code simulation.wire.unmatched}), or makes ends
    *     while it runs ({@code node.endpoint.late}); (UNAVAILABLE) if the process cannot be started,
    *     or no domain of DDS is free ({@code dds.domain.none})
@@ -70,10 +70,8 @@ public final class Simulation {
 
   private SimulationResult run() throws InterruptedException {
     long started = System.nanoTime();
-    // In real time two scenarios would take each other's time.
-    int most = request.driver() == Driver.DDS_IN_REAL_TIME ? 1 : request.processes();
     refuseFaultsInRealTime();
-    int processes = Math.min(most, runsInAll());
+    int processes = processes();
     List<Thread> workers = new ArrayList<>();
     for (int i = 0; i < processes; i++) {
       int turn = i;
@@ -92,7 +90,20 @@ public final class Simulation {
     requireAll();
     double wallSeconds = (System.nanoTime() - started) / 1e9;
     return new ResultBuilder(setup, List.copyOf(runs.values()), List.copyOf(faultRuns.values()))
-        .build(confinement.describe(), processes, wallSeconds);
+        .build(describeConfinement(), processes, wallSeconds);
+  }
+
+  /** In real time two scenarios would take each other's time. */
+  private int processes() {
+    return isSimulatedTime() ? Math.min(request.processes(), runsInAll()) : 1;
+  }
+
+  private boolean isSimulatedTime() {
+    return request.driver() == Driver.LOCKSTEP || request.driver() == Driver.DDS;
+  }
+
+  private String describeConfinement() {
+    return setup.isAttached() ? AttachedHosts.CONFINEMENT : confinement.describe();
   }
 
   private static void throwUnchecked(Throwable failure) {
@@ -127,7 +138,7 @@ public final class Simulation {
   }
 
   private void refuseFaultsInRealTime() {
-    if (request.driver() == Driver.DDS_IN_REAL_TIME) {
+    if (!isSimulatedTime()) {
       List<Diagnostic> refused =
           request.faults().faults().stream().map(Simulation::inRealTime).distinct().toList();
       if (!refused.isEmpty()) {
@@ -141,7 +152,7 @@ public final class Simulation {
             "fault.driver",
             "The fault '" + fault.name() + "' cannot be injected in real time.",
             fault.location())
-        .withHint("Leave out --real-time: in simulated time, all faults can.");
+        .withHint("Leave out --real-time, or --attach: in simulated time, all faults can.");
   }
 
   /** Takes run after run until none is left, in new processes after one that did not survive. */
@@ -187,9 +198,11 @@ public final class Simulation {
   }
 
   private NodeHosts start(int turn) {
-    return request.driver() == Driver.LOCKSTEP
-        ? new LockstepProcess(request, python, confinement, turn)
-        : new DdsHosts(request, setup, python, confinement, turn);
+    return switch (request.driver()) {
+      case LOCKSTEP -> new LockstepProcess(request, python, confinement, turn);
+      case DDS, DDS_IN_REAL_TIME -> new DdsHosts(request, setup, python, confinement, turn);
+      case DDS_ATTACHED -> new AttachedHosts(request, setup, python);
+    };
   }
 
   private synchronized void done(int scenario, Run run) {

@@ -5,6 +5,7 @@ import dev.eventchain.metamodel.eventchain.EventChain;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
@@ -29,6 +30,8 @@ import java.util.function.Predicate;
  *     NAME.mcap} once the scenario has ended, also by a failure of a node; empty: nothing is
  *     recorded
  * @param driver how the nodes are run
+ * @param attachment where the nodes are that somebody else runs; there with {@link
+ *     Driver#DDS_ATTACHED} only
  * @param faults what else is simulated: each fault in one more run of its scenario, which is one of
  *     the scenarios
  */
@@ -45,6 +48,7 @@ public record SimulationRequest(
     Predicate<Diagnostic> accepted,
     Optional<Path> recordings,
     Driver driver,
+    Optional<Attachment> attachment,
     FaultPlan faults) {
 
   /** What brings messages from one to another, and lets time pass. */
@@ -58,7 +62,9 @@ public record SimulationRequest(
      */
     DDS("Cyclone DDS in simulated time"),
     /** The same in real time: one scenario after the other, and nobody waits for anybody. */
-    DDS_IN_REAL_TIME("Cyclone DDS in real time");
+    DDS_IN_REAL_TIME("Cyclone DDS in real time"),
+    /** No node is started here: others run them, in real time. */
+    DDS_ATTACHED("Cyclone DDS, attached");
 
     private final String words;
 
@@ -69,6 +75,33 @@ public record SimulationRequest(
     /** For people: what it is. */
     public String words() {
       return words;
+    }
+  }
+
+  /**
+   * Where nodes are that somebody else runs.
+   *
+   * @param domain the number of the DDS domain
+   * @param configuration of Cyclone DDS, XML or what {@code CYCLONEDDS_URI} may hold; empty for its
+   *     defaults
+   */
+  public record Attachment(int domain, String configuration) {
+
+    /**
+     * As the environment says, as for nodes of ROS 2: {@code ROS_DOMAIN_ID}, {@code
+     * CYCLONEDDS_URI}, and the loopback interface only if {@code ROS_LOCALHOST_ONLY} is 1 or {@code
+     * ROS_AUTOMATIC_DISCOVERY_RANGE} is LOCALHOST.
+     *
+     * @throws dev.eventchain.diagnostics.DiagnosticException (INPUT) {@code dds.domain.unusable}:
+     *     there is no such domain
+     */
+    public static Attachment of(Map<String, String> environment) {
+      return AttachedHosts.attachment(environment);
+    }
+
+    /** For people: what drives the nodes. */
+    String words() {
+      return Driver.DDS_ATTACHED.words() + " to domain " + domain;
     }
   }
 
@@ -96,6 +129,9 @@ public record SimulationRequest(
     if (scenarios.isEmpty() || processes < 1) {
       throw new IllegalArgumentException("a simulation needs a scenario and a process");
     }
+    if (attachment.isPresent() != (driver == Driver.DDS_ATTACHED)) {
+      throw new IllegalArgumentException("to be attached, one has to know where");
+    }
   }
 
   /** With two processes and the default limits; no component counts as generated. */
@@ -119,42 +155,63 @@ public record SimulationRequest(
         finding -> false,
         Optional.empty(),
         Driver.LOCKSTEP,
+        Optional.empty(),
         FaultPlan.NONE);
   }
 
   /** The same on another number of processes. */
   public SimulationRequest withProcesses(int number) {
-    return with(number, generated, limits, accepted, recordings, driver, faults);
+    return with(number, generated, limits, accepted, recordings, driver, attachment, faults);
   }
 
   /** The same with other components that count as generated. */
   public SimulationRequest withGenerated(Set<String> names) {
-    return with(processes, names, limits, accepted, recordings, driver, faults);
+    return with(processes, names, limits, accepted, recordings, driver, attachment, faults);
   }
 
   /** The same with other limits. */
   public SimulationRequest withLimits(Limits other) {
-    return with(processes, generated, other, accepted, recordings, driver, faults);
+    return with(processes, generated, other, accepted, recordings, driver, attachment, faults);
   }
 
   /** The same with other findings that people accept. */
   public SimulationRequest withAccepted(Predicate<Diagnostic> other) {
-    return with(processes, generated, limits, other, recordings, driver, faults);
+    return with(processes, generated, limits, other, recordings, driver, attachment, faults);
   }
 
   /** The same with recordings in a folder, which exists. */
   public SimulationRequest withRecordings(Path folder) {
-    return with(processes, generated, limits, accepted, Optional.of(folder), driver, faults);
+    return with(
+        processes, generated, limits, accepted, Optional.of(folder), driver, attachment, faults);
   }
 
-  /** The same with another driver. */
+  /** The same with another driver, which starts the nodes. */
   public SimulationRequest withDriver(Driver other) {
-    return with(processes, generated, limits, accepted, recordings, other, faults);
+    return with(
+        processes, generated, limits, accepted, recordings, other, Optional.empty(), faults);
+  }
+
+  /** The same with nodes that somebody else runs. */
+  public SimulationRequest withAttachment(Attachment where) {
+    return with(
+        1,
+        generated,
+        limits,
+        accepted,
+        recordings,
+        Driver.DDS_ATTACHED,
+        Optional.of(where),
+        faults);
   }
 
   /** The same with faults, each in a scenario of this request. */
   public SimulationRequest withFaults(FaultPlan other) {
-    return with(processes, generated, limits, accepted, recordings, driver, other);
+    return with(processes, generated, limits, accepted, recordings, driver, attachment, other);
+  }
+
+  /** For people: what brings messages from one node to another. */
+  String driverWords() {
+    return attachment.map(Attachment::words).orElse(driver.words());
   }
 
   private SimulationRequest with(
@@ -164,6 +221,7 @@ public record SimulationRequest(
       Predicate<Diagnostic> newAccepted,
       Optional<Path> newRecordings,
       Driver newDriver,
+      Optional<Attachment> newAttachment,
       FaultPlan newFaults) {
     return new SimulationRequest(
         chain,
@@ -178,6 +236,7 @@ public record SimulationRequest(
         newAccepted,
         newRecordings,
         newDriver,
+        newAttachment,
         newFaults);
   }
 }

@@ -33,6 +33,7 @@ public record SimulationResult(
    * How the simulation ran on this machine.
    *
    * @param driver what brought messages from one node to another, for people
+   * @param attached whether others ran the nodes
    * @param confinement what kept the nodes from harming this machine
    * @param python the version of the Python that ran the nodes
    * @param processes how many simulated at the same time
@@ -42,6 +43,7 @@ public record SimulationResult(
    */
   public record Host(
       String driver,
+      boolean attached,
       String confinement,
       String python,
       int processes,

@@ -48,8 +48,18 @@ record WireGraph(List<WireEnd> writers, List<WireEnd> readers) {
       ends(node, ready.get(node).required("writers"), writers);
       ends(node, ready.get(node).required("readers"), readers);
     }
-    List<WireEnd> requested = List.copyOf(readers);
-    List<WireEnd> offered = List.copyOf(writers);
+    return around(writers, readers, configuration);
+  }
+
+  /**
+   * As above, of ends that are known.
+   *
+   * @param offered the writers that are not the world's
+   * @param requested likewise
+   */
+  static WireGraph around(List<WireEnd> offered, List<WireEnd> requested, JsonNode configuration) {
+    List<WireEnd> writers = new ArrayList<>(offered);
+    List<WireEnd> readers = new ArrayList<>(requested);
     int index = 0;
     for (JsonNode topic : configuration.path("world_publishes")) {
       writers.add(world(index++, topic, name -> offer(on(name, requested))));

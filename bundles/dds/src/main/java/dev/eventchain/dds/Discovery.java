@@ -1,0 +1,221 @@
+package dev.eventchain.dds;
+
+import com.sun.jna.Memory;
+import com.sun.jna.Pointer;
+import com.sun.jna.ptr.LongByReference;
+import com.sun.jna.ptr.PointerByReference;
+import dev.eventchain.dds.DdsParticipant.Peer;
+import dev.eventchain.messages.CdrCodec;
+import dev.eventchain.messages.MessageValue;
+import dev.eventchain.messages.QosSettings;
+import dev.eventchain.messages.QosSettings.Durability;
+import dev.eventchain.messages.QosSettings.History;
+import dev.eventchain.messages.QosSettings.Liveliness;
+import dev.eventchain.messages.QosSettings.Reliability;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * What discovery knows of the others in a domain: their writers and readers ({@code
+ * DCPSPublication}, {@code DCPSSubscription}), and of which nodes these are ({@code
+ * ros_discovery_info}, since Iron).
+ */
+final class Discovery {
+
+  /** Pseudo handles of topics that are built in. */
+  private static final int PUBLICATIONS = 0x7fff0003;
+
+  private static final int SUBSCRIPTIONS = 0x7fff0004;
+
+  /** Of any sample and view, but only instances that are alive. */
+  private static final int ALIVE = 0x1F;
+
+  private static final int FIRST_ROOM = 256;
+  private static final long INFORMATION_SIZE = 64;
+  private static final long VALID = 12;
+  private static final long INSTANCE = 24;
+
+  /** {@code dds_builtintopic_endpoint_t}. */
+  private static final int GUID_SIZE = 16;
+
+  private static final long OWNER = 16;
+  private static final long TOPIC = 40;
+  private static final long TYPE = 48;
+  private static final long POLICIES = 56;
+  private static final String HASH = "typehash=";
+
+  private final Cyclone cyclone;
+  private final byte[] own;
+  private final int writers;
+  private final int readers;
+  private final DdsReader graph;
+
+  /** The names of nodes by their endpoints, as each participant said it last. */
+  private final Map<String, Map<String, String>> nodes = new HashMap<>();
+
+  private int room = FIRST_ROOM;
+
+  /** Takes part in the discovery of a participant. */
+  Discovery(DdsParticipant participant, Cyclone cyclone) {
+    this.cyclone = cyclone;
+    Endpoint endpoint = Graph.endpoint(cyclone);
+    own = endpoint.gid(participant.handle());
+    graph = new DdsReader(participant, endpoint, Graph.QOS.withHistory(History.KEEP_ALL));
+    writers = reader(participant, PUBLICATIONS);
+    readers = reader(participant, SUBSCRIPTIONS);
+    boolean known =
+        read(readers, (at, handle) -> List.of(isGraph(at))).stream()
+            .anyMatch(Boolean::booleanValue);
+    if (!known) {
+      throw new IllegalStateException("What is built in of Cyclone DDS has another structure.");
+    }
+  }
+
+  private boolean isGraph(Pointer pointer) {
+    return hex(pointer.getByteArray(0, GUID_SIZE)).equals(hex(graph.gid()))
+        && text(pointer, TOPIC).equals(graph.topic());
+  }
+
+  private int reader(DdsParticipant participant, int topic) {
+    return Codes.check(
+        cyclone, cyclone.createReader(participant.handle(), topic, null, null), "see who is there");
+  }
+
+  private static String hex(byte[] gid) {
+    return HexFormat.of().formatHex(gid);
+  }
+
+  private static String text(Pointer pointer, long offset) {
+    return pointer.getPointer(offset).getString(0, StandardCharsets.UTF_8.name());
+  }
+
+  /** The writers and readers of others on topics of ROS 2, those of one topic together. */
+  synchronized List<Peer> peers() {
+    readGraph();
+    List<Peer> peers = new ArrayList<>(read(writers, (at, handle) -> peer(true, at, handle)));
+    peers.addAll(read(readers, (at, handle) -> peer(false, at, handle)));
+    peers.sort(Peer.ORDER);
+    return List.copyOf(peers);
+  }
+
+  private interface Reading<T> {
+    List<T> of(Pointer endpoint, long handle);
+  }
+
+  private <T> List<T> read(int reader, Reading<T> reading) {
+    while (true) {
+      Memory pointers = new Memory((long) room * Long.BYTES);
+      pointers.clear(); // the library lends memory of its own then
+      Memory information = new Memory(room * INFORMATION_SIZE);
+      int count =
+          Codes.check(
+              cyclone,
+              cyclone.readMask(reader, pointers, information, room, room, ALIVE),
+              "see who is there");
+      List<T> found = new ArrayList<>();
+      for (int i = 0; i < count; i++) {
+        long offset = i * INFORMATION_SIZE;
+        if (information.getByte(offset + VALID) != 0) {
+          Pointer endpoint = pointers.getPointer((long) i * Long.BYTES);
+          found.addAll(reading.of(endpoint, information.getLong(offset + INSTANCE)));
+        }
+      }
+      if (count > 0) {
+        Codes.check(cyclone, cyclone.returnLoan(reader, pointers, count), "return memory");
+      }
+      if (count < room) {
+        return found;
+      }
+      room *= 2;
+    }
+  }
+
+  private List<Peer> peer(boolean writes, Pointer endpoint, long handle) {
+    byte[] owner = endpoint.getByteArray(OWNER, GUID_SIZE);
+    Optional<String> topic = DdsNames.rosTopic(text(endpoint, TOPIC));
+    if (hex(owner).equals(hex(own)) || topic.isEmpty()) {
+      return List.of();
+    }
+    String id = hex(endpoint.getByteArray(0, GUID_SIZE));
+    Pointer qos = endpoint.getPointer(POLICIES);
+    String node = nodes.getOrDefault(hex(owner), Map.of()).getOrDefault(id, "");
+    String type = DdsNames.rosType(text(endpoint, TYPE));
+    return List.of(
+        new Peer(
+            writes, topic.get(), type, settings(qos), hash(qos), node, hex(owner), id, handle));
+  }
+
+  /** As far as it decides whether samples flow. */
+  private QosSettings settings(Pointer qos) {
+    int[] kind = new int[1];
+    long[] time = new long[1];
+    boolean reliable = cyclone.qgetReliability(qos, kind, time) != 0 && kind[0] != 0;
+    boolean kept = cyclone.qgetDurability(qos, kind) != 0 && kind[0] != 0;
+    long deadline = cyclone.qgetDeadline(qos, time) != 0 ? time[0] : Long.MAX_VALUE;
+    boolean manual = cyclone.qgetLiveliness(qos, kind, time) != 0 && kind[0] != 0;
+    return new QosSettings(
+        reliable ? Reliability.RELIABLE : Reliability.BEST_EFFORT,
+        kept ? Durability.TRANSIENT_LOCAL : Durability.VOLATILE,
+        History.KEEP_ALL,
+        0,
+        time(deadline),
+        manual ? Liveliness.MANUAL_BY_TOPIC : Liveliness.AUTOMATIC,
+        time(time[0] > 0 ? time[0] : Long.MAX_VALUE));
+  }
+
+  private static Optional<Duration> time(long nanos) {
+    return nanos == Long.MAX_VALUE ? Optional.empty() : Optional.of(Duration.ofNanos(nanos));
+  }
+
+  /** The hash of the definition of its type; empty before Iron. */
+  private String hash(Pointer qos) {
+    PointerByReference value = new PointerByReference();
+    LongByReference size = new LongByReference();
+    if (cyclone.qgetUserdata(qos, value, size) == 0 || value.getValue() == null) {
+      return "";
+    }
+    byte[] data = value.getValue().getByteArray(0, Math.toIntExact(size.getValue()));
+    cyclone.free(value.getValue());
+    String text = new String(data, StandardCharsets.UTF_8);
+    return List.of(text.split(";")).stream()
+        .filter(pair -> pair.startsWith(HASH))
+        .map(pair -> pair.substring(HASH.length()))
+        .findFirst()
+        .orElse("");
+  }
+
+  private void readGraph() {
+    graph.take().forEach(sample -> decoded(sample).ifPresent(this::add));
+  }
+
+  /** Empty if it is of another release of ROS 2: its nodes have no names here. */
+  private static Optional<MessageValue> decoded(DdsSample sample) {
+    try {
+      return Optional.of(CdrCodec.decode(Graph.participantType(), sample.bytes()));
+    } catch (IllegalArgumentException e) {
+      return Optional.empty();
+    }
+  }
+
+  private void add(MessageValue said) {
+    String owner = hex((byte[]) ((MessageValue) said.get("gid")).get("data"));
+    Map<String, String> byEndpoint = new HashMap<>();
+    for (Object each : (List<?>) said.get("node_entities_info_seq")) {
+      MessageValue node = (MessageValue) each;
+      String namespace = node.get("node_namespace").toString();
+      String name = (namespace.endsWith("/") ? namespace : namespace + "/") + node.get("node_name");
+      for (String ends : List.of("reader_gid_seq", "writer_gid_seq")) {
+        for (Object gid : (List<?>) node.get(ends)) {
+          byEndpoint.put(hex((byte[]) ((MessageValue) gid).get("data")), name);
+        }
+      }
+    }
+    nodes.put(owner, byEndpoint);
+  }
+}

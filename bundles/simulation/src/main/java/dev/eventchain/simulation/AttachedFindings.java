@@ -1,0 +1,140 @@
+package dev.eventchain.simulation;
+
+import dev.eventchain.dds.DdsParticipant.Peer;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.simulation.ScenarioRunner.Run;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.TreeSet;
+
+/** Findings about nodes that others run. */
+final class AttachedFindings {
+
+  private static final double SECOND = 1e9;
+
+  private AttachedFindings() {}
+
+  /** Nodes are not there, or do not fit. */
+  static DiagnosticException unmatched(
+      Outside outside, List<String> missing, int domain, Duration patience) {
+    String who =
+        outside.isEmpty()
+            ? "No node was found in domain " + domain
+            : "The nodes in domain " + domain + " do not meet the world";
+    String others =
+        outside.nodes().isEmpty()
+            ? ""
+            : " Nodes that are there: " + String.join(", ", outside.nodes()) + ".";
+    String hint =
+        outside.isEmpty()
+            ? "Start the nodes, with the same ROS_DOMAIN_ID; ROS_LOCALHOST_ONLY and CYCLONEDDS_URI"
+                + " have to let both sides meet."
+            : "Compare the names of topics, and the types and quality of service of both ends.";
+    return finding(
+        "simulation.wire.unmatched",
+        "%s, within %s s: %s.%s"
+            .formatted(who, seconds(patience.toNanos()), String.join("; ", missing), others),
+        hint);
+  }
+
+  private static String seconds(long nanos) {
+    return String.format(Locale.ROOT, "%.1f", nanos / SECOND).replaceFirst("\\.0$", "");
+  }
+
+  /** Nodes are not there any more. */
+  static DiagnosticException vanished(List<Peer> gone, long now) {
+    return finding(
+        "simulation.node.lost",
+        String.format(
+            Locale.ROOT,
+            "%.3f s into the scenario, this vanished from the wire: %s.",
+            now / SECOND,
+            Outside.vanished(gone)),
+        "Did the node end, or its machine lose the network? What the vehicle did from then on says"
+            + " nothing about the software.");
+  }
+
+  /** Nobody acknowledges what the world publishes. */
+  static DiagnosticException deaf(String topic, long now) {
+    return finding(
+        "simulation.node.lost",
+        String.format(
+            Locale.ROOT,
+            "%.3f s into the scenario, nobody took the messages on %s any more.",
+            now / SECOND,
+            topic),
+        "A reader that asks for reliable delivery does not acknowledge: is its process stopped?");
+  }
+
+  private static DiagnosticException finding(String id, String message, String hint) {
+    return new DiagnosticException(
+        DiagnosticException.Reason.FINDINGS,
+        Diagnostic.error(id, message, SourceLocation.NONE).withHint(hint));
+  }
+
+  /** Nothing came to the vehicle in a scenario, which says nothing about the software then. */
+  static List<Diagnostic> silentIn(Run run, NodeSetup setup) {
+    List<String> taken = setup.topicsTaken();
+    if (taken.stream().anyMatch(topic -> !run.log().publicationsOf(topic).isEmpty())) {
+      return List.of();
+    }
+    String topics = taken.isEmpty() ? "any topic" : String.join(", ", taken);
+    return List.of(
+        silent(
+            "Scenario %s: nothing came to the vehicle on %s."
+                .formatted(run.scenario().name(), topics),
+            taken.isEmpty() ? "" : setup.writer(taken.get(0))));
+  }
+
+  /** What the vehicle takes and nobody wrote in any scenario, where something else came. */
+  static List<Diagnostic> neverHeard(List<Run> runs, NodeSetup setup) {
+    List<String> taken = setup.topicsTaken();
+    boolean anything = runs.stream().anyMatch(run -> silentIn(run, setup).isEmpty());
+    return taken.stream()
+        .filter(topic -> anything)
+        .filter(topic -> runs.stream().allMatch(run -> run.log().publicationsOf(topic).isEmpty()))
+        .map(topic -> silent(topic + " never came in any scenario.", setup.writer(topic)))
+        .toList();
+  }
+
+  private static Diagnostic silent(String message, String element) {
+    return Diagnostic.error(
+            "simulation.node.silent", message, SourceLocation.NONE.withElement(element))
+        .withHint("Do the nodes of others get their inputs, and do they follow /clock?");
+  }
+
+  /** What has to be known of a result that was had with nodes of others. */
+  static List<Diagnostic> about(List<Run> runs, NodeSetup setup) {
+    List<Diagnostic> found = new ArrayList<>();
+    found.add(unseen(runs, setup));
+    if (runs.size() > 1) {
+      found.add(
+          Diagnostic.warning(
+                  "simulation.attached.state",
+                  "%d scenarios were driven with the same nodes, which nobody started anew: from the second one on they remember what was before."
+                      .formatted(runs.size()),
+                  SourceLocation.NONE)
+              .withHint(
+                  "Start the nodes anew for each scenario, and drive it alone: --scenario NAME."));
+    }
+    return found;
+  }
+
+  private static Diagnostic unseen(List<Run> runs, NodeSetup setup) {
+    Set<String> silent = new TreeSet<>(setup.topicsWritten());
+    runs.forEach(run -> silent.removeAll(run.log().publications().keySet()));
+    String unheard =
+        silent.isEmpty() ? "" : " Nothing was received on " + String.join(", ", silent) + ".";
+    return Diagnostic.info(
+            "simulation.attached.unseen",
+            "Others started the nodes (%s): their executions, periods, execution times, latencies and ages of inputs were not measured.%s"
+                .formatted(setup.driverWords(), unheard),
+            SourceLocation.NONE)
+        .withHint("Simulate with a driver that starts the nodes to measure them.");
+  }
+}
