@@ -52,11 +52,11 @@ final class RunCommand extends ProjectCommand {
     if (scenarios.mcap && !simulates) {
       throw wrongUsage("--mcap records a simulation, and the stage simulate is not run");
     }
-    if (scenarios.attach && !simulates) {
-      throw wrongUsage("--attach is about a simulation, and the stage simulate is not run");
-    }
     if (scenarios.faults != null && !simulates) {
       throw wrongUsage("--faults is about a simulation, and the stage simulate is not run");
+    }
+    if (scenarios.attach && !simulates) {
+      throw wrongUsage("--attach is about a simulation, and the stage simulate is not run");
     }
     return execute(folder, from, to, again, llm, scenarios);
   }

@@ -54,8 +54,13 @@ final class SimulationReport {
     if (!result.faults().isEmpty()) {
       report.set("faults", FaultReport.of(result));
     }
-    ArrayNode nodes = report.putArray("nodes");
-    for (Measurements.Node node : result.measurements().nodes()) {
+    nodes(report.putArray("nodes"), result.measurements().nodes());
+    flow(report, result.measurements().flow());
+    return report;
+  }
+
+  private static void nodes(ArrayNode nodes, List<Measurements.Node> measured) {
+    for (Measurements.Node node : measured) {
       ObjectNode json = nodes.addObject().put("name", node.name());
       json.put("activations", node.activations());
       statistics(json, "period", node.period());
@@ -64,8 +69,6 @@ final class SimulationReport {
       statistics(json, "hostExecutionTime", node.hostExecutionTime());
       node.timesWorstCase().ifPresent(times -> json.put("timesWorstCase", times));
     }
-    flow(report, result.measurements().flow());
-    return report;
   }
 
   /** What is not measured is absent. */

@@ -77,9 +77,15 @@ final class AttachedFindings {
         Diagnostic.error(id, message, SourceLocation.NONE).withHint(hint));
   }
 
+  /** The topics that nodes write and the vehicle takes, in the bench's order. */
+  static List<String> taken(NodeSetup setup) {
+    Set<String> written = setup.topicsWritten();
+    return setup.bench().consumed().keySet().stream().filter(written::contains).toList();
+  }
+
   /** Nothing came to the vehicle in a scenario, which says nothing about the software then. */
   static List<Diagnostic> silentIn(Run run, NodeSetup setup) {
-    List<String> taken = setup.topicsTaken();
+    List<String> taken = taken(setup);
     if (taken.stream().anyMatch(topic -> !run.log().publicationsOf(topic).isEmpty())) {
       return List.of();
     }
@@ -93,7 +99,7 @@ final class AttachedFindings {
 
   /** What the vehicle takes and nobody wrote in any scenario, where something else came. */
   static List<Diagnostic> neverHeard(List<Run> runs, NodeSetup setup) {
-    List<String> taken = setup.topicsTaken();
+    List<String> taken = taken(setup);
     boolean anything = runs.stream().anyMatch(run -> silentIn(run, setup).isEmpty());
     return taken.stream()
         .filter(topic -> anything)

@@ -106,7 +106,7 @@ final class AttachedSession implements NodeSession {
 
   /** Waits until everybody is there. */
   private Outside meet(JsonNode configuration) {
-    Set<String> taken = new HashSet<>(setup.topicsTaken());
+    Set<String> taken = new HashSet<>(AttachedFindings.taken(setup));
     long end = System.nanoTime() + patience.toNanos();
     while (true) {
       Outside outside = Outside.of(participant.peers(), configuration);

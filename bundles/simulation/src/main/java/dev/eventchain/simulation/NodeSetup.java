@@ -72,6 +72,11 @@ final class NodeSetup {
     return request.driver();
   }
 
+  /** The files that the user's code is in. */
+  UserFiles userFiles() {
+    return new UserFiles(request.packageFolder());
+  }
+
   /** The same for people. */
   String driverWords() {
     return request.driverWords();
@@ -80,17 +85,6 @@ final class NodeSetup {
   /** Whether others run the nodes, so that nobody sees what happens inside. */
   boolean isAttached() {
     return request.driver() == SimulationRequest.Driver.DDS_ATTACHED;
-  }
-
-  /** The topics that nodes write and the vehicle takes, in the bench's order. */
-  List<String> topicsTaken() {
-    Set<String> written = topicsWritten();
-    return bench().consumed().keySet().stream().filter(written::contains).toList();
-  }
-
-  /** The files that the user's code is in. */
-  UserFiles userFiles() {
-    return new UserFiles(request.packageFolder());
   }
 
   /** The message types that the nodes use. */

@@ -32,6 +32,7 @@ final class ResultBuilder {
 
   SimulationResult build(String confinement, int processes, double wallSeconds) {
     List<Diagnostic> silent = silent();
+    boolean worked = silent.stream().allMatch(setup::isAccepted);
     ScenarioJudge judge = new ScenarioJudge(setup);
     List<ScenarioVerdict> verdicts =
         runs.stream().map(run -> judge.verdict(run, worked(run, silent))).toList();
@@ -50,8 +51,7 @@ final class ResultBuilder {
         Stream.of(silent, attached(), ignored(), tooOld(), fromBehind(), wire(), warnings())
             .flatMap(List::stream)
             .toList();
-    return new SimulationResult(
-        verdicts, measurements, found, faults(silent.stream().allMatch(setup::isAccepted)), host);
+    return new SimulationResult(verdicts, measurements, found, faults(worked), host);
   }
 
   private List<FaultVerdict> faults(boolean worked) {

@@ -95,11 +95,11 @@ public final class Simulation {
 
   /** In real time two scenarios would take each other's time. */
   private int processes() {
-    return isSimulatedTime() ? Math.min(request.processes(), runsInAll()) : 1;
+    return isInRealTime() ? 1 : Math.min(request.processes(), runsInAll());
   }
 
-  private boolean isSimulatedTime() {
-    return request.driver() == Driver.LOCKSTEP || request.driver() == Driver.DDS;
+  private boolean isInRealTime() {
+    return request.driver() != Driver.LOCKSTEP && request.driver() != Driver.DDS;
   }
 
   private String describeConfinement() {
@@ -138,7 +138,7 @@ public final class Simulation {
   }
 
   private void refuseFaultsInRealTime() {
-    if (!isSimulatedTime()) {
+    if (isInRealTime()) {
       List<Diagnostic> refused =
           request.faults().faults().stream().map(Simulation::inRealTime).distinct().toList();
       if (!refused.isEmpty()) {
@@ -152,7 +152,7 @@ public final class Simulation {
             "fault.driver",
             "The fault '" + fault.name() + "' cannot be injected in real time.",
             fault.location())
-        .withHint("Leave out --real-time, or --attach: in simulated time, all faults can.");
+        .withHint("Leave out --real-time and --attach: in simulated time, all faults can.");
   }
 
   /** Takes run after run until none is left, in new processes after one that did not survive. */

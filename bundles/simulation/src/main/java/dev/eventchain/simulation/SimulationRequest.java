@@ -30,10 +30,10 @@ import java.util.function.Predicate;
  *     NAME.mcap} once the scenario has ended, also by a failure of a node; empty: nothing is
  *     recorded
  * @param driver how the nodes are run
- * @param attachment where the nodes are that somebody else runs; there with {@link
- *     Driver#DDS_ATTACHED} only
  * @param faults what else is simulated: each fault in one more run of its scenario, which is one of
  *     the scenarios
+ * @param attachment where the nodes are that somebody else runs; there with {@link
+ *     Driver#DDS_ATTACHED} only
  */
 public record SimulationRequest(
     EventChain chain,
@@ -48,8 +48,8 @@ public record SimulationRequest(
     Predicate<Diagnostic> accepted,
     Optional<Path> recordings,
     Driver driver,
-    Optional<Attachment> attachment,
-    FaultPlan faults) {
+    FaultPlan faults,
+    Optional<Attachment> attachment) {
 
   /** What brings messages from one to another, and lets time pass. */
   public enum Driver {
@@ -155,40 +155,45 @@ public record SimulationRequest(
         finding -> false,
         Optional.empty(),
         Driver.LOCKSTEP,
-        Optional.empty(),
-        FaultPlan.NONE);
+        FaultPlan.NONE,
+        Optional.empty());
   }
 
   /** The same on another number of processes. */
   public SimulationRequest withProcesses(int number) {
-    return with(number, generated, limits, accepted, recordings, driver, attachment, faults);
+    return with(number, generated, limits, accepted, recordings, driver, faults, attachment);
   }
 
   /** The same with other components that count as generated. */
   public SimulationRequest withGenerated(Set<String> names) {
-    return with(processes, names, limits, accepted, recordings, driver, attachment, faults);
+    return with(processes, names, limits, accepted, recordings, driver, faults, attachment);
   }
 
   /** The same with other limits. */
   public SimulationRequest withLimits(Limits other) {
-    return with(processes, generated, other, accepted, recordings, driver, attachment, faults);
+    return with(processes, generated, other, accepted, recordings, driver, faults, attachment);
   }
 
   /** The same with other findings that people accept. */
   public SimulationRequest withAccepted(Predicate<Diagnostic> other) {
-    return with(processes, generated, limits, other, recordings, driver, attachment, faults);
+    return with(processes, generated, limits, other, recordings, driver, faults, attachment);
   }
 
   /** The same with recordings in a folder, which exists. */
   public SimulationRequest withRecordings(Path folder) {
     return with(
-        processes, generated, limits, accepted, Optional.of(folder), driver, attachment, faults);
+        processes, generated, limits, accepted, Optional.of(folder), driver, faults, attachment);
   }
 
   /** The same with another driver, which starts the nodes. */
   public SimulationRequest withDriver(Driver other) {
     return with(
-        processes, generated, limits, accepted, recordings, other, Optional.empty(), faults);
+        processes, generated, limits, accepted, recordings, other, faults, Optional.empty());
+  }
+
+  /** The same with faults, each in a scenario of this request. */
+  public SimulationRequest withFaults(FaultPlan other) {
+    return with(processes, generated, limits, accepted, recordings, driver, other, attachment);
   }
 
   /** The same with nodes that somebody else runs. */
@@ -200,13 +205,8 @@ public record SimulationRequest(
         accepted,
         recordings,
         Driver.DDS_ATTACHED,
-        Optional.of(where),
-        faults);
-  }
-
-  /** The same with faults, each in a scenario of this request. */
-  public SimulationRequest withFaults(FaultPlan other) {
-    return with(processes, generated, limits, accepted, recordings, driver, attachment, other);
+        faults,
+        Optional.of(where));
   }
 
   /** For people: what brings messages from one node to another. */
@@ -221,8 +221,8 @@ public record SimulationRequest(
       Predicate<Diagnostic> newAccepted,
       Optional<Path> newRecordings,
       Driver newDriver,
-      Optional<Attachment> newAttachment,
-      FaultPlan newFaults) {
+      FaultPlan newFaults,
+      Optional<Attachment> newAttachment) {
     return new SimulationRequest(
         chain,
         packageFolder,
@@ -236,7 +236,7 @@ public record SimulationRequest(
         newAccepted,
         newRecordings,
         newDriver,
-        newAttachment,
-        newFaults);
+        newFaults,
+        newAttachment);
   }
 }

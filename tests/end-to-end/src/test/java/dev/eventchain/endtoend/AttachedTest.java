@@ -1,5 +1,6 @@
 package dev.eventchain.endtoend;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -105,7 +106,7 @@ class AttachedTest {
         new ProcessBuilder("python3", environment.toString(), "--cyclonedds", "--print-executable")
             .redirectError(ProcessBuilder.Redirect.INHERIT)
             .start();
-    String executable = new String(found.getInputStream().readAllBytes()).strip();
+    String executable = new String(found.getInputStream().readAllBytes(), UTF_8).strip();
     assertEquals(0, found.waitFor());
     return Path.of(executable);
   }
