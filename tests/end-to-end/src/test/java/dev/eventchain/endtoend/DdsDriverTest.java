@@ -7,7 +7,9 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.stream.Stream;
@@ -36,9 +38,19 @@ class DdsDriverTest {
 
   /** In radar-fails timers of two nodes fire at the same moments, one of them for the other. */
   @ParameterizedTest
-  @CsvSource({"aeb, stopped-vehicle-50", "acc, radar-fails", "lane-departure, drift-left"})
-  void sameVerdictAndMeasurementsAsInLockstep(String example, String scenario) throws IOException {
+  @CsvSource({
+    "aeb, stopped-vehicle-50, ros2-python",
+    "aeb, stopped-vehicle-50, cyclonedds-python",
+    "acc, radar-fails, ros2-python",
+    "lane-departure, drift-left, ros2-python"
+  })
+  void sameVerdictAndMeasurementsAsInLockstep(String example, String scenario, String template)
+      throws IOException {
     Path project = copy(example, scenario);
+    Files.writeString(
+        project.resolve("eventchain.yaml"),
+        "\ntemplate: " + template + "\n",
+        StandardOpenOption.APPEND);
     Program.Ended lockstep = new Program().run("run", project);
     List<String> verdicts = verdicts(lockstep);
     assertTrue(!verdicts.isEmpty(), lockstep.err());
