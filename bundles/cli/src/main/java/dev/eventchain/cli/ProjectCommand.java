@@ -11,6 +11,7 @@ import dev.eventchain.pipeline.Project;
 import dev.eventchain.pipeline.RunOptions;
 import dev.eventchain.pipeline.RunResult;
 import dev.eventchain.pipeline.Stage;
+import dev.eventchain.validation.ProjectFolder;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -196,7 +197,8 @@ abstract class ProjectCommand implements Callable<Integer> {
     } catch (DiagnosticException e) {
       // The project or its suppressions cannot be read, so nobody knows what a verdict is about.
       if (last.compareTo(Stage.SIMULATE) >= 0) {
-        Pipeline.withdrawVerdict(output == null ? Project.defaultOutput(folder) : output);
+        Pipeline.withdrawVerdict(
+            output == null ? new ProjectFolder(folder).defaultOutput() : output);
       }
       throw e;
     }

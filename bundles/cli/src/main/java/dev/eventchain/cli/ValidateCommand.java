@@ -1,9 +1,10 @@
 package dev.eventchain.cli;
 
 import dev.eventchain.diagnostics.Suppressions;
-import dev.eventchain.pipeline.AnyModel;
 import dev.eventchain.pipeline.Project;
 import dev.eventchain.pipeline.Stage;
+import dev.eventchain.validation.ModelValidation;
+import dev.eventchain.validation.Validation;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -67,8 +68,9 @@ final class ValidateCommand extends ProjectCommand {
       return validate(Project.open(inputs.get(0)));
     }
     Suppressions suppressions = suppressions();
-    AnyModel.Validation validation =
-        AnyModel.validate(given.metamodels, given.map, constraints, inputs, messages, timeLimit());
+    Validation validation =
+        ModelValidation.validate(
+            given.metamodels, given.map, constraints, inputs, messages, timeLimit());
     return Outcome.of(validation.coverage(), validation.diagnostics(), suppressions);
   }
 

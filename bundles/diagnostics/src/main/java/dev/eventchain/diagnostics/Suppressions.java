@@ -27,6 +27,7 @@ public final class Suppressions {
           "ocl.nothing-evaluated",
           "ocl.type",
           "ocl.not-boolean",
+          "project.model.missing",
           "simulation.criterion.failed");
 
   private final List<Entry> entries;

@@ -11,6 +11,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Function;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EReference;
@@ -39,15 +40,15 @@ public final class EcoreChecks {
 
   private static final Duration TIME_LIMIT = Duration.ofSeconds(30);
 
-  private final Origins origins;
+  private final Function<EObject, SourceLocation> locator;
   private final Map<EClass, EcorePlan> plans = new HashMap<>();
   private final Map<String, Long> evaluations = new LinkedHashMap<>();
   private final List<Diagnostic> found = new ArrayList<>();
   private final ValueChecks values;
 
-  private EcoreChecks(Origins origins, Duration timeLimit) {
-    this.origins = origins;
-    this.values = new ValueChecks(origins, timeLimit);
+  private EcoreChecks(Function<EObject, SourceLocation> locator, Duration timeLimit) {
+    this.locator = locator;
+    this.values = new ValueChecks(locator, timeLimit);
     IDS.forEach(id -> evaluations.put(id, 0L));
   }
 
@@ -64,17 +65,37 @@ public final class EcoreChecks {
    *     those of all types may take four times as much
    */
   public static EcoreChecks of(List<LoadedModel> models, Duration timeLimit) {
-    EcoreChecks checks = new EcoreChecks(models.get(0).origins(), timeLimit);
+    EcoreChecks checks = new EcoreChecks(models.get(0).origins()::locate, timeLimit);
     for (LoadedModel model : models) {
       XmiResource file = (XmiResource) model.resource();
       DiagnosticException.runAt(file.place(), () -> checks.check(file));
     }
     ProjectResources resources = (ProjectResources) models.get(0).resource().getResourceSet();
     checks.found.addAll(new Faults(resources).find());
-    checks.found.addAll(checks.values.findings());
-    checks.count("ecore.value", checks.values.evaluations());
-    checks.found.sort(null);
-    return checks;
+    return checks.end();
+  }
+
+  /**
+   * Checks a model in memory, which no file need hold. EMF keeps both ends of its references and
+   * each of its unique values by itself; only files can say otherwise.
+   *
+   * @param locator where its elements are
+   * @param timeLimit as in {@link #of(List, Duration)}
+   */
+  public static EcoreChecks of(
+      EObject root, Function<EObject, SourceLocation> locator, Duration timeLimit) {
+    EcoreChecks checks = new EcoreChecks(locator, timeLimit);
+    checks.check(root);
+    EcoreUtil.getAllProperContents(root, false)
+        .forEachRemaining(element -> checks.check((EObject) element));
+    return checks.end();
+  }
+
+  private EcoreChecks end() {
+    found.addAll(values.findings());
+    count("ecore.value", values.evaluations());
+    found.sort(null);
+    return this;
   }
 
   /** What was found, in the order of files and lines. */
@@ -120,7 +141,7 @@ public final class EcoreChecks {
   }
 
   private void report(String id, EObject element, String message, String hint) {
-    found.add(Diagnostic.error(id, message, origins.locate(element)).withHint(hint));
+    found.add(Diagnostic.error(id, message, locator.apply(element)).withHint(hint));
   }
 
   /** As EMF: a default value is a value, unless the feature can be told to have none. */
@@ -183,8 +204,8 @@ public final class EcoreChecks {
                     "ecore.key",
                     "Two elements of `%s` have the same key %s."
                         .formatted(reference.getName(), key),
-                    origins.locate(target))
-                .withRelated(origins.locate(first))
+                    locator.apply(target))
+                .withRelated(locator.apply(first))
                 .withHint("Give one of them another key: the metamodel tells them apart by it."));
       }
     }
@@ -202,8 +223,8 @@ public final class EcoreChecks {
             Diagnostic.error(
                     "ecore.map",
                     "The map `%s` has the key `%s` twice.".formatted(reference.getName(), key),
-                    origins.locate(entry))
-                .withRelated(origins.locate(first))
+                    locator.apply(entry))
+                .withRelated(locator.apply(first))
                 .withHint("Leave one of the entries: a map finds one value for a key."));
       }
     }

@@ -2,12 +2,14 @@ package dev.eventchain.metamodel;
 
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import org.eclipse.emf.ecore.EAttribute;
 import org.eclipse.emf.ecore.EDataType;
 import org.eclipse.emf.ecore.EObject;
@@ -31,15 +33,15 @@ final class ValueChecks {
     }
   }
 
-  private final Origins origins;
+  private final Function<EObject, SourceLocation> locator;
   private final PatternTime time;
   private final DataTypeLimits limits;
   private final List<Diagnostic> found = new ArrayList<>();
   private final Map<EDataType, Unchecked> unchecked = new LinkedHashMap<>();
   private long evaluations;
 
-  ValueChecks(Origins origins, Duration timeLimit) {
-    this.origins = origins;
+  ValueChecks(Function<EObject, SourceLocation> locator, Duration timeLimit) {
+    this.locator = locator;
     this.time = new PatternTime(timeLimit);
     this.limits = new DataTypeLimits(time);
   }
@@ -65,7 +67,7 @@ final class ValueChecks {
                     left.feature,
                     time.shortage(),
                     Coverage.counted(left.values, "value")),
-            origins.locate(left.element))
+            locator.apply(left.element))
         .withHint(
             "Write its pattern so that it has one way through a text, or allow more:"
                 + " --time-limit SECONDS.");
@@ -115,7 +117,7 @@ final class ValueChecks {
         Diagnostic.error(
                 "ecore.value",
                 "`%s` of `%s` %s.".formatted(shown, attribute.getName(), fault),
-                origins.locate(element))
+                locator.apply(element))
             .withHint(
                 "The type `%s` of the metamodel says what is allowed."
                     .formatted(attribute.getEAttributeType().getName())));

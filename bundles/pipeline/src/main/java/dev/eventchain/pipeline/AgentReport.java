@@ -9,6 +9,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.llm.Spending;
+import dev.eventchain.validation.ProjectFolder;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.math.RoundingMode;
@@ -90,7 +91,7 @@ final class AgentReport {
   /** What an answer is about may be wrong elsewhere, such as in a message definition. */
   private static boolean becomesFile(String name) {
     return name.equals(DesignStage.FILE)
-        || name.equals(Constraints.GENERATED)
+        || name.equals(ProjectFolder.GENERATED)
         || name.startsWith(ImplementStage.FOLDER + "/");
   }
 
@@ -126,7 +127,7 @@ final class AgentReport {
     try (Stream<Path> files = Files.walk(folder)) {
       return files.filter(Files::isRegularFile).sorted().toList();
     } catch (IOException e) {
-      throw Project.unreadable(folder, e);
+      throw ProjectFolder.unreadable(folder, e);
     }
   }
 }

@@ -10,6 +10,7 @@ import dev.eventchain.documents.FindingIds;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
 import dev.eventchain.llm.ModelServices;
+import dev.eventchain.validation.ProjectSettings;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -47,9 +48,7 @@ record Configuration(
     String template,
     SortedMap<String, String> packageFacts) {
 
-  private static final FindingIds IDS = FindingIds.all("project.configuration");
-  private static final double DEFAULT_FREQUENCY = 20;
-  private static final NumberRange FREQUENCIES = NumberRange.above(0).upTo(10_000);
+  private static final FindingIds IDS = ProjectSettings.IDS;
   private static final String DEFAULT_MODEL = "person";
   private static final int DEFAULT_REPAIRS = 3;
   private static final NumberRange REPAIRS = NumberRange.of(0, 20);
@@ -77,18 +76,12 @@ record Configuration(
   }
 
   private static Configuration read(ObjectReader settings, Path folder) {
-    String name = settings.requiredText("name");
-    if (!name.isBlank() && !name.matches("[a-z][a-z0-9_]*")) {
-      String message = "'" + name + "' cannot be the name of a ROS 2 package.";
-      settings.find(
-          Diagnostic.error(IDS.range(), message, settings.at("name"))
-              .withHint("Use lower-case letters, digits and underscores, a letter first."));
-    }
+    String name = ProjectSettings.name(settings);
     Configuration configuration =
         new Configuration(
             name,
             settings.text("title").orElse(name),
-            settings.number("frequency", FREQUENCIES).orElse(DEFAULT_FREQUENCY),
+            ProjectSettings.frequency(settings),
             settings.text("llm").orElse("replay"),
             settings.object("models").map(Configuration::models).orElse(Map.of()),
             ModelServices.read(settings),
@@ -144,6 +137,11 @@ record Configuration(
     }
     facts.refuseOthers();
     return properties;
+  }
+
+  /** What it says of the chain itself. */
+  ProjectSettings settings() {
+    return new ProjectSettings(name, frequency);
   }
 
   /** The models that a stage asks, the one that is wanted first. */

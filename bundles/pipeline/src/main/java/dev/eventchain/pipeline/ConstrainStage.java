@@ -9,6 +9,7 @@ import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
 import dev.eventchain.modeler.Modeled;
 import dev.eventchain.modeler.Requirements;
+import dev.eventchain.validation.ProjectFolder;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -37,7 +38,7 @@ final class ConstrainStage implements StageWork {
     if (rules.isEmpty()) {
       List<String> none = List.of();
       return StageResult.of(
-          "no design rules", none, run.output().removeOthers(Constraints.GENERATED, none));
+          "no design rules", none, run.output().removeOthers(ProjectFolder.GENERATED, none));
     }
     AgentResult constrained =
         new ConstrainAgent(run.models().agent(Stage.CONSTRAIN))
@@ -46,13 +47,13 @@ final class ConstrainStage implements StageWork {
                 List.of(EventchainPackage.eINSTANCE),
                 rules.get(),
                 List.of(chain(run)));
-    run.write(Constraints.GENERATED, constrained.text());
+    run.write(ProjectFolder.GENERATED, constrained.text());
     return new StageResult(
         "OCL from "
             + rules.get().items().size()
             + " design rules"
             + AgentReport.effort(run, List.of(constrained)),
-        List.of(Constraints.GENERATED),
+        List.of(ProjectFolder.GENERATED),
         AgentReport.placed(run, constrained),
         AgentReport.of(run, Stage.CONSTRAIN, List.of(constrained)));
   }
@@ -63,7 +64,7 @@ final class ConstrainStage implements StageWork {
       return run.loadChain(edited.get()).chain();
     }
     Modeled<EventChain> direct =
-        ChainOrigins.direct(run, run.required(DesignStage.FILE, Stage.DESIGN));
+        ChainSnapshot.direct(run, run.required(DesignStage.FILE, Stage.DESIGN));
     if (Diagnostic.anyError(direct.diagnostics())) {
       throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, direct.diagnostics());
     }

@@ -4,6 +4,9 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.agents.AgentResult;
 import dev.eventchain.agents.DesignAgent;
 import dev.eventchain.modeler.EventChainWriter;
+import dev.eventchain.validation.ChainChecks;
+import dev.eventchain.validation.ChainModel;
+import dev.eventchain.validation.ProjectFolder;
 import java.util.List;
 
 /**
@@ -12,7 +15,7 @@ import java.util.List;
  */
 final class DesignStage implements StageWork {
 
-  static final String FILE = "chain.json";
+  static final String FILE = ProjectFolder.DESCRIPTION;
 
   @Override
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
@@ -28,10 +31,9 @@ final class DesignStage implements StageWork {
   @Override
   public StageResult execute(RunContext run) {
     if (run.project().editedModel().isPresent()) {
-      RunContext.LoadedChain model = run.loadChain(run.project().editedModel().get());
-      ChainChecks.Outcome checked =
-          ChainChecks.withoutGenerated(run).check(model, ChainOrigins.edited(model));
-      checked.refuseErrors(run);
+      ChainModel model = run.loadChain(run.project().editedModel().get());
+      ChainChecks.Outcome checked = ProjectChecks.withoutGenerated(run).check(model);
+      ProjectChecks.refuseErrors(run, checked);
       run.write(FILE, EventChainWriter.write(model.chain()));
       return StageResult.of(
           "the chain of model/chain.xmi, which people edit", List.of(FILE), checked.diagnostics());

@@ -3,6 +3,7 @@ package dev.eventchain.pipeline;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.validation.ProjectFolder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -27,7 +28,7 @@ final class EarlierStages {
           Stage.DESIGN, DesignStage.FILE,
           Stage.IMPLEMENT, GenerateStage.COMPONENTS,
           Stage.MODEL, ModelStage.FILE,
-          Stage.CONSTRAIN, Constraints.GENERATED);
+          Stage.CONSTRAIN, ProjectFolder.GENERATED);
 
   private final RunContext run;
   private final StageMemory memory;

@@ -1,6 +1,7 @@
 package dev.eventchain.pipeline;
 
 import dev.eventchain.diagnostics.Sha256;
+import dev.eventchain.validation.ProjectFolder;
 import java.io.File;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -80,9 +81,11 @@ final class Fingerprint {
   /** A link to nothing is there, and cannot be read. */
   static String contentOf(Path file) {
     try {
-      return Project.isAbsent(file) ? ABSENT : new Sha256().add(Files.readAllBytes(file)).hex();
+      return ProjectFolder.isAbsent(file)
+          ? ABSENT
+          : new Sha256().add(Files.readAllBytes(file)).hex();
     } catch (IOException e) {
-      throw Project.unreadable(file, e);
+      throw ProjectFolder.unreadable(file, e);
     }
   }
 

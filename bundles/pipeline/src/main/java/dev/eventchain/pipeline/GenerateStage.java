@@ -12,6 +12,8 @@ import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import dev.eventchain.modeler.SoftwareBase;
+import dev.eventchain.validation.ChainChecks;
+import dev.eventchain.validation.ProjectFolder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -38,7 +40,7 @@ final class GenerateStage implements StageWork {
         .addFile(run.model())
         .addFile(run.project().softwareBase().resolve("signals.json"))
         .addFiles(run.project().messageFiles())
-        .addFile(run.file(Constraints.GENERATED));
+        .addFile(run.file(ProjectFolder.GENERATED));
     run.project().configuration().packageFacts().forEach(fingerprint::addSetting);
     fingerprint.addFiles(run.project().ownConstraints());
     fingerprint.addFiles(
@@ -54,7 +56,7 @@ final class GenerateStage implements StageWork {
     ChainSnapshot model = run.chain();
     // A generator must not turn an invalid model into software.
     ChainChecks.Outcome checked = model.checks();
-    checked.refuseErrors(run);
+    ProjectChecks.refuseErrors(run, checked);
     String folder = Templates.folder(run.project());
     TemplateModule module =
         Templates.compile(

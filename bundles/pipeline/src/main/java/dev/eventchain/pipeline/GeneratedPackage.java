@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import dev.eventchain.simulation.NodeManifest;
+import dev.eventchain.validation.ProjectFolder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -46,7 +47,7 @@ record GeneratedPackage(String folder, NodeManifest manifest) {
   static GeneratedPackage required(RunContext run) {
     String folder = Templates.folder(run.project());
     Path all = run.file(folder);
-    List<Path> files = Files.isDirectory(all) ? Project.below(all) : List.of();
+    List<Path> files = Files.isDirectory(all) ? ProjectFolder.below(all) : List.of();
     Optional<String> found =
         single(run, files.stream().map(file -> folder + "/" + name(all, file)).toList());
     if (found.isEmpty()) {

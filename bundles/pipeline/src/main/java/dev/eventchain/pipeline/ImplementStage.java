@@ -221,7 +221,7 @@ final class ImplementStage implements StageWork {
   }
 
   private static EventChain readChain(RunContext run, Path description) {
-    Modeled<EventChain> chain = ChainOrigins.direct(run, description);
+    Modeled<EventChain> chain = ChainSnapshot.direct(run, description);
     if (Diagnostic.anyError(chain.diagnostics())) {
       throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, chain.diagnostics());
     }

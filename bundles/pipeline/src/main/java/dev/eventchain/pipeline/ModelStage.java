@@ -11,6 +11,8 @@ import dev.eventchain.metamodel.eventchain.EventchainPackage;
 import dev.eventchain.modeler.EventChainReader;
 import dev.eventchain.modeler.InstanceModeler;
 import dev.eventchain.modeler.Modeled;
+import dev.eventchain.validation.ChainModel;
+import dev.eventchain.validation.ProjectFolder;
 import java.nio.file.Path;
 import java.util.List;
 import org.eclipse.emf.ecore.EObject;
@@ -22,7 +24,7 @@ import org.eclipse.emf.ecore.EObject;
  */
 final class ModelStage implements StageWork {
 
-  static final String FILE = "chain.xmi";
+  static final String FILE = ProjectFolder.MODEL;
 
   /** Stands for no language model. */
   static final String DIRECT = "direct";
@@ -43,7 +45,7 @@ final class ModelStage implements StageWork {
       return StageResult.of("model/chain.xmi, which people edit", List.of(), List.of());
     }
     Path description = run.required(DesignStage.FILE, Stage.DESIGN);
-    Modeled<EventChain> direct = ChainOrigins.direct(run, description);
+    Modeled<EventChain> direct = ChainSnapshot.direct(run, description);
     refuseErrors(direct.diagnostics());
     if (run.project().configuration().models(Stage.MODEL).equals(List.of(DIRECT))) {
       run.write(FILE, XmiStore.toBytes(direct.root()));
@@ -65,7 +67,7 @@ final class ModelStage implements StageWork {
                 run.softwareBase());
     EventChain chain = instance(answered.text());
     EventChainReader.addBudgets(chain, direct, run.softwareBase());
-    ChainOrigins.complete(run, chain);
+    ChainModel.complete(chain, run.project().configuration().settings(), run.softwareBase());
     run.write(FILE, XmiStore.toBytes(chain));
     return new StageResult(
         words(chain)

@@ -10,6 +10,7 @@ import dev.eventchain.modeler.SoftwareBase;
 import dev.eventchain.simulation.Bench;
 import dev.eventchain.simulation.FaultPlan;
 import dev.eventchain.simulation.Scenario;
+import dev.eventchain.validation.ChainModel;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -50,7 +51,7 @@ public record ProjectBench(String text, List<Diagnostic> diagnostics) {
       return new ProjectBench(bench.listing(Optional.empty()), found);
     }
     LoadedModel model = new XmiStore(file.get().resolveSibling("")).load(file.get());
-    EventChain chain = RunContext.chainOf(model, file.get());
+    EventChain chain = ChainModel.chainOf(model, file.get());
     found.addAll(bench.check(chain, model.origins()::locate));
     return new ProjectBench(bench.listing(Optional.of(chain)), found);
   }

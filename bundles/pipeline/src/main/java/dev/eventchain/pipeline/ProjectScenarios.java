@@ -6,6 +6,7 @@ import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.modeler.Requirements;
 import dev.eventchain.simulation.Scenario;
+import dev.eventchain.validation.ProjectFolder;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
@@ -64,7 +65,9 @@ final class ProjectScenarios {
 
   /** The requirements, where the project has written any. */
   static List<Requirements.Item> requirements(RunContext run) {
-    return Project.isAbsent(run.project().requirements()) ? List.of() : run.requirements().items();
+    return ProjectFolder.isAbsent(run.project().requirements())
+        ? List.of()
+        : run.requirements().items();
   }
 
   /** The scenarios that a run asks for, in the order of their files. */

@@ -7,6 +7,7 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.modeler.SoftwareBase;
 import dev.eventchain.simulation.Bench;
+import dev.eventchain.validation.ProjectFolder;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -104,7 +105,7 @@ public final class ProjectStart {
     try (Stream<Path> files = Files.list(folder)) {
       return files.findAny().isEmpty();
     } catch (IOException e) {
-      throw Project.unreadable(folder, e);
+      throw ProjectFolder.unreadable(folder, e);
     }
   }
 

@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.metamodel.LoadedModel;
 import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.modeler.EventChainWriter;
+import dev.eventchain.validation.ChainModel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -30,7 +31,7 @@ record ReferenceChain(String name, String description) {
     Optional<Path> edited = project.editedModel();
     if (edited.isPresent()) {
       LoadedModel loaded = new XmiStore(project.folder()).loadAll(List.of(edited.get())).get(0);
-      String description = EventChainWriter.write(RunContext.chainOf(loaded, edited.get()));
+      String description = EventChainWriter.write(ChainModel.chainOf(loaded, edited.get()));
       return Optional.of(new ReferenceChain("model/chain.xmi", description));
     }
     return Stream.of(output, project.defaultOutput())

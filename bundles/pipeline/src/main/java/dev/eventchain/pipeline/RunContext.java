@@ -4,18 +4,14 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.m2t.OutputFolder;
 import dev.eventchain.messages.MessageCatalog;
-import dev.eventchain.metamodel.EcoreChecks;
-import dev.eventchain.metamodel.LoadedModel;
-import dev.eventchain.metamodel.Origins;
-import dev.eventchain.metamodel.XmiStore;
-import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.modeler.Requirements;
 import dev.eventchain.modeler.SoftwareBase;
 import dev.eventchain.python.PythonEnvironment;
 import dev.eventchain.simulation.Bench;
+import dev.eventchain.validation.ChainModel;
+import dev.eventchain.validation.ProjectFolder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -42,14 +38,6 @@ final class RunContext {
   private final List<String> strangers = new ArrayList<>();
   private final ModelWork models;
   private boolean recordsAreLost;
-
-  /**
-   * A chain and where its elements stand.
-   *
-   * @param origins where in the model's file each element stands
-   * @param ecore whether the model is what its metamodel demands
-   */
-  record LoadedChain(EventChain chain, Origins origins, EcoreChecks ecore) {}
 
   RunContext(
       Project project,
@@ -112,16 +100,12 @@ final class RunContext {
 
   /** The chain's model: the one that people edit, if there is one, else the generated one. */
   Path model() {
-    return project.editedModel().orElseGet(() -> required("chain.xmi", Stage.MODEL));
+    return project.editedModel().orElseGet(() -> required(ModelStage.FILE, Stage.MODEL));
   }
 
   /** The command that runs this project into this output folder. */
   String command(String more) {
-    boolean usual = options.output().equals(project.defaultOutput());
-    return "eventchain run "
-        + project.folder()
-        + (usual ? "" : " -o " + options.output())
-        + (more.isEmpty() ? "" : " " + more);
+    return project.command(options.output(), more);
   }
 
   /** What was read of files, once for each state of them. */
@@ -143,28 +127,13 @@ final class RunContext {
    *
    * @throws DiagnosticException INPUT if it cannot be read, or is no event chain
    */
-  LoadedChain loadChain(Path model) {
+  ChainModel loadChain(Path model) {
     return snapshots.of("model " + model, List.of(model), () -> readModel(model));
   }
 
-  private LoadedChain readModel(Path model) {
+  private ChainModel readModel(Path model) {
     progress.read(model);
-    Path root = model.startsWith(options.output()) ? options.output() : project.folder();
-    List<LoadedModel> all = XmiStore.withReferred(new XmiStore(root).loadAll(List.of(model)));
-    LoadedModel loaded = all.get(0);
-    return new LoadedChain(
-        chainOf(loaded, model), loaded.origins(), EcoreChecks.of(all, options.timeLimit()));
-  }
-
-  /** The event chain that a model is; INPUT if it is something else. */
-  static EventChain chainOf(LoadedModel loaded, Path model) {
-    if (loaded.resource().getContents().get(0) instanceof EventChain chain) {
-      return chain;
-    }
-    throw new DiagnosticException(
-        DiagnosticException.Reason.INPUT,
-        Diagnostic.error(
-            "project.model", "The model's root is no EventChain.", SourceLocation.of(model)));
+    return ChainModel.read(project, options.output(), model, options.timeLimit());
   }
 
   /** The folders that files of a run are in, inner ones first. */
@@ -183,24 +152,12 @@ final class RunContext {
   }
 
   private Requirements readRules(Path file) {
-    return snapshots.of(
-        "rules " + file, List.of(file), () -> checked(Requirements.read(SourceText.read(file))));
-  }
-
-  private static Requirements checked(Requirements read) {
-    refuseErrors(read.diagnostics());
-    return read;
+    return snapshots.of("rules " + file, List.of(file), () -> ProjectFolder.readRules(file));
   }
 
   /** What exists already. */
   SoftwareBase softwareBase() {
-    return snapshots.of("software base", project.softwareBaseFiles(), this::readSoftwareBase);
-  }
-
-  private SoftwareBase readSoftwareBase() {
-    SoftwareBase base = SoftwareBase.read(project.softwareBase());
-    refuseErrors(base.diagnostics());
-    return base;
+    return snapshots.of("software base", project.softwareBaseFiles(), project::readSoftwareBase);
   }
 
   /** How the world and the chain are connected. */
@@ -219,24 +176,7 @@ final class RunContext {
 
   /** The message definitions, the standard ones and the project's own, all of them sound. */
   MessageCatalog messages() {
-    return snapshots.of("messages", project.messageFiles(), this::readMessages);
-  }
-
-  private MessageCatalog readMessages() {
-    MessageCatalog messages = MessageCatalog.of(project.messageFolders());
-    refuseErrors(messages.diagnostics());
-    return messages;
-  }
-
-  /**
-   * Goes on unless one of the findings is an error.
-   *
-   * @throws DiagnosticException INPUT with the findings
-   */
-  private static void refuseErrors(List<Diagnostic> diagnostics) {
-    if (Diagnostic.anyError(diagnostics)) {
-      throw new DiagnosticException(DiagnosticException.Reason.INPUT, diagnostics);
-    }
+    return snapshots.of("messages", project.messageFiles(), project::readMessages);
   }
 
   /** What the run has to do with language models. */

@@ -19,6 +19,9 @@ import dev.eventchain.simulation.Simulation;
 import dev.eventchain.simulation.SimulationRequest;
 import dev.eventchain.simulation.SimulationRequest.Attachment;
 import dev.eventchain.simulation.SimulationResult;
+import dev.eventchain.validation.ChainModel;
+import dev.eventchain.validation.Constraints;
+import dev.eventchain.validation.ProjectFolder;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -53,8 +56,8 @@ final class SimulateStage implements StageWork {
     project.bench().ifPresent(fingerprint::addFile);
     fingerprint.addFiles(project.softwareBaseFiles());
     fingerprint.addFiles(project.ownConstraints());
-    fingerprint.addFile(run.file(Constraints.GENERATED));
-    fingerprint.addFiles(Project.below(run.file(GeneratedPackage.required(run).folder())));
+    fingerprint.addFile(run.file(ProjectFolder.GENERATED));
+    fingerprint.addFiles(ProjectFolder.below(run.file(GeneratedPackage.required(run).folder())));
     fingerprint.addFiles(project.messageFiles());
     RuleEvidence.ids(run).forEach(fingerprint::add);
   }
@@ -71,13 +74,13 @@ final class SimulateStage implements StageWork {
     if (!run.options().isPartial()) {
       writeMeasurements(run, chain, result);
       run.writeResult(MEASURED_MODEL, XmiStore.toBytes(measured));
-      RunContext.LoadedChain reread = run.loadChain(run.file(MEASURED_MODEL));
+      ChainModel reread = run.loadChain(run.file(MEASURED_MODEL));
       measured = reread.chain();
-      locator = reread.origins()::locate;
+      locator = reread::locate;
       found.addAll(reread.ecore().diagnostics());
       ecore = reread.ecore().coverage();
     }
-    OclResult validation = Constraints.of(run).check(measured, locator);
+    OclResult validation = ProjectChecks.constraints(run).check(measured, locator);
     RuleEvidence evidence = RuleEvidence.of(run, measured, validation);
     found.addAll(evidence.findings());
     ArrayNode outcomes = outcomes(run, chain, scenarios, result, evidence);
@@ -127,7 +130,7 @@ final class SimulateStage implements StageWork {
     if (!run.options().isPartial()) {
       report.set("requirements", outcomes);
     }
-    report.set("validation", Constraints.report(measuredFile(run), validation));
+    report.set("validation", ProjectChecks.report(measuredFile(run), validation));
     return report;
   }
 

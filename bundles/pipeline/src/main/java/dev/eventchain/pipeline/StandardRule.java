@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.ocl.OclConstraint;
 import dev.eventchain.ocl.OclRules;
+import dev.eventchain.validation.Constraints;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;

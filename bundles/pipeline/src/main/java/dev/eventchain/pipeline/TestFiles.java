@@ -10,6 +10,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.YamlLayout;
 import dev.eventchain.modeler.JsonDocument;
+import dev.eventchain.validation.ProjectFolder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -39,7 +40,9 @@ final class TestFiles {
   static List<Path> ofProject(Project project) {
     Path folder = project.folder().resolve(FOLDER);
     return Files.isDirectory(folder)
-        ? Project.below(folder).stream().filter(file -> file.toString().endsWith(SUFFIX)).toList()
+        ? ProjectFolder.below(folder).stream()
+            .filter(file -> file.toString().endsWith(SUFFIX))
+            .toList()
         : List.of();
   }
 

@@ -8,6 +8,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import dev.eventchain.modeler.Requirements;
 import dev.eventchain.ocl.OclConstraint;
+import dev.eventchain.validation.ProjectFolder;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -85,7 +86,7 @@ final class Traceability {
     List<Proof> proofs = checks(item);
     row.putArray("files");
     if (!proofs.isEmpty()) {
-      ((ArrayNode) row.get("files")).add(Constraints.GENERATED);
+      ((ArrayNode) row.get("files")).add(ProjectFolder.GENERATED);
     }
     return proved(row, proofs);
   }
@@ -99,7 +100,7 @@ final class Traceability {
     JsonNode measured = report(Stage.SIMULATE).path("validation");
     JsonNode untested = report(Stage.SIMULATE).path("untested");
     List<Proof> proofs = new ArrayList<>();
-    for (OclConstraint constraint : Constraints.of(run).standingFor(item.id())) {
+    for (OclConstraint constraint : ProjectChecks.constraints(run).standingFor(item.id())) {
       String name = constraint.qualifiedName();
       boolean violated =
           has(designed.path("violated"), name) || has(measured.path("violated"), name);

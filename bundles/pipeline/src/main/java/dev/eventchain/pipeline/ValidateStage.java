@@ -3,6 +3,8 @@ package dev.eventchain.pipeline;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.validation.ChainChecks;
+import dev.eventchain.validation.Constraints;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -25,10 +27,10 @@ final class ValidateStage implements StageWork {
     ObjectNode report = JsonNodeFactory.instance.objectNode();
     report.set(
         "validation",
-        Constraints.report(SourceLocation.of(run.model()).file(), outcome.constraints()));
+        ProjectChecks.report(SourceLocation.of(run.model()).file(), outcome.constraints()));
     List<String> files = new ArrayList<>();
     files.add(SourceLocation.of(run.model()).file());
-    files.addAll(Constraints.files(run));
+    files.addAll(Constraints.names(run.project(), run.options().output()));
     return new StageResult(
         outcome.words(), List.of(), outcome.diagnostics(), report, outcome.coverage(files));
   }

@@ -3,9 +3,7 @@ package dev.eventchain.pipeline;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
-import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Suppressions;
@@ -23,7 +21,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Validation, and generation from several models and with Java services. */
+/** Generation from several models and with Java services. */
 class AnyModelTest {
 
   private static final String ECORE =
@@ -200,16 +198,6 @@ class AnyModelTest {
         .id();
   }
 
-  private AnyModel.Validation validate(List<Path> constraints, String... models) {
-    return AnyModel.validate(
-        List.of(folder.resolve("shop.ecore")),
-        Map.of(),
-        constraints,
-        List.of(models).stream().map(folder::resolve).toList(),
-        List.of(),
-        Duration.ofMinutes(1));
-  }
-
   private static List<String> ids(List<Diagnostic> found) {
     return found.stream().map(Diagnostic::id).toList();
   }
@@ -223,37 +211,6 @@ class AnyModelTest {
                 "\"Person\">\n    <eStructuralFeatures",
                 "\"Person\">\n    <eStructuralFeatures lowerBound=\"1\"");
     Files.writeString(folder.resolve("shop.ecore"), demanding);
-  }
-
-  @Test
-  void whatAMetamodelDemandsIsCheckedWithoutConstraints() throws IOException {
-    demand();
-    AnyModel.Validation fine = validate(List.of(), "bakery.xmi");
-    assertEquals(List.of(), fine.diagnostics());
-    assertEquals(2, fine.coverage().evaluations(Coverage.Kind.METAMODEL));
-    Files.writeString(
-        folder.resolve("bakery.xmi"), shop("bakery", "anna.xmi").replaceAll("<owner.*/>", ""));
-    assertEquals(List.of("ecore.required"), ids(validate(List.of(), "bakery.xmi").diagnostics()));
-  }
-
-  @Test
-  void nothingDemandedAndNoConstraintIsNoPass() {
-    assertEquals(
-        List.of("ocl.nothing-evaluated"), ids(validate(List.of(), "bakery.xmi").diagnostics()));
-  }
-
-  @Test
-  void filesThatAModelRefersToAreValidatedToo() throws IOException {
-    demand();
-    Files.writeString(folder.resolve("anna.xmi"), person("Anna").replace("name=", "xmi:id="));
-    Path ocl =
-        Files.writeString(
-            folder.resolve("rules.ocl"), "context Person inv Named: self.name <> null\n");
-    AnyModel.Validation found = validate(List.of(ocl), "bakery.xmi");
-    assertEquals(List.of("ocl.violated", "ecore.required"), ids(found.diagnostics()));
-    assertEquals(2, found.coverage().elements());
-    assertEquals(4, found.coverage().files().size());
-    assertTrue(found.diagnostics().get(0).location().file().endsWith("anna.xmi"));
   }
 
   @Test

@@ -3,6 +3,7 @@ package dev.eventchain.pipeline;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.validation.ModelValidation;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -54,7 +55,7 @@ class PlantedFilesTest {
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
-    return AnyModel.validate(
+    return ModelValidation.validate(
             planted.metamodels(folder),
             Map.of(),
             planted.documents(folder),

@@ -1,8 +1,5 @@
-package dev.eventchain.pipeline;
+package dev.eventchain.validation;
 
-import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.JsonNodeFactory;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -18,16 +15,12 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
-import java.util.Set;
-import java.util.TreeSet;
 import java.util.function.Function;
+import java.util.function.UnaryOperator;
 import org.eclipse.emf.ecore.EObject;
 
 /** The constraints of a project: the standard ones, those people wrote, and the generated ones. */
-final class Constraints {
-
-  static final String GENERATED = "generated.ocl";
+public final class Constraints {
 
   private final OclRules rules;
   private final Duration timeLimit;
@@ -37,59 +30,60 @@ final class Constraints {
     this.timeLimit = timeLimit;
   }
 
-  /** All constraints that there are. */
-  static Constraints of(RunContext run) {
-    return run.snapshots()
-        .of(
-            "constraints",
-            paths(run),
-            () -> new Constraints(parse(all(run)), run.options().timeLimit()));
-  }
-
-  private static List<SourceText> all(RunContext run) {
-    List<SourceText> documents = written(run);
-    generated(run).map(SourceText::read).ifPresent(documents::add);
-    return documents;
-  }
-
-  private static Optional<Path> generated(RunContext run) {
-    return Optional.of(run.file(GENERATED)).filter(file -> !Project.isAbsent(file));
-  }
-
-  /** The files that hold the constraints, but for the standard ones. */
-  static List<Path> paths(RunContext run) {
-    List<Path> files = new ArrayList<>(run.project().ownConstraints());
-    generated(run).ifPresent(files::add);
-    return files;
+  /**
+   * All constraints that there are.
+   *
+   * @param output the folder of the project's results, which may hold generated ones
+   * @param timeLimit the processor time that each may take
+   * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if a file cannot be read
+   */
+  public static Constraints of(ProjectFolder folder, Path output, Duration timeLimit) {
+    List<SourceText> documents = written(folder);
+    folder.generated(output).map(SourceText::read).ifPresent(documents::add);
+    return new Constraints(parse(documents), timeLimit);
   }
 
   /** The standard constraints and those that people wrote, before any are generated. */
-  static Constraints withoutGenerated(RunContext run) {
-    return new Constraints(parse(written(run)), run.options().timeLimit());
+  public static Constraints withoutGenerated(ProjectFolder folder, Duration timeLimit) {
+    return new Constraints(parse(written(folder)), timeLimit);
   }
 
-  private static List<SourceText> written(RunContext run) {
+  private static List<SourceText> written(ProjectFolder folder) {
     List<SourceText> documents = new ArrayList<>();
     documents.add(XmiStore.standardConstraints());
-    run.project().ownConstraints().forEach(file -> documents.add(SourceText.read(file)));
+    folder.ownConstraints().forEach(file -> documents.add(SourceText.read(file)));
     return documents;
   }
 
-  static OclRules parse(List<SourceText> documents) {
+  /** The files that hold the constraints, but for the standard ones. */
+  public static List<Path> files(ProjectFolder folder, Path output) {
+    List<Path> files = new ArrayList<>(folder.ownConstraints());
+    folder.generated(output).ifPresent(files::add);
+    return files;
+  }
+
+  /** As {@link #files}, for people. */
+  public static List<String> names(ProjectFolder folder, Path output) {
+    return files(folder, output).stream().map(file -> SourceLocation.of(file).file()).toList();
+  }
+
+  /** The constraints of documents about event chains. */
+  public static OclRules parse(List<SourceText> documents) {
     return OclRules.parse(documents, List.of(EventchainPackage.eINSTANCE));
   }
 
-  OclResult check(EObject root, Function<EObject, SourceLocation> locator) {
+  /** The processor time that each may take. */
+  Duration timeLimit() {
+    return timeLimit;
+  }
+
+  /** Evaluates them on a model. */
+  public OclResult check(EObject root, Function<EObject, SourceLocation> locator) {
     return OclValidator.of(rules).withTimeLimit(timeLimit).validate(List.of(root), locator);
   }
 
-  /** As {@link #paths}, for people. */
-  static List<String> files(RunContext run) {
-    return paths(run).stream().map(file -> SourceLocation.of(file).file()).toList();
-  }
-
   /** The constraints that stand for a design rule, as their comments say. */
-  List<OclConstraint> standingFor(String rule) {
+  public List<OclConstraint> standingFor(String rule) {
     return rules.constraints().stream()
         .filter(constraint -> !constraint.named(List.of(rule)).isEmpty())
         .toList();
@@ -98,9 +92,11 @@ final class Constraints {
   /**
    * A finding for each design rule that no constraint stands for: a document that was emptied since
    * it was generated must not pass for one that nothing violates.
+   *
+   * @param items the design rules
+   * @param command the command that runs the project, with what follows it
    */
-  List<Diagnostic> uncovered(RunContext run) {
-    List<Requirements.Item> items = run.designRules().map(Requirements::items).orElse(List.of());
+  public List<Diagnostic> uncovered(List<Requirements.Item> items, UnaryOperator<String> command) {
     return items.stream()
         .filter(item -> standingFor(item.id()).isEmpty())
         .map(
@@ -112,7 +108,7 @@ final class Constraints {
                     .withRule(item.id())
                     .withHint(
                         "Run '"
-                            + run.command("--from constrain --overwrite")
+                            + command.apply("--from constrain --overwrite")
                             + "', or write an invariant under '-- "
                             + item.id()
                             + ": ...' into constraints.ocl."))
@@ -120,7 +116,7 @@ final class Constraints {
   }
 
   /** What a validation checked. */
-  static Coverage coverage(List<String> files, OclResult result) {
+  public static Coverage coverage(List<String> files, OclResult result) {
     List<Coverage.Check> checks =
         result.checks().stream()
             .map(
@@ -147,28 +143,5 @@ final class Constraints {
             + Coverage.counted(result.elements(), "element");
     int findings = result.diagnostics().size();
     return findings == 0 ? checked : checked + ", " + Coverage.counted(findings, "finding");
-  }
-
-  /** What a validation did, for the report. */
-  static ObjectNode report(String model, OclResult result) {
-    ObjectNode report = JsonNodeFactory.instance.objectNode();
-    report
-        .put("model", model)
-        .put("constraints", result.constraints())
-        .put("elements", result.elements())
-        .put("evaluations", result.evaluations())
-        .put(
-            "violations",
-            result.diagnostics().stream().filter(d -> d.id().startsWith("ocl.")).count());
-    ArrayNode violated = report.putArray("violated");
-    Set<String> names = new TreeSet<>();
-    result.diagnostics().stream().map(Diagnostic::rule).forEach(names::add);
-    names.forEach(violated::add);
-    ArrayNode evaluated = report.putArray("evaluated");
-    result.checks().stream()
-        .filter(check -> check.evaluations() > 0)
-        .map(check -> check.constraint().qualifiedName())
-        .forEach(evaluated::add);
-    return report;
   }
 }

@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline;
+package dev.eventchain.validation;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;

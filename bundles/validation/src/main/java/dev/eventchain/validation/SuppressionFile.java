@@ -1,4 +1,4 @@
-package dev.eventchain.pipeline;
+package dev.eventchain.validation;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;

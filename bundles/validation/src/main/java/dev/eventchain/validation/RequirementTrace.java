@@ -1,7 +1,8 @@
-package dev.eventchain.pipeline;
+package dev.eventchain.validation;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainPackage.Literals;
 import dev.eventchain.metamodel.eventchain.Requirement;
@@ -9,7 +10,10 @@ import dev.eventchain.modeler.Requirements;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.function.BiFunction;
 import java.util.stream.Collectors;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EStructuralFeature;
 
 /**
  * Whether the requirements of a model are those that the project has written: what people edit has
@@ -25,7 +29,9 @@ final class RequirementTrace {
    * @return {@code project.requirement.unknown}, {@code project.requirement.changed}
    */
   static List<Diagnostic> check(
-      List<Requirements.Item> written, EventChain chain, ChainOrigins origins) {
+      List<Requirements.Item> written,
+      EventChain chain,
+      BiFunction<EObject, EStructuralFeature, SourceLocation> locator) {
     Map<String, String> texts =
         written.stream()
             .collect(Collectors.toMap(Requirements.Item::id, Requirements.Item::text, (a, b) -> a));
@@ -36,29 +42,34 @@ final class RequirementTrace {
     for (Requirement requirement : chain.getRequirements()) {
       String text = texts.get(requirement.getId());
       if (text == null) {
-        found.add(unknown(requirement, texts, origins));
+        found.add(unknown(requirement, texts, locator));
       } else if (!plain(text).equals(plain(requirement.getText()))) {
-        found.add(changed(requirement, text, origins));
+        found.add(changed(requirement, text, locator));
       }
     }
     return found;
   }
 
   private static Diagnostic unknown(
-      Requirement requirement, Map<String, String> texts, ChainOrigins origins) {
+      Requirement requirement,
+      Map<String, String> texts,
+      BiFunction<EObject, EStructuralFeature, SourceLocation> locator) {
     String id = String.valueOf(requirement.getId());
     return Diagnostic.error(
             "project.requirement.unknown",
             "The model has the requirement '" + id + "', which requirements.md does not have.",
-            origins.locate(requirement, Literals.REQUIREMENT__ID))
+            locator.apply(requirement, Literals.REQUIREMENT__ID))
         .withHint(NearestName.question(id, texts.keySet()));
   }
 
-  private static Diagnostic changed(Requirement requirement, String text, ChainOrigins origins) {
+  private static Diagnostic changed(
+      Requirement requirement,
+      String text,
+      BiFunction<EObject, EStructuralFeature, SourceLocation> locator) {
     return Diagnostic.warning(
             "project.requirement.changed",
             "requirements.md says of %s: %s".formatted(requirement.getId(), text),
-            origins.locate(requirement, Literals.REQUIREMENT__TEXT))
+            locator.apply(requirement, Literals.REQUIREMENT__TEXT))
         .withHint("Write the same into the model, once the components satisfy it.");
   }
 

@@ -1,0 +1,172 @@
+package dev.eventchain.validation;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.metamodel.EcoreChecks;
+import dev.eventchain.metamodel.LoadedModel;
+import dev.eventchain.metamodel.Origins;
+import dev.eventchain.metamodel.XmiStore;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import dev.eventchain.modeler.EventChainReader;
+import dev.eventchain.modeler.ModelComparison;
+import dev.eventchain.modeler.Modeled;
+import dev.eventchain.modeler.Requirements;
+import dev.eventchain.modeler.SoftwareBase;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalDouble;
+import java.util.function.Supplier;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EStructuralFeature;
+import org.eclipse.emf.ecore.util.EcoreUtil;
+
+/**
+ * The model of a chain that a file holds, and where its elements come from: the model's file if
+ * people edit that; the chain's description if the model was made from it and still says the same.
+ * Nobody changes the chain.
+ */
+public final class ChainModel {
+
+  private final EventChain chain;
+
+  /** Where in the model's file each element stands. */
+  private final Origins origins;
+
+  private final EcoreChecks ecore;
+
+  /** The elements that the description gives, by their paths in the model. */
+  private final Map<String, EObject> described;
+
+  private final Origins descriptions;
+
+  private ChainModel(
+      EventChain chain,
+      Origins origins,
+      EcoreChecks ecore,
+      Map<String, EObject> described,
+      Origins descriptions) {
+    this.chain = chain;
+    this.origins = origins;
+    this.ecore = ecore;
+    this.described = described;
+    this.descriptions = descriptions;
+  }
+
+  /**
+   * Reads a model; its elements come from its own file.
+   *
+   * @param file in the project, or among its results
+   * @param output the folder of the project's results
+   * @param timeLimit the processor time that the patterns of a data type may take
+   * @throws DiagnosticException INPUT if it cannot be read, or is no event chain
+   */
+  public static ChainModel read(ProjectFolder folder, Path output, Path file, Duration timeLimit) {
+    Path root = file.startsWith(output) ? output : folder.folder();
+    List<LoadedModel> all = XmiStore.withReferred(new XmiStore(root).loadAll(List.of(file)));
+    LoadedModel loaded = all.get(0);
+    return new ChainModel(
+        chainOf(loaded, file),
+        loaded.origins(),
+        EcoreChecks.of(all, timeLimit),
+        Map.of(),
+        new Origins());
+  }
+
+  /** The event chain that a model is; INPUT if it is something else. */
+  public static EventChain chainOf(LoadedModel loaded, Path model) {
+    if (loaded.resource().getContents().get(0) instanceof EventChain chain) {
+      return chain;
+    }
+    throw new DiagnosticException(
+        DiagnosticException.Reason.INPUT,
+        Diagnostic.error(
+            "project.model", "The model's root is no EventChain.", SourceLocation.of(model)));
+  }
+
+  /** The chain. */
+  public EventChain chain() {
+    return chain;
+  }
+
+  /** Whether the model is what its metamodel demands. */
+  public EcoreChecks ecore() {
+    return ecore;
+  }
+
+  /** Where an element is stated. */
+  public SourceLocation locate(EObject element) {
+    EObject origin = described.get(path(element));
+    return origin == null ? origins.locate(element) : descriptions.locate(origin);
+  }
+
+  /** Where a feature of an element is stated. */
+  public SourceLocation locate(EObject element, EStructuralFeature feature) {
+    EObject origin = described.get(path(element));
+    return origin == null ? origins.locate(element, feature) : descriptions.locate(origin, feature);
+  }
+
+  /**
+   * The same model with elements that come from the description, if there is one and it gives this
+   * very model; else this one.
+   *
+   * @param description its file, which may be absent
+   * @param direct what {@link #ofDescription} makes of it
+   */
+  public ChainModel describedBy(Path description, Supplier<Modeled<EventChain>> direct) {
+    if (!Files.isRegularFile(description)) {
+      return this;
+    }
+    try {
+      return describedBy(direct.get());
+    } catch (DiagnosticException e) {
+      return this;
+    }
+  }
+
+  private ChainModel describedBy(Modeled<EventChain> direct) {
+    if (Diagnostic.anyError(direct.diagnostics())
+        || !ModelComparison.compare(direct.root(), chain, e -> SourceLocation.NONE).isEmpty()) {
+      return this;
+    }
+    Map<String, EObject> elements = new HashMap<>();
+    elements.put(path(direct.root()), direct.root());
+    direct.root().eAllContents().forEachRemaining(e -> elements.put(path(e), e));
+    return new ChainModel(chain, origins, ecore, elements, direct.origins());
+  }
+
+  /**
+   * The model that a description gives without a language model.
+   *
+   * @throws DiagnosticException INPUT if it cannot be read
+   */
+  public static Modeled<EventChain> ofDescription(
+      Path description, ProjectSettings settings, Requirements requirements, SoftwareBase base) {
+    Modeled<EventChain> direct =
+        EventChainReader.read(
+            SourceText.read(description), settings.name(), requirements, OptionalDouble.empty());
+    EventChainReader.addBudgets(direct.root(), direct.root(), base);
+    complete(direct.root(), settings, base);
+    return direct;
+  }
+
+  /** Adds what the project knows and a description does not say. */
+  public static void complete(EventChain chain, ProjectSettings settings, SoftwareBase base) {
+    for (SoftwareNode node : chain.getSoftware()) {
+      if (!node.isSetFrequency()) {
+        node.setFrequency(settings.frequency());
+      }
+    }
+    EventChainReader.markExisting(chain, base);
+  }
+
+  private static String path(EObject element) {
+    return EcoreUtil.getRelativeURIFragmentPath(EcoreUtil.getRootContainer(element), element);
+  }
+}
