@@ -1,0 +1,128 @@
+package dev.eventchain.eclipse.diagram;
+
+import dev.eventchain.eclipse.diagram.ChainDiagram.Area;
+import dev.eventchain.eclipse.diagram.ChainDiagram.Line;
+import dev.eventchain.eclipse.diagram.ChainDiagram.Point;
+import dev.eventchain.eclipse.diagram.Vertex.Edge;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Comparator;
+import java.util.IdentityHashMap;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * Leads lines from the lower side of a box to the upper side of another. Between layers they may
+ * bend; beside the boxes of a layer they go straight down, so that none runs through a box.
+ */
+final class Routing {
+
+  static final int BAR = 4;
+
+  /** From a bar to its box. */
+  static final int STEM = 8;
+
+  /** The room that each line needs on the side of a box. */
+  static final int PORT = 12;
+
+  private final List<int[]> bands;
+  private final Map<Edge, Integer> lowerPorts = new IdentityHashMap<>();
+  private final Map<Edge, Integer> upperPorts = new IdentityHashMap<>();
+
+  /**
+   * Routes for boxes that have their places.
+   *
+   * @param bands the first and the last y of each layer
+   */
+  Routing(List<Vertex> vertices, List<int[]> bands) {
+    this.bands = bands;
+    for (Vertex vertex : vertices) {
+      assign(vertex, true);
+      assign(vertex, false);
+    }
+  }
+
+  /** Spreads the lines over a side, in the order in which they come; those upwards at the right. */
+  private void assign(Vertex vertex, boolean lowerSide) {
+    List<Edge> forward = new ArrayList<>();
+    List<Edge> back = new ArrayList<>();
+    (lowerSide ? vertex.out : vertex.in).stream().filter(e -> !e.isReversed).forEach(forward::add);
+    (lowerSide ? vertex.in : vertex.out).stream().filter(e -> e.isReversed).forEach(back::add);
+    Map<Edge, Integer> ports = lowerSide ? upperPorts : lowerPorts;
+    Comparator<Edge> byTarget = Comparator.comparingDouble(edge -> next(edge, lowerSide).x);
+    forward.sort(byTarget);
+    back.sort(byTarget);
+    double right = vertex.left() + vertex.width;
+    double room = back.isEmpty() ? vertex.width : vertex.width - (back.size() + 0.5) * PORT;
+    spread(forward, vertex.left(), vertex.left() + room, ports);
+    spread(back, forward.isEmpty() ? vertex.left() : vertex.left() + room, right, ports);
+  }
+
+  private static Vertex next(Edge edge, boolean down) {
+    if (edge.passes.isEmpty()) {
+      return down ? edge.lower() : edge.upper();
+    }
+    return edge.passes.get(down ? 0 : edge.passes.size() - 1);
+  }
+
+  private static void spread(
+      List<Edge> edges, double left, double right, Map<Edge, Integer> ports) {
+    double step = Math.min((right - left) / (edges.size() + 1), 3.0 * PORT);
+    double first = (left + right) / 2 - step * (edges.size() - 1) / 2;
+    for (int i = 0; i < edges.size(); i++) {
+      ports.put(edges.get(i), (int) Math.round(first + i * step));
+    }
+  }
+
+  /** The bars of a box, over the lines that meet there. */
+  List<Area> bars(Vertex vertex) {
+    List<Area> bars = new ArrayList<>();
+    if (vertex.hasJoin()) {
+      bars.add(bar(vertex.in, lowerPorts, vertex.y - STEM - BAR));
+    }
+    if (vertex.hasFork()) {
+      bars.add(bar(vertex.out, upperPorts, vertex.y + vertex.height + STEM));
+    }
+    return bars;
+  }
+
+  private static Area bar(List<Edge> edges, Map<Edge, Integer> ports, int y) {
+    int[] xs = edges.stream().filter(e -> !e.isReversed).mapToInt(ports::get).sorted().toArray();
+    int left = xs[0] - PORT / 2;
+    return new Area(left, y, xs[xs.length - 1] + PORT / 2 - left, BAR);
+  }
+
+  Line line(Edge edge, int from, int to) {
+    Vertex upper = edge.upper();
+    Vertex lower = edge.lower();
+    List<Point> points = new ArrayList<>();
+    int start = upperPorts.get(edge);
+    int end = lowerPorts.get(edge);
+    boolean fork = upper.hasFork() && !edge.isReversed;
+    boolean join = lower.hasJoin() && !edge.isReversed;
+    add(points, start, upper.y + upper.height + (fork ? STEM + BAR : 0));
+    add(points, start, bands.get(upper.layer)[1]);
+    for (Vertex pass : edge.passes) {
+      add(points, (int) pass.x, bands.get(pass.layer)[0]);
+      add(points, (int) pass.x, bands.get(pass.layer)[1]);
+    }
+    add(points, end, bands.get(lower.layer)[0]);
+    add(points, end, lower.y - (join ? STEM + BAR : 0));
+    if (edge.isReversed) {
+      Collections.reverse(points);
+    }
+    return new Line(from, to, edge.kind, edge.isReversed, List.copyOf(points));
+  }
+
+  /** Leaves out a place between two on one vertical line. */
+  private static void add(List<Point> points, int x, int y) {
+    int size = points.size();
+    if (size > 1 && points.get(size - 1).x() == x && points.get(size - 2).x() == x) {
+      points.remove(size - 1);
+    }
+    Point point = new Point(x, y);
+    if (points.isEmpty() || !points.get(points.size() - 1).equals(point)) {
+      points.add(point);
+    }
+  }
+}

@@ -1,0 +1,76 @@
+package dev.eventchain.eclipse.diagram;
+
+import dev.eventchain.eclipse.diagram.ChainDiagram.Area;
+import dev.eventchain.eclipse.diagram.ChainDiagram.Box;
+import dev.eventchain.eclipse.diagram.ChainDiagram.Kind;
+import dev.eventchain.eclipse.diagram.ChainDiagram.Point;
+import dev.eventchain.eclipse.diagram.ChainDiagram.Text;
+import java.util.ArrayList;
+import java.util.List;
+
+/** What boxes look like, for all that draw them. */
+public final class Shapes {
+
+  /** How far the sides of a signal point in or out. */
+  private static final int SLANT = 10;
+
+  private Shapes() {}
+
+  /** The line between a box and its bar, from the upper to the lower end. */
+  public record Stem(int x, int from, int to) {}
+
+  /** A text and its upper left corner. */
+  public record PlacedText(Text text, int x, int y) {}
+
+  /**
+   * The corners of a box. Signals look as UML draws them: one that is sent has a point on the
+   * right, one that is accepted a notch on the left.
+   */
+  public static List<Point> outline(Box box) {
+    Area area = box.area();
+    int right = area.x() + area.width();
+    int bottom = area.y() + area.height();
+    int middle = area.center().y();
+    List<Point> corners = new ArrayList<>();
+    boolean isSent = box.kind() == Kind.SIGNAL_OUT;
+    corners.add(new Point(area.x(), area.y()));
+    corners.add(new Point(isSent ? right - SLANT : right, area.y()));
+    if (isSent) {
+      corners.add(new Point(right, middle));
+    }
+    corners.add(new Point(isSent ? right - SLANT : right, bottom));
+    corners.add(new Point(area.x(), bottom));
+    if (box.kind() == Kind.SIGNAL_IN) {
+      corners.add(new Point(area.x() + SLANT, middle));
+    }
+    return corners;
+  }
+
+  /** The lines between a box and its bars. */
+  public static List<Stem> stems(Box box) {
+    Area area = box.area();
+    List<Stem> stems = new ArrayList<>();
+    for (Area bar : box.bars()) {
+      boolean isAbove = bar.y() < area.y();
+      stems.add(
+          new Stem(
+              bar.center().x(),
+              isAbove ? bar.y() + bar.height() : area.y() + area.height(),
+              isAbove ? area.y() : bar.y()));
+    }
+    return stems;
+  }
+
+  /** Where the texts of a box stand: in the middle, one below the other. */
+  public static List<PlacedText> texts(Box box, TextSizes sizes) {
+    int height = box.texts().stream().mapToInt(text -> sizes.height(text.title())).sum();
+    Point center = box.area().center();
+    int y = center.y() - height / 2;
+    List<PlacedText> placed = new ArrayList<>();
+    for (Text text : box.texts()) {
+      placed.add(new PlacedText(text, center.x() - text.width() / 2, y));
+      y += sizes.height(text.title());
+    }
+    return placed;
+  }
+}
