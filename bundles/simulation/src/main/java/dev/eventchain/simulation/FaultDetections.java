@@ -17,7 +17,8 @@ import java.util.Set;
 /**
  * What tells of a fault in a run that does not do so in the run without it. That components did not
  * work at all is no such thing: that is known here because the fault is. Nor is what DDS notices of
- * deadlines and liveliness: its clock is not the simulated one.
+ * deadlines and liveliness: its clock is not the simulated one. Nor is that a run could not go on,
+ * which a limit of the simulation itself may have ended.
  */
 final class FaultDetections {
 
@@ -36,19 +37,6 @@ final class FaultDetections {
     List<Detection> all = new ArrayList<>();
     inputs(all);
     losses(all);
-    faulty
-        .ended()
-        .ifPresent(
-            it -> {
-              double time = World.seconds(faulty.run().trace().end().time());
-              all.add(
-                  new Detection(
-                      Means.FAILURE,
-                      it.id(),
-                      it.location().element(),
-                      it.message(),
-                      OptionalDouble.of(time)));
-            });
     all.sort(
         Comparator.comparingDouble((Detection it) -> it.time().orElse(Double.POSITIVE_INFINITY))
             .thenComparing(Detection::means));

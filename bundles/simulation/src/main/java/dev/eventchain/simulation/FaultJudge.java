@@ -1,5 +1,6 @@
 package dev.eventchain.simulation;
 
+import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.simulation.Fault.Detected;
 import dev.eventchain.simulation.FaultVerdict.Detection;
 import dev.eventchain.simulation.FaultVerdict.Deviation;
@@ -87,9 +88,8 @@ final class FaultJudge {
     if (faulty.ended().isEmpty()) {
       return new ScenarioJudge(setup).criteria(run, worked);
     }
-    return criteria.stream()
-        .map(each -> untested(each, "the run was ended: " + faulty.ended().get().message()))
-        .toList();
+    String why = endedEarly(faulty.ended().get());
+    return criteria.stream().map(each -> untested(each, why)).toList();
   }
 
   private static CriterionResult untested(Expectation criterion, String why) {
@@ -109,18 +109,39 @@ final class FaultJudge {
                     .toList());
     fault
         .detection()
-        .map(it -> detection(fault, it, effective, detections))
+        .map(it -> detection(faulty, it, effective, detections))
         .ifPresent(results::add);
     return results;
   }
 
+  private static String endedEarly(Diagnostic end) {
+    return "the run was ended: " + end.message();
+  }
+
+  /** What ended the run may be a limit of the simulation, and what came after it is not known. */
+  private static CriterionResult endedEarly(Detected wanted, Diagnostic end) {
+    return new CriterionResult(
+        text(wanted),
+        false,
+        false,
+        endedEarly(end),
+        Optional.empty(),
+        List.of(),
+        wanted.location());
+  }
+
+  private static String text(Detected wanted) {
+    return wanted.within().isPresent()
+        ? Criterion.format("the fault is detected within %.2f s", wanted.within().getAsDouble())
+        : "the fault is detected";
+  }
+
   private static CriterionResult detection(
-      Fault fault, Detected wanted, boolean effective, List<Detection> detections) {
-    String text =
-        wanted.within().isPresent()
-            ? Criterion.format("the fault is detected within %.2f s", wanted.within().getAsDouble())
-            : "the fault is detected";
-    double start = World.seconds(fault.start());
+      FaultRun faulty, Detected wanted, boolean effective, List<Detection> detections) {
+    if (effective && faulty.ended().isPresent()) {
+      return endedEarly(wanted, faulty.ended().get());
+    }
+    double start = World.seconds(faulty.fault().start());
     double latest = start + wanted.within().orElse(Double.POSITIVE_INFINITY);
     Optional<Detection> first = detections.stream().findFirst();
     boolean passed =
@@ -132,7 +153,7 @@ final class FaultJudge {
             ? "the fault had no effect"
             : first.map(it -> measured(it, start)).orElse("nothing told of it");
     return new CriterionResult(
-        text, effective, passed, measured, Optional.empty(), List.of(), wanted.location());
+        text(wanted), effective, passed, measured, Optional.empty(), List.of(), wanted.location());
   }
 
   private static String measured(Detection detection, double start) {

@@ -8,20 +8,12 @@ import java.util.List;
 import java.util.Optional;
 import java.util.OptionalDouble;
 import java.util.OptionalLong;
-import java.util.Set;
 import java.util.function.Function;
 
 /** Sums up how messages went in some scenarios. */
 final class MessageFlows {
 
   private static final double MILLISECOND = 1e6;
-
-  /** The drivers that count what gets lost on the way. */
-  private static final Set<SimulationRequest.Driver> COUNTING =
-      Set.of(
-          SimulationRequest.Driver.LOCKSTEP,
-          SimulationRequest.Driver.DDS,
-          SimulationRequest.Driver.DDS_IN_REAL_TIME);
 
   private final NodeSetup setup;
   private final List<Run> runs;
@@ -96,9 +88,7 @@ final class MessageFlows {
         name,
         published(name),
         isProvided ? OptionalLong.of(sum(run -> run.trace().dropped(name))) : OptionalLong.empty(),
-        COUNTING.contains(setup.driver())
-            ? OptionalLong.of(sum(run -> run.lost().getOrDefault(name, 0L)))
-            : OptionalLong.empty());
+        OptionalLong.of(sum(run -> run.lost().getOrDefault(name, 0L))));
   }
 
   /** Nothing is known of what was published where nobody who writes it was seen at work. */

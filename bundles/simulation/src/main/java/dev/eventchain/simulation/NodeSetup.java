@@ -67,17 +67,12 @@ final class NodeSetup {
     return request.bench();
   }
 
-  /** How the nodes are run. */
-  SimulationRequest.Driver driver() {
-    return request.driver();
-  }
-
   /** The files that the user's code is in. */
   UserFiles userFiles() {
     return new UserFiles(request.packageFolder());
   }
 
-  /** The same for people. */
+  /** How the nodes are run, for people. */
   String driverWords() {
     return request.driverWords();
   }

@@ -261,7 +261,7 @@ class FaultsTest {
             at_s: 0.2
             flood: {node: Carla_Vehicle_Control, times: 100}
             expect:
-              no_impact: true
+              detected: true
           - name: next
             scenario: stopped-vehicle-50
             at_s: 1
@@ -271,6 +271,9 @@ class FaultsTest {
     FaultVerdict flooded = result.faults().get(0);
     assertEquals("simulation.limit", flooded.ended().orElseThrow().id());
     assertEquals(List.of("simulation.fault.untested"), ids(flooded.diagnostics()));
+    assertFalse(flooded.tested());
+    assertFalse(flooded.passed());
+    assertEquals(List.of(), flooded.detections());
     assertTrue(flooded.vehicle().end() > 1 && flooded.vehicle().end() < 4);
     assertTrue(result.faults().get(1).ended().isEmpty());
     assertTrue(result.faults().get(1).vehicle().impactSpeed().isPresent());
