@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -47,7 +48,12 @@ class EcoreCorpusTest {
       List<LoadedModel> loaded = store.loadAll(List.of(model));
       assertEquals(text(written), text(XmiStore.toBytes(loaded.get(0).roots())), "seed " + seed);
       Map<String, Integer> found = ours(loaded);
-      assertEquals(emfs(loaded.get(0).roots().get(0)), found, "seed " + seed);
+      EObject root = loaded.get(0).roots().get(0);
+      assertEquals(emfs(root), found, "seed " + seed);
+      EcoreChecks inMemory =
+          EcoreChecks.of(root, loaded.get(0).origins()::locate, Duration.ofSeconds(30));
+      assertEquals(
+          EcoreChecks.of(loaded).diagnostics(), inMemory.diagnostics(), "in memory, seed " + seed);
       faulty += found.isEmpty() ? 0 : 1;
     }
     assertTrue(faulty > CASES / 4, faulty + " models have faults");
