@@ -100,6 +100,17 @@ public final class SoftwareBase {
         diagnostics);
   }
 
+  /** That of a chain in no project: no component, and nothing is known of the vehicle. */
+  public static SoftwareBase unknown() {
+    return new SoftwareBase(
+        Map.of(),
+        EventchainFactory.eINSTANCE.createEventChain(),
+        "[]",
+        "[]",
+        Optional.empty(),
+        List.of());
+  }
+
   /** A file as it is written, and what it says. */
   private record Text(String text, Document json) {}
 

@@ -126,6 +126,21 @@ public final class ChainChecks {
             .uncovered(rules.orElseThrow(), more -> folder.command(output, more)));
   }
 
+  /**
+   * The checks of a chain that is in no project: the standard constraints, the contracts inside of
+   * the chain, and the metamodel. Nothing is known of the vehicle and of existing components.
+   *
+   * @param timeLimit as for a project
+   */
+  public static ChainChecks alone(Duration timeLimit) {
+    return of(
+        Constraints.standard(timeLimit),
+        SoftwareBase.unknown(),
+        MessageCatalog.of(List.of()),
+        List.of(),
+        List.of());
+  }
+
   private static List<Requirements.Item> requirements(ProjectFolder folder) {
     Path file = folder.requirements();
     return ProjectFolder.isAbsent(file) ? List.of() : items(file);

@@ -48,6 +48,11 @@ public final class Constraints {
     return new Constraints(parse(written(folder)), timeLimit);
   }
 
+  /** The standard constraints alone, for chains that are in no project. */
+  static Constraints standard(Duration timeLimit) {
+    return new Constraints(parse(List.of(XmiStore.standardConstraints())), timeLimit);
+  }
+
   private static List<SourceText> written(ProjectFolder folder) {
     List<SourceText> documents = new ArrayList<>();
     documents.add(XmiStore.standardConstraints());

@@ -74,6 +74,14 @@ class ChainChecksTest {
   }
 
   @Test
+  void aChainInNoProjectIsCheckedAgainstTheStandardConstraints() {
+    checks = ChainChecks.alone(LIMIT);
+    chain.getSoftware().get(0).setName("class");
+    assertTrue(ids().contains("ocl.violated"), ids().toString());
+    assertTrue(check().coverage(List.of()).evaluations(Coverage.Kind.CONTRACT) > 0);
+  }
+
+  @Test
   void eachEditIsChecked() {
     SoftwareNode tracking = chain.getSoftware().get(0);
     tracking.setName("class");

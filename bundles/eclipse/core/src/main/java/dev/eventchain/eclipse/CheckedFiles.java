@@ -1,0 +1,111 @@
+package dev.eventchain.eclipse;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.core.resources.IContainer;
+import org.eclipse.core.resources.IFile;
+import org.eclipse.core.resources.IProject;
+import org.eclipse.core.resources.IResource;
+import org.eclipse.core.resources.IResourceVisitor;
+import org.eclipse.core.runtime.CoreException;
+import org.eclipse.core.runtime.IPath;
+
+/** The files of an Eclipse project that are checked, by what they are. */
+final class CheckedFiles {
+
+  /** The file that makes a folder a project of Eventchain. */
+  static final String CONFIGURATION = "eventchain.yaml";
+
+  /** Where such a project has its results. */
+  static final String OUTPUT = "out";
+
+  private final List<IContainer> folders = new ArrayList<>();
+  private final List<IFile> models = new ArrayList<>();
+  private final List<IFile> metamodels = new ArrayList<>();
+  private final List<IFile> rules = new ArrayList<>();
+  private final List<IFile> templates = new ArrayList<>();
+
+  private CheckedFiles() {}
+
+  /** Looks through a project, but not through what is derived, and not through results. */
+  static CheckedFiles of(IProject project) throws CoreException {
+    CheckedFiles files = new CheckedFiles();
+    project.accept((IResourceVisitor) files::take);
+    return files;
+  }
+
+  private boolean take(IResource resource) {
+    if (resource.isDerived() || resource.isTeamPrivateMember() || resource.isPhantom()) {
+      return false;
+    }
+    if (resource instanceof IContainer folder) {
+      boolean results = folder.getName().equals(OUTPUT) && isProjectFolder(folder.getParent());
+      if (!results && isProjectFolder(folder)) {
+        folders.add(folder);
+      }
+      return !results && !folder.getName().startsWith(".");
+    }
+    IFile file = (IFile) resource;
+    switch (String.valueOf(file.getFileExtension())) {
+      case "xmi", "eventchain" -> models.add(file);
+      case "ecore" -> metamodels.add(file);
+      case "ocl" -> rules.add(file);
+      case "mtl" -> templates.add(file);
+      default -> {
+        // Not ours.
+      }
+    }
+    return false;
+  }
+
+  static boolean isProjectFolder(IContainer folder) {
+    return folder.getType() != IResource.ROOT
+        && folder.getFile(IPath.fromOSString(CONFIGURATION)).exists();
+  }
+
+  /** The units that these files make, in the order of their names. */
+  List<CheckUnit> units() {
+    List<CheckUnit> units = new ArrayList<>();
+    List<Path> ecores = paths(metamodels);
+    List<Path> documents = paths(freeRules());
+    for (IContainer folder : folders) {
+      pathOf(folder).ifPresent(path -> units.add(new ProjectUnit(folder, path)));
+    }
+    for (IFile model : models) {
+      if (units.stream().noneMatch(unit -> unit instanceof ProjectUnit p && p.hasChain(model))) {
+        pathOf(model).ifPresent(path -> units.add(new ModelUnit(model, path, ecores, documents)));
+      }
+    }
+    for (IFile metamodel : metamodels) {
+      pathOf(metamodel).ifPresent(path -> units.add(new MetamodelUnit(metamodel, path)));
+    }
+    for (IFile document : rules) {
+      if (units.stream().noneMatch(unit -> unit instanceof ProjectUnit p && p.hasRules(document))) {
+        pathOf(document).ifPresent(path -> units.add(new RulesUnit(document, path, ecores)));
+      }
+    }
+    for (IFile template : templates) {
+      pathOf(template).ifPresent(path -> units.add(new TemplateUnit(template, path, ecores)));
+    }
+    return units;
+  }
+
+  /** The documents that belong to no project of Eventchain. */
+  private List<IFile> freeRules() {
+    return rules.stream()
+        .filter(
+            each -> folders.stream().noneMatch(f -> f.getFullPath().isPrefixOf(each.getFullPath())))
+        .toList();
+  }
+
+  private static List<Path> paths(List<IFile> files) {
+    return files.stream().flatMap(file -> pathOf(file).stream()).toList();
+  }
+
+  /** Where a resource is on this machine's disk; nowhere if it is on another one's. */
+  static Optional<Path> pathOf(IResource resource) {
+    return Optional.ofNullable(resource.getLocation()).map(IPath::toPath);
+  }
+}

@@ -1,0 +1,49 @@
+package dev.eventchain.eclipse;
+
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.metamodel.XmiStore;
+import dev.eventchain.metamodel.eventchain.EventchainPackage;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.BiConsumer;
+import org.eclipse.emf.ecore.EPackage;
+
+/** The metamodels that rules and templates of a project may be about. */
+final class Metamodels {
+
+  private Metamodels() {}
+
+  /**
+   * Those of files, and that of event chains unless a file has its namespace. A file that is no
+   * sound metamodel is left out: it has findings of its own.
+   */
+  static List<EPackage> of(List<Path> ecores) {
+    List<EPackage> packages = new ArrayList<>();
+    load(ecores, (file, loaded) -> packages.addAll(loaded));
+    String ours = EventchainPackage.eNS_URI;
+    if (packages.stream().noneMatch(each -> ours.equals(each.getNsURI()))) {
+      packages.add(EventchainPackage.eINSTANCE);
+    }
+    return packages;
+  }
+
+  /** The files that are sound metamodels, which do not contradict each other. */
+  static List<Path> sound(List<Path> ecores) {
+    List<Path> sound = new ArrayList<>();
+    load(ecores, (file, loaded) -> sound.add(file));
+    return sound;
+  }
+
+  private static void load(List<Path> ecores, BiConsumer<Path, List<EPackage>> sound) {
+    List<Path> folders = ecores.stream().map(Path::getParent).distinct().toList();
+    XmiStore store = new XmiStore(folders);
+    for (Path ecore : ecores) {
+      try {
+        sound.accept(ecore, store.loadMetamodel(ecore));
+      } catch (DiagnosticException e) {
+        continue; // the findings are those of its MetamodelUnit
+      }
+    }
+  }
+}

@@ -1,0 +1,36 @@
+package dev.eventchain.eclipse;
+
+import java.time.Duration;
+import org.eclipse.core.runtime.Platform;
+import org.eclipse.core.runtime.preferences.AbstractPreferenceInitializer;
+import org.eclipse.core.runtime.preferences.DefaultScope;
+import org.eclipse.core.runtime.preferences.IPreferencesService;
+
+/** What people have set, and what holds until they do. */
+public final class Preferences extends AbstractPreferenceInitializer {
+
+  /** The processor time that a constraint may take on a model, in seconds. */
+  public static final String TIME_LIMIT = "timeLimit";
+
+  /** The program {@code eventchain}; empty: the one on the path. */
+  public static final String PROGRAM = "program";
+
+  private static final int TIME_LIMIT_DEFAULT = 30;
+
+  @Override
+  public void initializeDefaultPreferences() {
+    DefaultScope.INSTANCE.getNode(EventchainCore.ID).putInt(TIME_LIMIT, TIME_LIMIT_DEFAULT);
+    DefaultScope.INSTANCE.getNode(EventchainCore.ID).put(PROGRAM, "");
+  }
+
+  static Duration timeLimit() {
+    IPreferencesService service = Platform.getPreferencesService();
+    int seconds = service.getInt(EventchainCore.ID, TIME_LIMIT, TIME_LIMIT_DEFAULT, null);
+    return Duration.ofSeconds(Math.max(1, seconds));
+  }
+
+  /** The program as it was set; empty if it was not. */
+  static String program() {
+    return Platform.getPreferencesService().getString(EventchainCore.ID, PROGRAM, "", null).strip();
+  }
+}

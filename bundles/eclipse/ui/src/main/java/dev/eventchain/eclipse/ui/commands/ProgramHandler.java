@@ -1,0 +1,57 @@
+package dev.eventchain.eclipse.ui.commands;
+
+import dev.eventchain.eclipse.EventchainFolders;
+import dev.eventchain.eclipse.Program;
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.core.commands.AbstractHandler;
+import org.eclipse.core.commands.ExecutionEvent;
+import org.eclipse.core.resources.IContainer;
+import org.eclipse.core.resources.IResource;
+import org.eclipse.core.runtime.CoreException;
+import org.eclipse.core.runtime.IConfigurationElement;
+import org.eclipse.core.runtime.IExecutableExtension;
+import org.eclipse.jface.dialogs.MessageDialog;
+import org.eclipse.swt.widgets.Shell;
+import org.eclipse.ui.PlatformUI;
+import org.eclipse.ui.handlers.HandlerUtil;
+
+/**
+ * Starts a command of {@code eventchain} on the folder of the project that is selected, as its
+ * extension names it: {@code generate}, {@code simulate}, {@code run}.
+ */
+public final class ProgramHandler extends AbstractHandler implements IExecutableExtension {
+
+  private String command = "";
+
+  @Override
+  public void setInitializationData(
+      IConfigurationElement configuration, String property, Object data) {
+    command = String.valueOf(data);
+  }
+
+  @Override
+  public Object execute(ExecutionEvent event) {
+    Shell shell = HandlerUtil.getActiveShell(event);
+    List<IResource> selected = Selected.resources(event);
+    Optional<IContainer> folder =
+        selected.stream().flatMap(each -> EventchainFolders.around(each).stream()).findFirst();
+    if (folder.isEmpty()) {
+      MessageDialog.openInformation(
+          shell,
+          "Eventchain",
+          "Select a file of a project of Eventchain: a folder with an eventchain.yaml. New >"
+              + " Eventchain Project makes one.");
+      return null;
+    }
+    try {
+      Program program = Program.find();
+      if (PlatformUI.getWorkbench().saveAllEditors(true)) {
+        new ProgramJob(program, command, folder.get()).schedule();
+      }
+    } catch (CoreException e) {
+      MessageDialog.openError(shell, "Eventchain", e.getStatus().getMessage());
+    }
+    return null;
+  }
+}

@@ -1,0 +1,94 @@
+package dev.eventchain.eclipse.ui.commands;
+
+import dev.eventchain.eclipse.Program;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import org.eclipse.core.resources.IContainer;
+import org.eclipse.core.resources.IResource;
+import org.eclipse.core.runtime.CoreException;
+import org.eclipse.core.runtime.IProgressMonitor;
+import org.eclipse.core.runtime.IStatus;
+import org.eclipse.core.runtime.OperationCanceledException;
+import org.eclipse.core.runtime.Status;
+import org.eclipse.core.runtime.jobs.Job;
+import org.eclipse.ui.console.ConsolePlugin;
+import org.eclipse.ui.console.IConsole;
+import org.eclipse.ui.console.MessageConsole;
+import org.eclipse.ui.console.MessageConsoleStream;
+
+/** A run of {@code eventchain} with its output in a console; whoever cancels the job ends it. */
+final class ProgramJob extends Job {
+
+  private final Program program;
+  private final String command;
+  private final IContainer folder;
+
+  ProgramJob(Program program, String command, IContainer folder) {
+    super("eventchain " + command + " " + folder.getName());
+    this.program = program;
+    this.command = command;
+    this.folder = folder;
+    setUser(false); // in the background, with its output in the console
+  }
+
+  @Override
+  protected IStatus run(IProgressMonitor monitor) {
+    monitor.beginTask(getName(), IProgressMonitor.UNKNOWN);
+    MessageConsole console = console();
+    try (MessageConsoleStream output = console.newMessageStream()) {
+      output.println("> " + getName());
+      int code = start(output, monitor);
+      output.println();
+      output.println(meaning(code));
+      folder.refreshLocal(IResource.DEPTH_INFINITE, monitor);
+      return Status.OK_STATUS;
+    } catch (OperationCanceledException e) {
+      return Status.CANCEL_STATUS;
+    } catch (CoreException e) {
+      return e.getStatus(); // shown by the platform, in a dialog
+    } catch (IOException e) {
+      return Status.error("The console was closed: " + e.getMessage());
+    }
+  }
+
+  private int start(MessageConsoleStream output, IProgressMonitor monitor) throws CoreException {
+    try {
+      Path path = folder.getLocation().toPath();
+      return program.run(List.of(command, path.toString()), path, output::print, monitor);
+    } catch (OperationCanceledException e) {
+      output.println();
+      output.println("Cancelled: every file is as it was or complete.");
+      folder.refreshLocal(IResource.DEPTH_INFINITE, null);
+      throw e;
+    }
+  }
+
+  /** What the exit code says, as the README of the program has it. */
+  private static String meaning(int code) {
+    return switch (code) {
+      case 0 -> "Done.";
+      case 1 -> "There are findings, or the verdict is not PASSED.";
+      case 2 -> "The input could not be read.";
+      case 3 -> "This machine lacks something that the command needs; it is named above.";
+      case 4 -> "An answer of a language model is awaited; it is said above where.";
+      default -> "It ended with " + code + ".";
+    };
+  }
+
+  private MessageConsole console() {
+    String name = "Eventchain: " + folder.getFullPath();
+    for (IConsole each : ConsolePlugin.getDefault().getConsoleManager().getConsoles()) {
+      if (each instanceof MessageConsole known && known.getName().equals(name)) {
+        known.clearConsole();
+        ConsolePlugin.getDefault().getConsoleManager().showConsoleView(known);
+        return known;
+      }
+    }
+    MessageConsole made = new MessageConsole(name, null);
+    made.addPatternMatchListener(new PlaceLinks());
+    ConsolePlugin.getDefault().getConsoleManager().addConsoles(new IConsole[] {made});
+    ConsolePlugin.getDefault().getConsoleManager().showConsoleView(made);
+    return made;
+  }
+}
