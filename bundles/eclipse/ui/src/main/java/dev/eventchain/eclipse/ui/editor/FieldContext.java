@@ -1,0 +1,18 @@
+package dev.eventchain.eclipse.ui.editor;
+
+import java.util.function.Consumer;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.ui.forms.widgets.FormToolkit;
+
+/**
+ * What fields need of their editor.
+ *
+ * @param reveal shows an element in the tree
+ * @param checked called when what stands in a field has become possible or impossible
+ */
+record FieldContext(
+    FormToolkit toolkit,
+    EditedModel model,
+    Completions completions,
+    Consumer<EObject> reveal,
+    Runnable checked) {}
