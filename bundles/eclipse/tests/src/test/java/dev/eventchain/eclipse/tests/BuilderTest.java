@@ -167,9 +167,7 @@ class BuilderTest {
     try (TestProject project = TestProject.create("empty")) {
       project.write("rules.ocl", "-- later\n");
       project.build();
-      List<String> markers = project.markers();
-      assertEquals(1, markers.size(), "something must be said: " + markers);
-      assertTrue(markers.get(0).startsWith("warning rules.ocl"), markers.get(0));
+      assertEquals(List.of("warning rules.ocl eclipse.rules.none"), project.markers());
     }
   }
 
@@ -187,6 +185,28 @@ class BuilderTest {
         assertTrue(markers.stream().anyMatch(each -> each.contains(file)), file + ": " + markers);
       }
       assertTrue(markers.stream().noneMatch(each -> each.contains("eclipse.check.failed")));
+    }
+  }
+
+  @Test
+  void modelWhoseNeighbourIsBrokenIsSaidToBeUnchecked() throws Exception {
+    try (TestProject project = TestProject.create("neighbour")) {
+      String chain =
+          """
+          <?xml version="1.0" encoding="UTF-8"?>
+          <eventchain:EventChain xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI"
+              xmlns:eventchain="http://eventchain.dev/eventchain/1.0" name="one">
+            <software name="First" frequency="10.0">
+              <nextstep href="two.xmi#//@software.0"/>
+            </software>
+          </eventchain:EventChain>
+          """;
+      project.write("one.xmi", chain);
+      project.write("two.xmi", chain.replace("</software>", ""));
+      project.build();
+      List<String> markers = project.markers();
+      assertTrue(markers.contains("error one.xmi eclipse.unchecked"), markers.toString());
+      assertTrue(markers.stream().anyMatch(each -> each.startsWith("error two.xmi:")));
     }
   }
 
