@@ -3,6 +3,7 @@ package dev.eventchain.eclipse.diagram;
 import dev.eventchain.eclipse.diagram.ChainDiagram.Area;
 import dev.eventchain.eclipse.diagram.ChainDiagram.Box;
 import dev.eventchain.eclipse.diagram.ChainDiagram.Kind;
+import dev.eventchain.eclipse.diagram.ChainDiagram.Line;
 import dev.eventchain.eclipse.diagram.ChainDiagram.Point;
 import dev.eventchain.eclipse.diagram.ChainDiagram.Text;
 import java.util.ArrayList;
@@ -59,6 +60,25 @@ public final class Shapes {
               isAbove ? area.y() : bar.y()));
     }
     return stems;
+  }
+
+  /** Whether a place is on a line, or at most so far away. */
+  public static boolean isNear(Line line, int x, int y, int distance) {
+    for (int i = 1; i < line.points().size(); i++) {
+      Point a = line.points().get(i - 1);
+      Point b = line.points().get(i);
+      int top = Math.min(a.y(), b.y());
+      int bottom = Math.max(a.y(), b.y());
+      if (y >= top - distance && y <= bottom + distance) {
+        double part = Math.max(0, Math.min(1, (y - a.y()) / (double) (b.y() - a.y())));
+        // Close to the curve that is drawn, which begins and ends vertically.
+        double bent = part * part * (3 - 2 * part);
+        if (Math.abs(a.x() + bent * (b.x() - a.x()) - x) <= distance) {
+          return true;
+        }
+      }
+    }
+    return false;
   }
 
   /** Where the texts of a box stand: in the middle, one below the other. */

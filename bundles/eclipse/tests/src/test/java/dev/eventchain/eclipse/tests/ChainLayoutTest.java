@@ -23,7 +23,7 @@ import org.junit.jupiter.api.Test;
 
 class ChainLayoutTest {
 
-  private static final TextSizes SIZES =
+  static final TextSizes SIZES =
       new TextSizes() {
         @Override
         public int width(String text, boolean title) {

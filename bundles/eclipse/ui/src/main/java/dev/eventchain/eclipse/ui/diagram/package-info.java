@@ -1,0 +1,2 @@
+/** The view that draws an event chain, and what leads to it. */
+package dev.eventchain.eclipse.ui.diagram;
