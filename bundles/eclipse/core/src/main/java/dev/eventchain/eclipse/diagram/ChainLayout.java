@@ -88,6 +88,7 @@ public final class ChainLayout {
         Math.max(
             Math.max(LEAST_WIDTH, lines * Routing.PORT),
             text + 2 * (PADDING_X + (slanted ? SLANT : 0)));
+    vertex.width += vertex.width % 2; // an odd box has no middle for its line
     vertex.height =
         texts.stream().mapToInt(line -> sizes.height(line.title())).sum() + 2 * PADDING_Y;
   }

@@ -91,7 +91,7 @@ final class Placement {
   }
 
   private static Pool wish(Vertex vertex, boolean byUpper, boolean byLower) {
-    double weight = 0.01; // stay where nothing pulls
+    double weight = 1e-6; // stay where nothing pulls
     double sum = vertex.x * weight;
     for (List<Vertex> side : List.of(vertex.above, vertex.below)) {
       if (side == vertex.above ? byUpper : byLower) {

@@ -25,6 +25,9 @@ final class Routing {
   /** The room that each line needs on the side of a box. */
   static final int PORT = 12;
 
+  /** A line that would bend by so little goes straight. */
+  private static final int CROOKED = 3;
+
   private final List<int[]> bands;
   private final Map<Edge, Integer> lowerPorts = new IdentityHashMap<>();
   private final Map<Edge, Integer> upperPorts = new IdentityHashMap<>();
@@ -98,6 +101,9 @@ final class Routing {
     List<Point> points = new ArrayList<>();
     int start = upperPorts.get(edge);
     int end = lowerPorts.get(edge);
+    if (edge.passes.isEmpty() && Math.abs(start - end) <= CROOKED) {
+      start = end;
+    }
     boolean fork = upper.hasFork() && !edge.isReversed;
     boolean join = lower.hasJoin() && !edge.isReversed;
     add(points, start, upper.y + upper.height + (fork ? STEM + BAR : 0));

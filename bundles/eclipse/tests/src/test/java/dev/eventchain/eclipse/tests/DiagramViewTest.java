@@ -13,6 +13,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicBoolean;
 import org.eclipse.core.commands.ParameterizedCommand;
 import org.eclipse.core.expressions.IEvaluationContext;
 import org.eclipse.core.resources.IFile;
@@ -39,6 +40,7 @@ import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Event;
 import org.eclipse.swt.widgets.Label;
+import org.eclipse.swt.widgets.Listener;
 import org.eclipse.ui.IEditorPart;
 import org.eclipse.ui.ISources;
 import org.eclipse.ui.IViewPart;
@@ -177,13 +179,19 @@ class DiagramViewTest {
     return text.toString();
   }
 
-  private static void screenshot(String name) {
+  private void screenshot(String name) {
+    AtomicBoolean isPainted = new AtomicBoolean();
+    Listener painted = event -> isPainted.set(true);
     Workbench.run(
         () -> {
-          boolean isMore = true;
-          while (isMore) {
-            isMore = Workbench.display().readAndDispatch();
-          }
+          canvas().addListener(SWT.Paint, painted);
+          canvas().redraw();
+          return name;
+        });
+    Workbench.waitFor(isPainted::get, () -> "the picture is painted");
+    Workbench.run(
+        () -> {
+          canvas().removeListener(SWT.Paint, painted);
           return name;
         });
     Workbench.screenshot(name);
