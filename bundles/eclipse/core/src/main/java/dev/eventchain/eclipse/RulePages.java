@@ -1,0 +1,52 @@
+package dev.eventchain.eclipse;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.URL;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.core.runtime.Platform;
+import org.osgi.framework.Bundle;
+
+/** The pages about findings, which each bundle has for its own. */
+public final class RulePages {
+
+  private static final List<String> BUNDLES =
+      List.of(
+          "analysis", "diagnostics", "documents", "m2t", "messages", "metamodel", "modeler", "ocl",
+          "validation", "eclipse");
+
+  private static final List<String> FOLDERS = List.of("META-INF/eventchain/rules/", "rules/");
+
+  private RulePages() {}
+
+  /**
+   * The page about a finding, in Markdown.
+   *
+   * @param id that of the finding
+   */
+  public static Optional<String> of(String id) {
+    if (!id.matches("[a-z0-9.-]+")) {
+      return Optional.empty();
+    }
+    for (String name : BUNDLES) {
+      Bundle bundle = Platform.getBundle("dev.eventchain." + name);
+      for (String folder : FOLDERS) {
+        URL page = bundle == null ? null : bundle.getEntry(folder + id + ".md");
+        if (page != null) {
+          return read(page);
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static Optional<String> read(URL page) {
+    try (InputStream stream = page.openStream()) {
+      return Optional.of(new String(stream.readAllBytes(), StandardCharsets.UTF_8));
+    } catch (IOException e) {
+      return Optional.empty(); // the bundle was taken away since it was asked
+    }
+  }
+}

@@ -1,0 +1,116 @@
+package dev.eventchain.eclipse;
+
+import dev.eventchain.diagnostics.NearestName;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * A change of a file's text that mends a finding.
+ *
+ * @param start the offset of the first character that goes
+ * @param end the offset after the last one
+ * @param by what comes in its place
+ */
+public record TextFix(int start, int end, String by) {
+
+  /** What all hints ask that know a name that is like an unknown one. */
+  private static final Pattern MEANT = Pattern.compile("Did you mean `([^`]+)`\\?");
+
+  private static final Pattern QUOTED = Pattern.compile("[`']([^`']+)[`']");
+  private static final Set<String> XML = Set.of("xmi", "eventchain", "ecore");
+
+  /** The name that a hint asks for, if it does. */
+  public static Optional<String> meant(String hint) {
+    Matcher question = MEANT.matcher(hint);
+    return question.find() ? Optional.of(question.group(1)) : Optional.empty();
+  }
+
+  /**
+   * Puts the name that a hint asks for in the place of the one that the message quotes.
+   *
+   * @param text the file's text
+   * @param offset where the finding is
+   * @param extension that of the file
+   * @return nothing if it is not certain what is to be replaced: the text has changed, or says the
+   *     same name twice there
+   */
+  public static Optional<TextFix> nearestName(
+      String text, int offset, String extension, String message, String hint) {
+    Optional<String> meant = meant(hint);
+    if (meant.isEmpty() || offset < 0 || offset > text.length()) {
+      return Optional.empty();
+    }
+    int from = begin(text, offset, extension);
+    int to = end(text, offset, extension);
+    List<TextFix> found = new ArrayList<>();
+    Matcher quoted = QUOTED.matcher(message);
+    while (quoted.find()) {
+      String wrong = quoted.group(1);
+      boolean near =
+          !wrong.equals(meant.get()) && NearestName.of(wrong, Set.of(meant.get())).isPresent();
+      if (near) {
+        find(text, from, to, wrong).ifPresent(at -> add(found, at, wrong, meant.get()));
+      }
+    }
+    return found.size() == 1 ? Optional.of(found.get(0)) : Optional.empty();
+  }
+
+  /**
+   * Removes the reference to an element that there is not, from the start tag at an offset.
+   *
+   * @param message quotes the reference as the file has it
+   */
+  public static Optional<TextFix> withoutReference(String text, int offset, String message) {
+    Matcher quoted = QUOTED.matcher(message);
+    if (!quoted.find() || offset < 0 || offset > text.length()) {
+      return Optional.empty();
+    }
+    String wrong = Pattern.quote(quoted.group(1));
+    Matcher attribute =
+        Pattern.compile("\\s+[\\w:.-]+=([\"'])" + wrong + "\\1")
+            .matcher(text)
+            .region(begin(text, offset, "xmi"), end(text, offset, "xmi"));
+    return attribute.find()
+        ? Optional.of(new TextFix(attribute.start(), attribute.end(), ""))
+        : Optional.empty();
+  }
+
+  /** The text after the change. */
+  public String apply(String text) {
+    return text.substring(0, start) + by + text.substring(end);
+  }
+
+  private static void add(List<TextFix> found, int at, String wrong, String meant) {
+    TextFix fix = new TextFix(at, at + wrong.length(), meant);
+    if (!found.contains(fix)) {
+      found.add(fix);
+    }
+  }
+
+  /** The only place of a name between two offsets; none if there are several. */
+  private static Optional<Integer> find(String text, int from, int to, String name) {
+    Matcher place =
+        Pattern.compile("(?<![\\w/])" + Pattern.quote(name) + "(?!\\w)").matcher(text).region(from, to);
+    if (!place.find()) {
+      return Optional.empty();
+    }
+    int first = place.start();
+    return place.find() ? Optional.empty() : Optional.of(first);
+  }
+
+  /** Where the start tag, or else the line, begins. */
+  private static int begin(String text, int offset, String extension) {
+    return XML.contains(extension)
+        ? Math.max(0, text.lastIndexOf('<', Math.min(offset, text.length() - 1)))
+        : text.lastIndexOf('\n', Math.max(0, offset - 1)) + 1;
+  }
+
+  private static int end(String text, int offset, String extension) {
+    int end = text.indexOf(XML.contains(extension) ? '>' : '\n', offset);
+    return end < 0 ? text.length() : end;
+  }
+}

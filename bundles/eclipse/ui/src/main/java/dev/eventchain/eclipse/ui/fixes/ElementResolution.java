@@ -1,0 +1,59 @@
+package dev.eventchain.eclipse.ui.fixes;
+
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.eclipse.FindingMarker;
+import dev.eventchain.metamodel.LoadedModel;
+import dev.eventchain.metamodel.Origins;
+import dev.eventchain.metamodel.XmiStore;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.Iterator;
+import java.util.Optional;
+import org.eclipse.core.resources.IFile;
+import org.eclipse.core.resources.IMarker;
+import org.eclipse.core.runtime.CoreException;
+import org.eclipse.core.runtime.Status;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.util.EcoreUtil;
+import org.eclipse.ui.IMarkerResolution;
+
+/** Mends a finding by a change of the model, which is written as the editor writes it. */
+record ElementResolution(ElementFix fix) implements IMarkerResolution {
+
+  @Override
+  public String getLabel() {
+    return fix.label();
+  }
+
+  @Override
+  public void run(IMarker marker) {
+    IFile file = (IFile) marker.getResource();
+    String element = marker.getAttribute(FindingMarker.ELEMENT, "");
+    FileEdit.start(fix.label(), file, text -> changed(file, element));
+  }
+
+  private Optional<String> changed(IFile file, String path) throws CoreException {
+    try {
+      Path location = file.getLocation().toPath();
+      LoadedModel model = new XmiStore(location.getParent()).load(location);
+      Optional<EObject> element = find(model, path);
+      return element.isPresent() && fix.apply(element.get(), file)
+          ? Optional.of(new String(XmiStore.toBytes(model.roots()), StandardCharsets.UTF_8))
+          : Optional.empty();
+    } catch (DiagnosticException e) {
+      throw new CoreException(Status.error(e.diagnostics().get(0).message()));
+    }
+  }
+
+  private static Optional<EObject> find(LoadedModel model, String path) {
+    Origins paths = new Origins();
+    Iterator<EObject> all = EcoreUtil.getAllProperContents(model.roots(), false);
+    while (all.hasNext()) {
+      EObject each = all.next();
+      if (paths.locate(each).element().equals(path)) {
+        return Optional.of(each);
+      }
+    }
+    return Optional.empty();
+  }
+}

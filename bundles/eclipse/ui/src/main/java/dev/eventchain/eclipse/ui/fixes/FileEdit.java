@@ -1,0 +1,87 @@
+package dev.eventchain.eclipse.ui.fixes;
+
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Optional;
+import org.eclipse.core.resources.IFile;
+import org.eclipse.core.resources.IResource;
+import org.eclipse.core.runtime.CoreException;
+import org.eclipse.core.runtime.IProgressMonitor;
+import org.eclipse.core.runtime.IStatus;
+import org.eclipse.core.runtime.Status;
+import org.eclipse.core.runtime.jobs.Job;
+import org.eclipse.jface.dialogs.MessageDialog;
+import org.eclipse.swt.widgets.Shell;
+import org.eclipse.ui.IEditorPart;
+import org.eclipse.ui.IWorkbenchPage;
+import org.eclipse.ui.IWorkbenchWindow;
+import org.eclipse.ui.PlatformUI;
+import org.eclipse.ui.part.FileEditorInput;
+
+/** Changes the text of a file in a job, unless an editor has changes of it that are not saved. */
+final class FileEdit {
+
+  /** Makes the new text of the old one; nothing if it cannot be done any more. */
+  @FunctionalInterface
+  interface Change {
+    Optional<String> apply(String text) throws CoreException;
+  }
+
+  private FileEdit() {}
+
+  /** Starts the change; from the user interface's thread. */
+  static void start(String name, IFile file, Change change) {
+    IWorkbenchWindow window = PlatformUI.getWorkbench().getActiveWorkbenchWindow();
+    Shell shell = window == null ? null : window.getShell();
+    if (window != null && isDirty(window, file)) {
+      MessageDialog.openInformation(
+          shell, name, "Save " + file.getName() + " first: its editor has changes.");
+      return;
+    }
+    IStatus writable = file.getWorkspace().validateEdit(new IFile[] {file}, shell);
+    if (!writable.isOK()) {
+      MessageDialog.openError(shell, name, writable.getMessage());
+      return;
+    }
+    Job job =
+        new Job(name) {
+          @Override
+          protected IStatus run(IProgressMonitor monitor) {
+            return change(file, change, monitor);
+          }
+        };
+    job.setRule(file.getWorkspace().getRuleFactory().modifyRule(file));
+    job.schedule();
+  }
+
+  private static boolean isDirty(IWorkbenchWindow window, IFile file) {
+    for (IWorkbenchPage page : window.getPages()) {
+      IEditorPart editor = page.findEditor(new FileEditorInput(file));
+      if (editor != null && editor.isDirty()) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private static IStatus change(IFile file, Change change, IProgressMonitor monitor) {
+    try (InputStream content = file.getContents()) {
+      String text = new String(content.readAllBytes(), StandardCharsets.UTF_8);
+      Optional<String> changed = change.apply(text);
+      if (changed.isEmpty()) {
+        return Status.warning(
+            "The text is another one by now, or it is not certain what is to be changed: mend it by"
+                + " hand.");
+      }
+      byte[] bytes = changed.get().getBytes(StandardCharsets.UTF_8);
+      file.setContents(new ByteArrayInputStream(bytes), IResource.KEEP_HISTORY, monitor);
+      return Status.OK_STATUS;
+    } catch (CoreException e) {
+      return e.getStatus();
+    } catch (IOException e) {
+      return Status.error(file.getName() + " cannot be read: " + e.getMessage());
+    }
+  }
+}

@@ -1,0 +1,63 @@
+package dev.eventchain.eclipse.ui.fixes;
+
+import dev.eventchain.eclipse.FindingMarker;
+import dev.eventchain.eclipse.TextFix;
+import java.util.Optional;
+import org.eclipse.core.resources.IFile;
+import org.eclipse.core.resources.IMarker;
+import org.eclipse.ui.IMarkerResolution;
+
+/** Mends a finding by a change of the file's text. */
+final class TextResolution implements IMarkerResolution {
+
+  /** What is to be changed. */
+  @FunctionalInterface
+  private interface Change {
+    Optional<TextFix> of(String text, int offset, IMarker marker);
+  }
+
+  private final String label;
+  private final Change change;
+
+  private TextResolution(String label, Change change) {
+    this.label = label;
+    this.change = change;
+  }
+
+  /** Writes the name that is asked for. */
+  static TextResolution nearestName(String name) {
+    return new TextResolution(
+        "Change to '" + name + "'",
+        (text, offset, marker) ->
+            TextFix.nearestName(
+                text,
+                offset,
+                String.valueOf(marker.getResource().getFileExtension()),
+                marker.getAttribute(IMarker.MESSAGE, ""),
+                marker.getAttribute(FindingMarker.HINT, "")));
+  }
+
+  /** Removes a reference to nothing. */
+  static TextResolution withoutReference() {
+    return new TextResolution(
+        "Remove the reference",
+        (text, offset, marker) ->
+            TextFix.withoutReference(text, offset, marker.getAttribute(IMarker.MESSAGE, "")));
+  }
+
+  @Override
+  public String getLabel() {
+    return label;
+  }
+
+  @Override
+  public void run(IMarker marker) {
+    FileEdit.start(
+        label,
+        (IFile) marker.getResource(),
+        text -> {
+          int offset = marker.getAttribute(IMarker.CHAR_START, -1);
+          return change.of(text, offset, marker).map(fix -> fix.apply(text));
+        });
+  }
+}
