@@ -14,8 +14,16 @@ public final class RulePages {
 
   private static final List<String> BUNDLES =
       List.of(
-          "analysis", "diagnostics", "documents", "m2t", "messages", "metamodel", "modeler", "ocl",
-          "validation", "eclipse");
+          "analysis",
+          "diagnostics",
+          "documents",
+          "m2t",
+          "messages",
+          "metamodel",
+          "modeler",
+          "ocl",
+          "validation",
+          "eclipse");
 
   private static final List<String> FOLDERS = List.of("META-INF/eventchain/rules/", "rules/");
 

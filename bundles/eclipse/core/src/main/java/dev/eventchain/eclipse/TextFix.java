@@ -94,7 +94,9 @@ public record TextFix(int start, int end, String by) {
   /** The only place of a name between two offsets; none if there are several. */
   private static Optional<Integer> find(String text, int from, int to, String name) {
     Matcher place =
-        Pattern.compile("(?<![\\w/])" + Pattern.quote(name) + "(?!\\w)").matcher(text).region(from, to);
+        Pattern.compile("(?<![\\w/])" + Pattern.quote(name) + "(?!\\w)")
+            .matcher(text)
+            .region(from, to);
     if (!place.find()) {
       return Optional.empty();
     }

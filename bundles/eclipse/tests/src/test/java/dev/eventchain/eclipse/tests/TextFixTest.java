@@ -9,7 +9,8 @@ import org.junit.jupiter.api.Test;
 /** Changes of texts that mend findings, and when none is offered. */
 class TextFixTest {
 
-  private static final String XML = "<a>\n  <data name=\"x\" fieldName=\"rangez\" type=\"y\"/>\n</a>\n";
+  private static final String XML =
+      "<a>\n  <data name=\"x\" fieldName=\"rangez\" type=\"y\"/>\n</a>\n";
 
   private static Optional<String> nearest(String text, String at, String message, String hint) {
     return TextFix.nearestName(text, text.indexOf(at), "xmi", message, hint)
@@ -58,7 +59,6 @@ class TextFixTest {
     String text = "<software name=\"a\" nextstep=\"//@software.99\" origin=\"EXISTING\"/>";
     Optional<TextFix> fix =
         TextFix.withoutReference(text, 5, "`//@software.99` names no element of this file.");
-    assertEquals(
-        "<software name=\"a\" origin=\"EXISTING\"/>", fix.orElseThrow().apply(text));
+    assertEquals("<software name=\"a\" origin=\"EXISTING\"/>", fix.orElseThrow().apply(text));
   }
 }
