@@ -6,9 +6,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.eventchain.eclipse.diagram.ChainDiagram;
 import dev.eventchain.eclipse.diagram.ChainDiagram.Box;
 import dev.eventchain.eclipse.diagram.ChainDiagram.Kind;
+import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import java.io.ByteArrayInputStream;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -343,6 +345,69 @@ class DiagramViewTest {
     } finally {
       Platform.getAdapterManager().unregisterAdapters(adapters);
     }
+  }
+
+  @Test
+  void goesWithTheEditorOfChains() throws Exception {
+    IFile edited = project.getFile("edited.eventchain");
+    edited.create(new ByteArrayInputStream("<broken".getBytes(StandardCharsets.UTF_8)), true, null);
+    IEditorPart editor = EditorBench.open(edited);
+    Workbench.waitUntil("the problem", () -> message().startsWith("edited.eventchain:"));
+    file = edited;
+    write(Files.readString(AEB));
+    Workbench.waitUntil(
+        "the editor's chain is drawn",
+        () -> {
+          EventChain chain = editor.getAdapter(EventChain.class);
+          return chain != null
+              && !diagram().boxes().isEmpty()
+              && diagram().boxes().get(0).element() == chain.getSoftware().get(0);
+        });
+    SoftwareNode node = EditorBench.chainOf(editor).getSoftware().get(2);
+    mouse(SWT.MouseDown, "Braking_Decision");
+    assertEquals(node, Workbench.run(() -> selectedIn(editor)));
+    SoftwareNode last = EditorBench.chainOf(editor).getSoftware().get(3);
+    Workbench.run(
+        () -> {
+          Workbench.page().activate(editor);
+          editor.getSite().getSelectionProvider().setSelection(new StructuredSelection(last));
+          last.setName("Renamed");
+          return last;
+        });
+    Workbench.waitUntil("the change", () -> diagram().boxes().get(3).name().equals("Renamed"));
+    assertEquals("Renamed", Workbench.run(this::selected));
+    screenshot("diagram-editor");
+    Workbench.run(() -> Workbench.page().closeEditor(editor, false));
+    Workbench.waitUntil(
+        "what is saved", () -> diagram().boxes().get(3).name().equals("Carla_Vehicle_Control"));
+  }
+
+  private static Object selectedIn(IEditorPart editor) {
+    var provider = editor.getSite().getSelectionProvider();
+    return ((IStructuredSelection) provider.getSelection()).getFirstElement();
+  }
+
+  @Test
+  void drawsLargeChainsAndCycles() throws Exception {
+    String[] components = new String[500];
+    for (int i = 0; i < components.length; i++) {
+      components[i] =
+          "t" + i + " t" + (i * 7 % 500) + " > t" + (i + 1) + (i % 9 == 8 ? " t" + (i - 5) : "");
+    }
+    write(new String(XmiStore.toBytes(Chains.of(components)), StandardCharsets.UTF_8));
+    Workbench.waitUntil("the large chain", () -> diagram().boxes().size() == 1001);
+    maximize();
+    Workbench.run(
+        () ->
+            run(view.getViewSite().getActionBars().getToolBarManager().getItems(), "Zoom to &Fit"));
+    screenshot("diagram-large");
+    String[] cycle = {"in back > a b", "a > c", "b > d", "c d loop > out back loop"};
+    write(new String(XmiStore.toBytes(Chains.of(cycle)), StandardCharsets.UTF_8));
+    Workbench.waitUntil("the cycle", () -> diagram().boxes().size() == 12);
+    mouse(SWT.MouseDown, "N0");
+    maximize();
+    screenshot("diagram-cycle");
+    maximize();
   }
 
   @Test

@@ -79,6 +79,11 @@ final class ChainTracker implements IPartListener2, ISelectionListener, IPropert
     set(Subject.of(file, page));
   }
 
+  /** Whether an editor has the chain of a file in memory. */
+  boolean hasEditor(IFile file) {
+    return Subject.of(file, page).editor() != null;
+  }
+
   private void set(Subject next) {
     if (!next.equals(subject)) {
       forgetEditor();

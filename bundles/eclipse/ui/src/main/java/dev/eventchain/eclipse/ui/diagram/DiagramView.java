@@ -142,6 +142,8 @@ public final class DiagramView extends ViewPart
         chain = edited;
         edited.eAdapters().add(changes);
       }
+    } else if (subject.editor() == null && tracker.hasEditor(subject.file())) {
+      tracker.turnTo(subject.file()); // its editor can read it by now
     } else if (subject.file() != null) {
       loader.load(subject.file());
     } else {
