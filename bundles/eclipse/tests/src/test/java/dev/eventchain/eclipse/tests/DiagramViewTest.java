@@ -46,6 +46,7 @@ import org.eclipse.swt.widgets.Listener;
 import org.eclipse.ui.IEditorPart;
 import org.eclipse.ui.ISources;
 import org.eclipse.ui.IViewPart;
+import org.eclipse.ui.IWorkbenchPage;
 import org.eclipse.ui.commands.ICommandService;
 import org.eclipse.ui.handlers.IHandlerService;
 import org.eclipse.ui.ide.IDE;
@@ -291,19 +292,19 @@ class DiagramViewTest {
         });
     assertTrue(Workbench.run(() -> canvas().getToolTipText()).contains("20 Hz"));
     mouse(SWT.MouseDown, "TTC_Calculation");
-    maximize();
+    state(IWorkbenchPage.STATE_MAXIMIZED);
     screenshot("diagram");
-    maximize();
+    state(IWorkbenchPage.STATE_RESTORED);
   }
 
   private void mouseMove(String name) {
     mouse(SWT.MouseMove, name);
   }
 
-  private void maximize() {
+  private void state(int state) {
     Workbench.run(
         () -> {
-          Workbench.page().toggleZoom(Workbench.page().getReference(view));
+          Workbench.page().setPartState(Workbench.page().getReference(view), state);
           return view;
         });
   }
@@ -396,7 +397,7 @@ class DiagramViewTest {
     }
     write(new String(XmiStore.toBytes(Chains.of(components)), StandardCharsets.UTF_8));
     Workbench.waitUntil("the large chain", () -> diagram().boxes().size() == 1001);
-    maximize();
+    state(IWorkbenchPage.STATE_MAXIMIZED);
     Workbench.run(
         () ->
             run(view.getViewSite().getActionBars().getToolBarManager().getItems(), "Zoom to &Fit"));
@@ -405,9 +406,9 @@ class DiagramViewTest {
     write(new String(XmiStore.toBytes(Chains.of(cycle)), StandardCharsets.UTF_8));
     Workbench.waitUntil("the cycle", () -> diagram().boxes().size() == 12);
     mouse(SWT.MouseDown, "N0");
-    maximize();
+    state(IWorkbenchPage.STATE_MAXIMIZED);
     screenshot("diagram-cycle");
-    maximize();
+    state(IWorkbenchPage.STATE_RESTORED);
   }
 
   @Test
