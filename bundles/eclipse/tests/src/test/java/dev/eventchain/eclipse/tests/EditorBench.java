@@ -1,5 +1,7 @@
 package dev.eventchain.eclipse.tests;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
 import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.EventChain;
@@ -11,13 +13,18 @@ import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Predicate;
 import org.eclipse.core.resources.IFile;
 import org.eclipse.core.resources.IProject;
 import org.eclipse.core.resources.IResource;
 import org.eclipse.core.resources.ResourcesPlugin;
 import org.eclipse.core.runtime.CoreException;
+import org.eclipse.core.runtime.ILogListener;
+import org.eclipse.core.runtime.IStatus;
+import org.eclipse.core.runtime.Platform;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.jface.viewers.StructuredSelection;
 import org.eclipse.swt.SWT;
@@ -25,8 +32,11 @@ import org.eclipse.swt.widgets.Button;
 import org.eclipse.swt.widgets.Composite;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Event;
+import org.eclipse.swt.widgets.Menu;
+import org.eclipse.swt.widgets.MenuItem;
 import org.eclipse.swt.widgets.Shell;
 import org.eclipse.swt.widgets.Text;
+import org.eclipse.swt.widgets.Tree;
 import org.eclipse.swt.widgets.Widget;
 import org.eclipse.ui.IEditorPart;
 import org.eclipse.ui.handlers.IHandlerService;
@@ -39,7 +49,13 @@ final class EditorBench implements AutoCloseable {
 
   private final IProject project;
 
+  /** What reaches the error log: nothing must. */
+  private final List<String> logged = new CopyOnWriteArrayList<>();
+
+  private final ILogListener listener = (status, plugin) -> log(status);
+
   EditorBench(String name) {
+    Platform.addLogListener(listener);
     project = ResourcesPlugin.getWorkspace().getRoot().getProject(name);
     work(
         () -> {
@@ -49,6 +65,14 @@ final class EditorBench implements AutoCloseable {
           project.create(null);
           project.open(null);
         });
+  }
+
+  private void log(IStatus status) {
+    String trace =
+        status.getException() == null ? "" : Arrays.toString(status.getException().getStackTrace());
+    if (status.getSeverity() == IStatus.ERROR && (status + trace).contains("dev.eventchain")) {
+      logged.add(status + " " + trace);
+    }
   }
 
   interface Work {
@@ -143,7 +167,11 @@ final class EditorBench implements AutoCloseable {
   }
 
   static IEditorPart open(IFile file) {
-    return Workbench.run(() -> IDE.openEditor(Workbench.page(), file));
+    return Workbench.run(
+        () -> {
+          Workbench.page().getWorkbenchWindow().getShell().forceActive();
+          return IDE.openEditor(Workbench.page(), file);
+        });
   }
 
   static EventChain chainOf(IEditorPart editor) {
@@ -216,6 +244,26 @@ final class EditorBench implements AutoCloseable {
     Workbench.waitUntil("the button " + text + " is gone", () -> button(text) == null);
   }
 
+  /** Chooses from the menu of a tree, by the texts of the menu and its submenus. */
+  static void choose(Tree tree, String... texts) {
+    Menu menu = tree.getMenu();
+    List<Menu> shown = new ArrayList<>();
+    for (String text : texts) {
+      menu.notifyListeners(SWT.Show, new Event());
+      shown.add(menu);
+      MenuItem item =
+          Arrays.stream(menu.getItems())
+              .filter(each -> each.getText().replace("&", "").split("\t")[0].equals(text))
+              .findFirst()
+              .orElseThrow();
+      menu = item.getMenu();
+      if (menu == null) {
+        click(item);
+      }
+    }
+    shown.forEach(each -> each.notifyListeners(SWT.Hide, new Event()));
+  }
+
   static Button button(String text) {
     return find(
         Button.class,
@@ -230,5 +278,7 @@ final class EditorBench implements AutoCloseable {
   public void close() {
     Workbench.run(() -> Workbench.page().closeAllEditors(false));
     work(() -> project.delete(true, true, null));
+    Platform.removeLogListener(listener);
+    assertEquals(List.of(), logged);
   }
 }

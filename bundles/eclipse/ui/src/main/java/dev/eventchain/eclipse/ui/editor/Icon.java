@@ -21,8 +21,8 @@ import org.eclipse.swt.graphics.PaletteData;
 /** The small pictures of the elements, drawn for every resolution from shapes of 16 by 16. */
 enum Icon {
   CHAIN(0x2F5D8C, chain()),
-  EXISTING(0x3B73B9, new RoundRectangle2D.Double(1, 3, 14, 10, 4, 4)),
-  GENERATED(0x3B73B9, line(1.8f, new RoundRectangle2D.Double(2, 4, 12, 8, 4, 4))),
+  EXISTING(0x1F4E79, new RoundRectangle2D.Double(1, 3, 14, 10, 4, 4)),
+  GENERATED(0x1F4E79, line(1.8f, new RoundRectangle2D.Double(2, 4, 12, 8, 4, 4))),
   INPUT(0x2E8B57, arrow(1)),
   OUTPUT(0xC8731C, arrow(5)),
   DATA(0x808890, new Ellipse2D.Double(5, 5, 6, 6)),

@@ -39,6 +39,7 @@ final class ModelPage {
   private final ChainSelection selection;
   private final List<Runnable> changed = new ArrayList<>();
   private String about = "";
+  private boolean isChecked;
   private final CommandStackListener listener = this::stackChanged;
 
   ModelPage(
@@ -50,12 +51,9 @@ final class ModelPage {
     this.model = model;
     this.selection = selection;
     area = new Composite(parent, SWT.NONE);
-    GridLayoutFactory.fillDefaults().applyTo(area);
-    FormToolkit toolkit = new FormToolkit(area.getDisplay());
-    ScrolledForm form = toolkit.createScrolledForm(area);
-    GridDataFactory.fillDefaults().grab(true, true).applyTo(form);
-    toolkit.decorateFormHeading(form.getForm());
-    managed = new ManagedForm(toolkit, form);
+    managed = form(area);
+    ScrolledForm form = managed.getForm();
+    FormToolkit toolkit = managed.getToolkit();
     ProjectMessages messages = new ProjectMessages(file.file());
     SashForm sash = new SashForm(form.getBody(), SWT.HORIZONTAL);
     toolkit.adapt(sash);
@@ -76,6 +74,15 @@ final class ModelPage {
     FindingsMenu.open(form.getForm(), findings, this::select);
     area.addDisposeListener(event -> dispose());
     start();
+  }
+
+  private static ManagedForm form(Composite area) {
+    GridLayoutFactory.fillDefaults().applyTo(area);
+    FormToolkit toolkit = new FormToolkit(area.getDisplay());
+    ScrolledForm form = toolkit.createScrolledForm(area);
+    GridDataFactory.fillDefaults().grab(true, true).applyTo(form);
+    toolkit.decorateFormHeading(form.getForm());
+    return new ManagedForm(toolkit, form);
   }
 
   private void start() {
@@ -130,7 +137,9 @@ final class ModelPage {
   }
 
   void setFocus() {
-    tree.viewer().getControl().setFocus();
+    if (tree.viewer().getControl().setFocus()) {
+      actions.focusGained();
+    }
   }
 
   /** Shows an element in the tree. */
@@ -147,6 +156,8 @@ final class ModelPage {
 
   private void stackChanged(EventObject event) {
     if (!area.isDisposed()) {
+      isChecked = false; // until it is checked again, nobody knows
+      decorate();
       tree.viewer().refresh();
       properties.refresh();
       actions.update();
@@ -162,6 +173,7 @@ final class ModelPage {
 
   private void found(List<ElementFinding> found) {
     if (!area.isDisposed()) {
+      isChecked = true;
       findings.set(model.chain(), found);
       tree.viewer().refresh(true);
       decorate();
@@ -183,6 +195,9 @@ final class ModelPage {
         int type = PropertyForm.type(finding.severity());
         messages.addMessage(finding, text, finding.element(), type);
       }
+    }
+    if (isChecked && findings.all().isEmpty() && about.isEmpty()) {
+      messages.addMessage(findings, "Checked: no problems found", null, IMessageProvider.NONE);
     }
     messages.setAutoUpdate(true);
   }

@@ -31,6 +31,8 @@ final class TreeActions {
   private final ChainTree tree;
   private final Map<String, IAction> commands = new LinkedHashMap<>();
   private final List<Step> steps = new ArrayList<>();
+  private final List<IHandlerActivation> active = new ArrayList<>();
+  private IHandlerService service;
   private final Step delete = step("Delete", this::delete, this::canDelete);
   private final Step duplicate = step("Duplicate", this::duplicate, this::canDelete);
   private final Step up = step("Move Up", () -> move(-1), () -> canMove(-1));
@@ -98,23 +100,24 @@ final class TreeActions {
   }
 
   /** Lets the keys for cut, copy, paste and delete work on the tree while it has the focus. */
-  void handleIn(IHandlerService service) {
-    List<IHandlerActivation> active = new ArrayList<>();
-    tree.viewer()
-        .getTree()
-        .addListener(
-            SWT.FocusIn,
-            event ->
-                commands.forEach(
-                    (id, action) ->
-                        active.add(service.activateHandler(id, new ActionHandler(action)))));
-    Runnable end =
-        () -> {
-          service.deactivateHandlers(active);
-          active.clear();
-        };
-    tree.viewer().getTree().addListener(SWT.FocusOut, event -> end.run());
-    tree.viewer().getTree().addListener(SWT.Dispose, event -> end.run());
+  void handleIn(IHandlerService handlers) {
+    service = handlers;
+    tree.viewer().getTree().addListener(SWT.FocusIn, event -> focusGained());
+    tree.viewer().getTree().addListener(SWT.FocusOut, event -> focusLost());
+    tree.viewer().getTree().addListener(SWT.Dispose, event -> focusLost());
+  }
+
+  /** The tree has the focus; may be said more than once. */
+  void focusGained() {
+    if (active.isEmpty()) {
+      commands.forEach(
+          (id, action) -> active.add(service.activateHandler(id, new ActionHandler(action))));
+    }
+  }
+
+  private void focusLost() {
+    service.deactivateHandlers(active);
+    active.clear();
   }
 
   /** The actions for what is selected. */
