@@ -21,7 +21,7 @@ final class FindingsMenu {
   private FindingsMenu() {}
 
   /** Opens the list on a click; a choice shows the element that a finding is about. */
-  static void open(Form form, ChainFindings findings, Consumer<EObject> reveal) {
+  static void open(Form form, ShownFindings findings, Consumer<EObject> reveal) {
     form.addMessageHyperlinkListener(
         IHyperlinkListener.linkActivatedAdapter(
             (HyperlinkEvent event) -> {

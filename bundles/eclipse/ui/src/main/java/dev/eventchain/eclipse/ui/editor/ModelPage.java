@@ -31,7 +31,7 @@ final class ModelPage {
   private final EditedModel model;
   private final Composite area;
   private final ManagedForm managed;
-  private final ChainFindings findings = new ChainFindings();
+  private final ShownFindings findings = new ShownFindings();
   private final ChainTree tree;
   private final PropertyForm properties;
   private final TreeActions actions;
@@ -70,7 +70,7 @@ final class ModelPage {
     addMenu(site);
     validation =
         new EditorValidation(
-            new StandardValidation(messages::read), model.chain(), file.file(), this::found);
+            new FolderValidation(messages), model.chain(), file.file(), this::found);
     FindingsMenu.open(form.getForm(), findings, this::select);
     area.addDisposeListener(event -> dispose());
     start();
@@ -121,7 +121,7 @@ final class ModelPage {
     return model.chain();
   }
 
-  ChainFindings findings() {
+  ShownFindings findings() {
     return findings;
   }
 

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.stream.Collectors;
 
 /** What was found about a chain, by its elements. */
-final class ChainFindings implements TreeLabels.Findings {
+final class ShownFindings implements TreeLabels.Findings {
 
   private List<ElementFinding> all = List.of();
   private final Map<Object, Severity> worst = new HashMap<>();
