@@ -29,14 +29,32 @@ class ProjectValidationTest {
   @TempDir Path folder;
 
   private ProjectCopy project;
+  private ProjectValidation kept;
 
   @BeforeEach
   void copy() throws IOException {
     project = ProjectCopy.in(folder);
+    kept = new ProjectValidation(project.opened(), project.output(), LIMIT);
+    kept.validate();
   }
 
+  /** One that has read everything before the test changes a file finds what a new one finds. */
   private Validation validate() {
-    return ProjectValidation.validate(project.opened(), project.output(), LIMIT);
+    Validation once = ProjectValidation.validate(project.opened(), project.output(), LIMIT);
+    assertEquals(once, kept.validate());
+    return once;
+  }
+
+  @Test
+  void whatIsKeptIsReadAgainWhenOneOfItsFilesChanges() throws IOException {
+    Files.delete(project.file("software-base/components/Brake_Request.py"));
+    assertTrue(found().toString().contains("modeler.component.file"), found()::toString);
+    project.write("constraints.ocl", "context SoftwareNode inv Slow: self.frequency < 2");
+    assertTrue(found().toString().contains("modeler.component.file"), found()::toString);
+    project.write("software-base/components/Brake_Request.py", "class Brake_Request: pass");
+    assertTrue(found().toString().contains("ocl.violated"), found()::toString);
+    Files.delete(project.file("constraints.ocl"));
+    assertEquals(List.of(), found());
   }
 
   private List<String> found() {

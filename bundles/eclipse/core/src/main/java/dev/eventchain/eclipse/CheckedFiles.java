@@ -1,9 +1,11 @@
 package dev.eventchain.eclipse;
 
+import dev.eventchain.validation.ProjectValidation;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Function;
 import org.eclipse.core.resources.IContainer;
 import org.eclipse.core.resources.IFile;
 import org.eclipse.core.resources.IProject;
@@ -65,13 +67,18 @@ final class CheckedFiles {
         && folder.getFile(IPath.fromOSString(CONFIGURATION)).exists();
   }
 
-  /** The units that these files make, in the order of their names. */
-  List<CheckUnit> units() {
+  /**
+   * The units that these files make, in the order of their names.
+   *
+   * @param validations gives the validation of a project's folder
+   */
+  List<CheckUnit> units(Function<Path, ProjectValidation> validations) {
     List<CheckUnit> units = new ArrayList<>();
     List<Path> ecores = paths(metamodels);
     List<Path> documents = paths(freeRules());
     for (IContainer folder : folders) {
-      pathOf(folder).ifPresent(path -> units.add(new ProjectUnit(folder, path)));
+      pathOf(folder)
+          .ifPresent(path -> units.add(new ProjectUnit(folder, path, validations.apply(path))));
     }
     for (IFile model : models) {
       if (units.stream().noneMatch(unit -> unit instanceof ProjectUnit p && p.hasChain(model))) {

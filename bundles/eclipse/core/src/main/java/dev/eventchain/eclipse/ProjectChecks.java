@@ -3,10 +3,15 @@ package dev.eventchain.eclipse;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.validation.ProjectFolder;
+import dev.eventchain.validation.ProjectValidation;
 import dev.eventchain.validation.Validation;
+import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -40,6 +45,11 @@ public final class ProjectChecks {
   /** What came of each unit, in the order of the units. */
   private Map<CheckUnit, Validation> results = new LinkedHashMap<>();
 
+  /** The validations of the folders in the project, each with the time limit it has. */
+  private final Map<Path, ProjectValidation> validations = new HashMap<>();
+
+  private Duration timeLimit = Duration.ZERO;
+
   private boolean complete;
 
   private ProjectChecks(IProject project) {
@@ -68,9 +78,24 @@ public final class ProjectChecks {
     return complete;
   }
 
+  private List<CheckUnit> units() throws CoreException {
+    if (!timeLimit.equals(Preferences.timeLimit())) {
+      timeLimit = Preferences.timeLimit();
+      validations.clear();
+    }
+    return CheckedFiles.of(project)
+        .units(path -> validations.computeIfAbsent(path, this::validation));
+  }
+
+  private ProjectValidation validation(Path path) {
+    ProjectFolder folder = new ProjectFolder(path);
+    return new ProjectValidation(folder, folder.defaultOutput(), timeLimit);
+  }
+
   /** Forgets everything and removes the markers. */
   void forget() throws CoreException {
     results.clear();
+    validations.clear();
     complete = false;
     if (project.isAccessible()) {
       project.deleteMarkers(EventchainCore.PROBLEM, true, IResource.DEPTH_INFINITE);
@@ -84,13 +109,13 @@ public final class ProjectChecks {
    *     next build checks everything
    */
   public CheckSummary checkAll(IProgressMonitor monitor) throws CoreException {
-    return check(CheckedFiles.of(project).units(), Set.of(), monitor);
+    return check(units(), Set.of(), monitor);
   }
 
   /** Checks what depends on files that have changed, come or gone. */
   CheckSummary checkChanged(Collection<IFile> changed, IProgressMonitor monitor)
       throws CoreException {
-    List<CheckUnit> units = CheckedFiles.of(project).units();
+    List<CheckUnit> units = units();
     Set<CheckUnit> good = new HashSet<>(results.keySet());
     good.removeIf(unit -> changed.stream().anyMatch(unit::dependsOn));
     return check(units, good, monitor);
@@ -103,7 +128,7 @@ public final class ProjectChecks {
    */
   public CheckSummary check(Collection<? extends IResource> selected, IProgressMonitor monitor)
       throws CoreException {
-    List<CheckUnit> units = CheckedFiles.of(project).units();
+    List<CheckUnit> units = units();
     Set<CheckUnit> others = new HashSet<>(units);
     others.removeIf(unit -> selected.stream().anyMatch(each -> isAbout(unit, each)));
     return check(units, others, monitor);

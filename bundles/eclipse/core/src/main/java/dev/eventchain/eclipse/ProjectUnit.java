@@ -17,8 +17,13 @@ import org.eclipse.core.resources.IFile;
 import org.eclipse.core.resources.IResource;
 import org.eclipse.core.runtime.IPath;
 
-/** A folder with an {@code eventchain.yaml}: what {@code eventchain validate} finds about it. */
-record ProjectUnit(IContainer folder, Path path) implements CheckUnit {
+/**
+ * A folder with an {@code eventchain.yaml}: what {@code eventchain validate} finds about it.
+ *
+ * @param validation is kept from build to build, since it reads only what has changed
+ */
+record ProjectUnit(IContainer folder, Path path, ProjectValidation validation)
+    implements CheckUnit {
 
   /** Of the results only these are checked; all else there is made of them. */
   private static final Set<String> CHECKED_RESULTS =
@@ -58,8 +63,7 @@ record ProjectUnit(IContainer folder, Path path) implements CheckUnit {
             .suppressions()
             .map(file -> SuppressionFile.read(file, LocalDate.now(ZoneId.systemDefault())))
             .orElse(Suppressions.NONE);
-    Validation all =
-        ProjectValidation.validate(project, project.defaultOutput(), Preferences.timeLimit());
+    Validation all = validation.validate();
     List<Diagnostic> found = new ArrayList<>(suppressions.part(all.diagnostics()).remaining());
     found.addAll(suppressions.warnings(all.diagnostics(), all.coverage(), false));
     return new Validation(all.coverage(), found);

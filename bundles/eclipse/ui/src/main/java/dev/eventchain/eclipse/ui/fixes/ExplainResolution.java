@@ -2,6 +2,7 @@ package dev.eventchain.eclipse.ui.fixes;
 
 import dev.eventchain.eclipse.FindingMarker;
 import dev.eventchain.eclipse.RulePages;
+import java.util.regex.Pattern;
 import org.eclipse.core.resources.IMarker;
 import org.eclipse.jface.dialogs.Dialog;
 import org.eclipse.jface.dialogs.IDialogConstants;
@@ -23,6 +24,10 @@ import org.eclipse.ui.PlatformUI;
  */
 record ExplainResolution(String id) implements IMarkerResolution {
 
+  /** A line break inside of a paragraph: the dialog wraps lines at its own width. */
+  private static final Pattern WRAPPED =
+      Pattern.compile("(?<=[^\\n])(?<!^#[^\\n]{0,80})\\n(?=[^\\s#|*-])", Pattern.MULTILINE);
+
   private static final int WIDTH = 720;
   private static final int HEIGHT = 520;
 
@@ -39,6 +44,7 @@ record ExplainResolution(String id) implements IMarkerResolution {
     String about = rule.isEmpty() ? "" : "Rule: " + rule + "\n";
     String see = related.isEmpty() ? "" : "See: " + related.replace("\n", ", ") + "\n";
     String before = about + see;
+    page = WRAPPED.matcher(page).replaceAll(" ");
     new PageDialog(id, before.isEmpty() ? page : before + "\n" + page).open();
   }
 
