@@ -1,0 +1,13 @@
+package dev.eventchain.eclipse.ui.text;
+
+import org.eclipse.core.filebuffers.IDocumentSetupParticipant;
+import org.eclipse.jface.text.IDocument;
+
+/** Divides documents with templates into partitions, whatever opens them. */
+public final class TemplateDocuments implements IDocumentSetupParticipant {
+
+  @Override
+  public void setup(IDocument document) {
+    Partitioner.install(document, Language.TEMPLATE);
+  }
+}

@@ -1,0 +1,10 @@
+package dev.eventchain.eclipse.ui.text;
+
+/** The editor of files with templates. */
+public final class TemplateEditor extends CodeEditor {
+
+  /** Made by the platform. */
+  public TemplateEditor() {
+    super(Language.TEMPLATE);
+  }
+}
