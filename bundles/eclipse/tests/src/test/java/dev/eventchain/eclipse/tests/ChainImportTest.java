@@ -16,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 /** The description of a chain as JSON becomes a model, or a finding with its line. */
 class ChainImportTest {
 
-  private static final String DESCRIPTION =
+  static final String DESCRIPTION =
       """
       [
         {

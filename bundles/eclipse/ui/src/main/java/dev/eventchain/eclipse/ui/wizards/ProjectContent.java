@@ -1,0 +1,145 @@
+package dev.eventchain.eclipse.ui.wizards;
+
+import dev.eventchain.eclipse.Program;
+import dev.eventchain.eclipse.ui.EventchainUi;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Comparator;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.stream.Stream;
+import org.eclipse.core.runtime.CoreException;
+import org.eclipse.core.runtime.IProgressMonitor;
+import org.eclipse.core.runtime.IStatus;
+import org.eclipse.core.runtime.OperationCanceledException;
+import org.eclipse.core.runtime.Status;
+
+/** Fills the folder of a new project, or leaves it as it was. */
+final class ProjectContent {
+
+  /** The examples that come with the program. */
+  static final List<String> EXAMPLES = List.of("aeb", "acc", "lane-departure", "radar-aeb");
+
+  private final Program program;
+  private final Path folder;
+  private final boolean existed;
+
+  /**
+   * @param folder missing or empty
+   */
+  ProjectContent(Program program, Path folder) {
+    this.program = program;
+    this.folder = folder;
+    this.existed = Files.exists(folder);
+  }
+
+  /** Whether a folder is missing or empty; not if it cannot be read. */
+  static boolean isFree(Path folder) {
+    if (!Files.exists(folder)) {
+      return true;
+    }
+    try (Stream<Path> files = Files.list(folder)) {
+      return files.findAny().isEmpty();
+    } catch (IOException e) {
+      return false;
+    }
+  }
+
+  /** The innermost folder that is there: what a new folder is made in. */
+  static Path existing(Path folder) {
+    Path found = folder.toAbsolutePath();
+    while (!Files.exists(found) && found.getParent() != null) {
+      found = found.getParent();
+    }
+    return found;
+  }
+
+  /** The folder of an example beside the program, which links may lead to. */
+  static Path example(Program program, String name) throws CoreException {
+    try {
+      Path home = program.file().toRealPath().getParent();
+      Path example = home.resolve("examples").resolve(name);
+      if (Files.isDirectory(example)) {
+        return example;
+      }
+      throw failure("There is no folder " + example + " beside the program.", null);
+    } catch (IOException e) {
+      throw failure("The program cannot be read: " + e.getMessage(), e);
+    }
+  }
+
+  /**
+   * Writes the starter, as the program does, under the name of the chain.
+   *
+   * @throws CoreException if the program fails, with what it said
+   */
+  void start(String chain, IProgressMonitor monitor) throws CoreException {
+    StringBuffer said = new StringBuffer();
+    Path place = existing(folder);
+    int code = program.run(List.of("init", folder.toString()), place, said::append, monitor);
+    if (code != 0) {
+      throw failure("The program could not start a project: " + said.toString().strip(), null);
+    }
+    try {
+      rename("eventchain.yaml", "(?m)^(name:\\s*).*$", "$1" + chain);
+      String name = "(<eventchain:EventChain\\b[^>]*?\\sname=\")[^\"]*";
+      rename("model/chain.xmi", name, "$1" + chain);
+    } catch (IOException e) {
+      throw failure("The chain could not be named: " + e.getMessage(), e);
+    }
+  }
+
+  private void rename(String file, String pattern, String by) throws IOException {
+    Path path = folder.resolve(file);
+    if (Files.isRegularFile(path)) {
+      String text = Files.readString(path);
+      Matcher name = java.util.regex.Pattern.compile(pattern).matcher(text);
+      Files.writeString(path, name.replaceFirst(by));
+    }
+  }
+
+  /**
+   * Copies an example without its results.
+   *
+   * @throws OperationCanceledException if people cancelled it
+   */
+  void copy(Path example, IProgressMonitor monitor) throws CoreException {
+    try (Stream<Path> walk = Files.walk(example)) {
+      Path results = example.resolve("out");
+      for (Path file : walk.filter(each -> !each.startsWith(results)).sorted().toList()) {
+        if (monitor.isCanceled()) {
+          throw new OperationCanceledException();
+        }
+        Path target = folder.resolve(example.relativize(file).toString());
+        if (Files.isDirectory(file)) {
+          Files.createDirectories(target);
+        } else if (!file.getFileName().toString().equals(".project")) {
+          Files.copy(file, target);
+        }
+      }
+    } catch (IOException | java.io.UncheckedIOException e) {
+      throw failure("The example cannot be copied: " + e.getMessage(), e);
+    }
+  }
+
+  /** Takes away all that was written. */
+  void undo() throws CoreException {
+    if (!Files.exists(folder)) {
+      return;
+    }
+    try (Stream<Path> walk = Files.walk(folder)) {
+      for (Path file : walk.sorted(Comparator.reverseOrder()).toList()) {
+        if (!existed || !file.equals(folder)) {
+          Files.delete(file);
+        }
+      }
+    } catch (IOException | java.io.UncheckedIOException e) {
+      throw failure("What was written cannot be removed: " + e.getMessage(), e);
+    }
+  }
+
+  static CoreException failure(String message, Throwable cause) {
+    return new CoreException(new Status(IStatus.ERROR, EventchainUi.ID, message, cause));
+  }
+}
