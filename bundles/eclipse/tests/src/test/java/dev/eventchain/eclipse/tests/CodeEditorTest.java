@@ -13,13 +13,16 @@ import org.eclipse.jface.text.IDocument;
 import org.eclipse.jface.text.ITextOperationTarget;
 import org.eclipse.jface.text.source.Annotation;
 import org.eclipse.jface.text.source.IAnnotationModel;
+import org.eclipse.swt.SWT;
 import org.eclipse.swt.custom.StyleRange;
 import org.eclipse.swt.custom.StyledText;
 import org.eclipse.swt.graphics.RGB;
 import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Display;
+import org.eclipse.swt.widgets.Event;
 import org.eclipse.swt.widgets.Shell;
 import org.eclipse.swt.widgets.Table;
+import org.eclipse.swt.widgets.Tree;
 import org.eclipse.ui.PlatformUI;
 import org.eclipse.ui.editors.text.TextEditor;
 import org.eclipse.ui.handlers.IHandlerService;
@@ -91,13 +94,16 @@ class CodeEditorTest {
     return editor.getDocumentProvider().getDocument(editor.getEditorInput());
   }
 
+  private static RGB color(String kind) {
+    return PlatformUI.getWorkbench()
+        .getThemeManager()
+        .getCurrentTheme()
+        .getColorRegistry()
+        .getRGB(COLORS + kind);
+  }
+
   private static void assertColor(String kind, TextEditor editor, String text) {
-    RGB expected =
-        PlatformUI.getWorkbench()
-            .getThemeManager()
-            .getCurrentTheme()
-            .getColorRegistry()
-            .getRGB(COLORS + kind);
+    RGB expected = Workbench.run(() -> color(kind));
     assertNotNull(expected, kind);
     StyleRange range =
         Workbench.run(
@@ -308,11 +314,60 @@ class CodeEditorTest {
     List<String> labels =
         Workbench.run(
             () ->
-                Arrays.stream(((org.eclipse.swt.widgets.Tree) tree(outline)).getItems())
+                Arrays.stream(((Tree) tree(outline)).getItems())
                     .map(item -> item.getText())
                     .toList());
     assertEquals(
         List.of("context SoftwareNode inv HasRate", "context EventChain inv UniqueNames"), labels);
+  }
+
+  @Test
+  void clickInTheOutlineGoesThere() throws Exception {
+    TextEditor editor = open(project.write("rules.ocl", RULES));
+    ContentOutline outline =
+        Workbench.run(
+            () ->
+                (ContentOutline) Workbench.page().showView("org.eclipse.ui.views.ContentOutline"));
+    Workbench.run(
+        () -> {
+          Workbench.page().activate(editor);
+          Workbench.page().activate(outline);
+          return tree(outline).setFocus();
+        });
+    Workbench.waitUntil("the outline has the focus", () -> tree(outline).isFocusControl());
+    Workbench.run(
+        () -> {
+          Tree tree = (Tree) tree(outline);
+          tree.setSelection(tree.getItem(1));
+          Event click = new Event();
+          click.item = tree.getItem(1);
+          tree.notifyListeners(SWT.Selection, click);
+          return tree;
+        });
+    assertEquals("inv UniqueNames", Workbench.run(() -> widget(editor).getSelectionText()));
+  }
+
+  /** WCAG asks for three to one where letters are bold or large; the dark ground is Eclipse's. */
+  @Test
+  void colorsCanBeReadOnLightAndDarkGrounds() {
+    for (String kind : List.of("keyword", "type", "string", "number", "comment", "tag")) {
+      RGB color = Workbench.run(() -> color(kind));
+      for (RGB ground : List.of(new RGB(255, 255, 255), new RGB(47, 47, 47))) {
+        double one = luminance(color) + 0.05;
+        double other = luminance(ground) + 0.05;
+        double contrast = Math.max(one, other) / Math.min(one, other);
+        assertTrue(contrast >= 3, kind + " on " + ground + ": " + contrast);
+      }
+    }
+  }
+
+  private static double luminance(RGB color) {
+    return 0.2126 * linear(color.red) + 0.7152 * linear(color.green) + 0.0722 * linear(color.blue);
+  }
+
+  private static double linear(int part) {
+    double value = part / 255.0;
+    return value <= 0.03928 ? value / 12.92 : Math.pow((value + 0.055) / 1.055, 2.4);
   }
 
   private static Control tree(ContentOutline outline) {
