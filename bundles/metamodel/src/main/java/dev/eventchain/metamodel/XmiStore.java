@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -17,6 +18,8 @@ import org.eclipse.emf.common.util.URI;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.impl.EPackageRegistryImpl;
+import org.eclipse.emf.ecore.resource.Resource;
+import org.eclipse.emf.ecore.xmi.impl.EcoreResourceFactoryImpl;
 
 /**
  * Reads and writes the XMI files of one project, for the event-chain metamodel and any other.
@@ -232,9 +235,26 @@ public final class XmiStore {
     return resource("metamodel/eventchain.ecore");
   }
 
-  /** The text of the metamodel of message definitions. */
-  public static String messagesEcore() {
-    return resource("metamodel/messages.ecore");
+  /** The metamodel of message definitions, which templates may be about. */
+  public static EPackage messagesMetamodel() {
+    return MessagesMetamodel.PACKAGE;
+  }
+
+  /** Read when it is first needed: most runs do without. */
+  private static final class MessagesMetamodel {
+    private static final EPackage PACKAGE = read();
+
+    private static EPackage read() {
+      Resource resource =
+          new EcoreResourceFactoryImpl().createResource(URI.createURI("messages.ecore"));
+      byte[] text = resource("metamodel/messages.ecore").getBytes(StandardCharsets.UTF_8);
+      try {
+        resource.load(new ByteArrayInputStream(text), Map.of());
+      } catch (IOException e) {
+        throw new UncheckedIOException(e);
+      }
+      return (EPackage) resource.getContents().get(0);
+    }
   }
 
   /** The standard rules of event chains, in Complete OCL. */

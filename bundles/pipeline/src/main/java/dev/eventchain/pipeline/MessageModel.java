@@ -7,11 +7,7 @@ import dev.eventchain.messages.RosNames;
 import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.EventChain;
-import java.io.ByteArrayInputStream;
-import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.lang.reflect.Array;
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -19,14 +15,11 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import org.eclipse.emf.common.util.URI;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EEnum;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
-import org.eclipse.emf.ecore.resource.Resource;
 import org.eclipse.emf.ecore.util.EcoreUtil;
-import org.eclipse.emf.ecore.xmi.impl.EcoreResourceFactoryImpl;
 
 /**
  * The message types that a chain uses, as a model of {@code metamodel/messages.ecore} for
@@ -44,7 +37,7 @@ final class MessageModel {
 
   /** The metamodel. */
   static EPackage metamodel() {
-    return Metamodel.PACKAGE;
+    return XmiStore.messagesMetamodel();
   }
 
   /**
@@ -90,7 +83,7 @@ final class MessageModel {
         .ifPresentOrElse(
             message -> set(added, "message", add(message)),
             () -> set(added, "primitive", type.kind().name().toLowerCase(Locale.ROOT)));
-    EEnum shapes = (EEnum) Metamodel.PACKAGE.getEClassifier("FieldShape");
+    EEnum shapes = (EEnum) XmiStore.messagesMetamodel().getEClassifier("FieldShape");
     set(added, "shape", shapes.getEEnumLiteral(type.shape().name()).getInstance());
     set(added, "size", type.size());
     set(added, "stringBound", type.stringBound());
@@ -132,7 +125,7 @@ final class MessageModel {
   }
 
   private static EObject create(String name) {
-    return EcoreUtil.create((EClass) Metamodel.PACKAGE.getEClassifier(name));
+    return EcoreUtil.create((EClass) XmiStore.messagesMetamodel().getEClassifier(name));
   }
 
   private static void set(EObject object, String feature, Object value) {
@@ -142,22 +135,5 @@ final class MessageModel {
   @SuppressWarnings("unchecked") // the metamodel says what the features hold
   private static List<EObject> values(EObject object, String feature) {
     return (List<EObject>) object.eGet(object.eClass().getEStructuralFeature(feature));
-  }
-
-  /** Read when it is first needed: most runs do without. */
-  private static final class Metamodel {
-    private static final EPackage PACKAGE = read();
-
-    private static EPackage read() {
-      Resource resource =
-          new EcoreResourceFactoryImpl().createResource(URI.createURI("messages.ecore"));
-      byte[] text = XmiStore.messagesEcore().getBytes(StandardCharsets.UTF_8);
-      try {
-        resource.load(new ByteArrayInputStream(text), Map.of());
-      } catch (IOException e) {
-        throw new UncheckedIOException(e);
-      }
-      return (EPackage) resource.getContents().get(0);
-    }
   }
 }

@@ -3,10 +3,7 @@ package dev.eventchain.pipeline;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.m2t.TemplateModule;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
+import dev.eventchain.templates.ShippedTemplates;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Collection;
@@ -16,24 +13,19 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import java.util.concurrent.atomic.AtomicReference;
-import java.util.function.Function;
 import org.eclipse.emf.ecore.EPackage;
 
 /** The templates of a project: its own, or a set that ships with the program. */
 final class Templates {
 
   /** The set of projects that name none. */
-  static final String DEFAULT = "ros2-python";
+  static final String DEFAULT = ShippedTemplates.DEFAULT;
 
   private static final String MAIN = "main";
 
   /** The sets, and the folder of the output that each writes into. */
   private static final SortedMap<String, String> FOLDERS =
-      new TreeMap<>(Map.of("ros2-python", "ros2", "cyclonedds-python", "cyclonedds"));
-
-  /** The folder of what several sets share. */
-  private static final String SHARED = "python";
+      new TreeMap<>(Map.of(DEFAULT, "ros2", "cyclonedds-python", "cyclonedds"));
 
   private Templates() {}
 
@@ -77,7 +69,7 @@ final class Templates {
   static TemplateModule compile(Project project, Collection<EPackage> packages) {
     Optional<Path> own = own(project);
     if (own.isPresent()) {
-      return TemplateModule.compile(own.get(), shippedModules(DEFAULT), packages);
+      return TemplateModule.compile(own.get(), ShippedTemplates.modules(DEFAULT), packages);
     }
     String set = project.configuration().template();
     return shipped(set, MAIN, packages);
@@ -86,7 +78,7 @@ final class Templates {
   /** The files of the project's own template, if it has one. */
   static List<Path> ownFiles(Project project) {
     return own(project)
-        .map(main -> TemplateModule.files(main, shippedModules(DEFAULT)))
+        .map(main -> TemplateModule.files(main, ShippedTemplates.modules(DEFAULT)))
         .orElse(List.of());
   }
 
@@ -96,44 +88,7 @@ final class Templates {
    * @param module the main module's name in the set
    */
   static TemplateModule shipped(String set, String module, Collection<EPackage> packages) {
-    SourceText main = shipped(set, module).orElseThrow();
-    return TemplateModule.compile(main, shippedModules(set), packages);
-  }
-
-  /**
-   * Finds modules that ship with the program, for one compilation: {@code ros2_python::node} is of
-   * the set {@code ros2-python}, and what it imports without a qualifier is then of that set, too.
-   *
-   * @param first the set of names without a qualifier until another one was named
-   */
-  private static Function<String, Optional<SourceText>> shippedModules(String first) {
-    AtomicReference<String> set = new AtomicReference<>(first);
-    return name -> {
-      int qualifier = name.lastIndexOf("::");
-      String module = qualifier < 0 ? name : name.substring(qualifier + 2);
-      if (qualifier < 0) {
-        return shipped(set.get(), module).or(() -> shipped(SHARED, module));
-      }
-      String folder = name.substring(0, qualifier).replace('_', '-');
-      if (FOLDERS.containsKey(folder)) {
-        set.set(folder);
-      }
-      return shipped(folder, module);
-    };
-  }
-
-  private static Optional<SourceText> shipped(String set, String module) {
-    if (!(set + module).matches("[A-Za-z0-9_-]+")) {
-      return Optional.empty();
-    }
-    String name = "templates/" + set + "/" + module + ".mtl";
-    try (InputStream stream = Templates.class.getResourceAsStream("/" + name)) {
-      return stream == null
-          ? Optional.empty()
-          : Optional.of(
-              SourceText.of(name, new String(stream.readAllBytes(), StandardCharsets.UTF_8)));
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
+    SourceText main = ShippedTemplates.module(set, module).orElseThrow();
+    return TemplateModule.compile(main, ShippedTemplates.modules(set), packages);
   }
 }

@@ -57,6 +57,7 @@ class ArchitectureTest {
               Map.entry("analysis", 2),
               Map.entry("simulation", 11),
               Map.entry("agents", 9),
+              Map.entry("templates", 1),
               Map.entry("validation", 9),
               Map.entry("pipeline", 14),
               Map.entry("cli", 1)));

@@ -41,7 +41,7 @@ class PluginImportsTest {
   @Test
   void coreChecksWithoutStages() throws IOException {
     assertEquals(
-        Set.of("diagnostics", "m2t", "messages", "metamodel", "modeler", "ocl", "validation"),
+        Set.of("diagnostics", "m2t", "messages", "metamodel", "modeler", "ocl", "templates", "validation"),
         imports("core"));
   }
 

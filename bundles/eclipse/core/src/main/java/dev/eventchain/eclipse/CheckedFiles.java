@@ -5,6 +5,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import java.util.function.Function;
 import org.eclipse.core.resources.IContainer;
 import org.eclipse.core.resources.IFile;
@@ -28,6 +29,9 @@ final class CheckedFiles {
   private final List<IFile> metamodels = new ArrayList<>();
   private final List<IFile> rules = new ArrayList<>();
   private final List<IFile> templates = new ArrayList<>();
+
+  /** Models of the project's metamodels may be among them. */
+  private final List<IFile> others = new ArrayList<>();
 
   private CheckedFiles() {}
 
@@ -55,9 +59,7 @@ final class CheckedFiles {
       case "ecore" -> metamodels.add(file);
       case "ocl" -> rules.add(file);
       case "mtl" -> templates.add(file);
-      default -> {
-        // Not ours.
-      }
+      default -> others.add(file);
     }
     return false;
   }
@@ -80,6 +82,9 @@ final class CheckedFiles {
       pathOf(folder)
           .ifPresent(path -> units.add(new ProjectUnit(folder, path, validations.apply(path))));
     }
+    Set<String> extensions = Metamodels.extensions(ecores);
+    others.removeIf(each -> !extensions.contains(String.valueOf(each.getFileExtension())));
+    models.addAll(others);
     for (IFile model : models) {
       if (units.stream().noneMatch(unit -> unit instanceof ProjectUnit p && p.hasChain(model))) {
         pathOf(model).ifPresent(path -> units.add(new ModelUnit(model, path, ecores, documents)));

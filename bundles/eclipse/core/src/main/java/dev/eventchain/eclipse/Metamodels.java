@@ -5,7 +5,9 @@ import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Set;
 import java.util.function.BiConsumer;
 import org.eclipse.emf.ecore.EPackage;
 
@@ -15,15 +17,16 @@ final class Metamodels {
   private Metamodels() {}
 
   /**
-   * Those of files, and that of event chains unless a file has its namespace. A file that is no
-   * sound metamodel is left out: it has findings of its own.
+   * Those of files, and those of event chains and of message definitions unless a file has their
+   * namespace. A file that is no sound metamodel is left out: it has findings of its own.
    */
   static List<EPackage> of(List<Path> ecores) {
     List<EPackage> packages = new ArrayList<>();
     load(ecores, (file, loaded) -> packages.addAll(loaded));
-    String ours = EventchainPackage.eNS_URI;
-    if (packages.stream().noneMatch(each -> ours.equals(each.getNsURI()))) {
-      packages.add(EventchainPackage.eINSTANCE);
+    for (EPackage ours : List.of(EventchainPackage.eINSTANCE, XmiStore.messagesMetamodel())) {
+      if (packages.stream().noneMatch(each -> ours.getNsURI().equals(each.getNsURI()))) {
+        packages.add(ours);
+      }
     }
     return packages;
   }
@@ -45,5 +48,19 @@ final class Metamodels {
         continue; // the findings are those of its MetamodelUnit
       }
     }
+  }
+
+  /** The file names' endings that models of these metamodels have by EMF's custom. */
+  static Set<String> extensions(List<Path> ecores) {
+    Set<String> extensions = new HashSet<>();
+    load(
+        ecores,
+        (file, loaded) ->
+            loaded.forEach(
+                each -> {
+                  extensions.add(each.getName());
+                  extensions.add(String.valueOf(each.getNsPrefix()));
+                }));
+    return extensions;
   }
 }

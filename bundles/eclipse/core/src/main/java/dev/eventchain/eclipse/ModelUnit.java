@@ -22,6 +22,9 @@ import org.eclipse.core.resources.IResource;
 record ModelUnit(IFile file, Path path, List<Path> metamodels, List<Path> rules)
     implements CheckUnit {
 
+  /** The beginning of our namespaces: a model of another version is an event chain all the same. */
+  private static final String OURS = "http://eventchain.dev/";
+
   private static final Set<String> RELEVANT = Set.of("xmi", "eventchain", "ecore", "ocl");
 
   @Override
@@ -32,7 +35,7 @@ record ModelUnit(IFile file, Path path, List<Path> metamodels, List<Path> rules)
   /** Models may refer to others, and are what metamodels and rules say. */
   @Override
   public boolean dependsOn(IFile changed) {
-    return RELEVANT.contains(String.valueOf(changed.getFileExtension()));
+    return changed.equals(file) || RELEVANT.contains(String.valueOf(changed.getFileExtension()));
   }
 
   @Override
@@ -56,7 +59,9 @@ record ModelUnit(IFile file, Path path, List<Path> metamodels, List<Path> rules)
   }
 
   private static boolean isOfAnotherMetamodel(DiagnosticException e) {
-    return e.diagnostics().stream().allMatch(each -> each.id().equals("xmi.package.unknown"));
+    return e.diagnostics().stream()
+        .allMatch(
+            each -> each.id().equals("xmi.package.unknown") && !each.message().contains(OURS));
   }
 
   private Diagnostic unchecked() {

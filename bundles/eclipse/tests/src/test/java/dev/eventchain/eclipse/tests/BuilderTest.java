@@ -163,6 +163,55 @@ class BuilderTest {
   }
 
   @Test
+  void templateOfAProjectMayImportThoseThatShip() throws Exception {
+    try (TestProject project = TestProject.ofRadarExample("imports")) {
+      project.write(
+          "own.mtl",
+          """
+          [module own('http://eventchain.dev/eventchain/1.0')/]
+          [import ros2_python::node/]
+          [template public main(chain : EventChain)]
+          [comment @main/]
+          [file (chain.name + '.txt', false, 'UTF-8')][chain.name/][/file]
+          [/template]
+          """);
+      project.build();
+      List<String> errors =
+          project.markers().stream().filter(each -> each.startsWith("error")).toList();
+      assertEquals(List.of(), errors);
+    }
+  }
+
+  @Test
+  void modelIsKnownByTheNameOfItsMetamodelToo() throws Exception {
+    try (TestProject project = TestProject.create("extension")) {
+      project.write("shop.ecore", ECORE);
+      project.write("shop.ocl", "context Shop\ninv Named: name <> ''\n");
+      project.write("corner.shop", SHOP.formatted("Corner"));
+      project.build();
+      assertEquals(List.of(), project.markers());
+      project.write("corner.shop", SHOP.formatted(""));
+      project.build();
+      assertEquals(List.of("error corner.shop:2 ocl.violated"), project.markers());
+    }
+  }
+
+  @Test
+  void modelOfAnotherVersionIsAnError() throws Exception {
+    try (TestProject project = TestProject.ofRadarExample("version")) {
+      project.replace(
+          CHAIN, "http://eventchain.dev/eventchain/1.0", "http://eventchain.dev/eventchain/0.9");
+      project.write("other.xmi", project.text(CHAIN));
+      project.build();
+      List<String> markers = project.markers();
+      for (String file : List.of(CHAIN, "other.xmi")) {
+        assertTrue(
+            markers.contains("error " + file + ":2 xmi.package.unknown"), markers.toString());
+      }
+    }
+  }
+
+  @Test
   void documentWithoutInvariantChecksNothingAndSaysSo() throws Exception {
     try (TestProject project = TestProject.create("empty")) {
       project.write("rules.ocl", "-- later\n");

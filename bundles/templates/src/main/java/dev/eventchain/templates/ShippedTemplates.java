@@ -1,0 +1,76 @@
+package dev.eventchain.templates;
+
+import dev.eventchain.diagnostics.SourceText;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Optional;
+import java.util.Set;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Function;
+
+/** The template modules that ship with the program, in sets: one for each middleware. */
+public final class ShippedTemplates {
+
+  /** The set of projects that name none. */
+  public static final String DEFAULT = "ros2-python";
+
+  private static final SortedSet<String> SETS = new TreeSet<>(Set.of(DEFAULT, "cyclonedds-python"));
+
+  /** The folder of what several sets share. */
+  private static final String SHARED = "python";
+
+  private ShippedTemplates() {}
+
+  /** The names of the sets for a middleware, in order. */
+  public static SortedSet<String> sets() {
+    return new TreeSet<>(SETS);
+  }
+
+  /**
+   * Finds modules for one compilation: {@code ros2_python::node} is of the set {@code ros2-python},
+   * and what it imports without a qualifier is then of that set, too.
+   *
+   * @param first the set of names without a qualifier until another one was named
+   */
+  public static Function<String, Optional<SourceText>> modules(String first) {
+    AtomicReference<String> set = new AtomicReference<>(first);
+    return name -> {
+      int qualifier = name.lastIndexOf("::");
+      String module = qualifier < 0 ? name : name.substring(qualifier + 2);
+      if (qualifier < 0) {
+        return module(set.get(), module).or(() -> module(SHARED, module));
+      }
+      String folder = name.substring(0, qualifier).replace('_', '-');
+      if (SETS.contains(folder)) {
+        set.set(folder);
+      }
+      return module(folder, module);
+    };
+  }
+
+  /**
+   * A module.
+   *
+   * @param set a folder of {@code templates/}
+   * @param module its name in that folder
+   * @return nothing if there is none
+   */
+  public static Optional<SourceText> module(String set, String module) {
+    if (!(set + module).matches("[A-Za-z0-9_-]+")) {
+      return Optional.empty();
+    }
+    String name = "templates/" + set + "/" + module + ".mtl";
+    try (InputStream stream = ShippedTemplates.class.getResourceAsStream("/" + name)) {
+      return stream == null
+          ? Optional.empty()
+          : Optional.of(
+              SourceText.of(name, new String(stream.readAllBytes(), StandardCharsets.UTF_8)));
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+}
