@@ -4,6 +4,7 @@ import dev.eventchain.validation.ProjectValidation;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Function;
@@ -54,7 +55,7 @@ final class CheckedFiles {
       return !results && !folder.getName().startsWith(".");
     }
     IFile file = (IFile) resource;
-    switch (String.valueOf(file.getFileExtension())) {
+    switch (String.valueOf(file.getFileExtension()).toLowerCase(Locale.ROOT)) {
       case "xmi", "eventchain" -> models.add(file);
       case "ecore" -> metamodels.add(file);
       case "ocl" -> rules.add(file);
@@ -79,27 +80,26 @@ final class CheckedFiles {
     List<Path> ecores = paths(metamodels);
     List<Path> documents = paths(freeRules());
     for (IContainer folder : folders) {
-      pathOf(folder)
-          .ifPresent(path -> units.add(new ProjectUnit(folder, path, validations.apply(path))));
+      units.add(unit(folder, path -> new ProjectUnit(folder, path, validations.apply(path))));
     }
     Set<String> extensions = Metamodels.extensions(ecores);
     others.removeIf(each -> !extensions.contains(String.valueOf(each.getFileExtension())));
     models.addAll(others);
     for (IFile model : models) {
       if (units.stream().noneMatch(unit -> unit instanceof ProjectUnit p && p.hasChain(model))) {
-        pathOf(model).ifPresent(path -> units.add(new ModelUnit(model, path, ecores, documents)));
+        units.add(unit(model, path -> new ModelUnit(model, path, ecores, documents)));
       }
     }
     for (IFile metamodel : metamodels) {
-      pathOf(metamodel).ifPresent(path -> units.add(new MetamodelUnit(metamodel, path)));
+      units.add(unit(metamodel, path -> new MetamodelUnit(metamodel, path, ecores)));
     }
     for (IFile document : rules) {
       if (units.stream().noneMatch(unit -> unit instanceof ProjectUnit p && p.hasRules(document))) {
-        pathOf(document).ifPresent(path -> units.add(new RulesUnit(document, path, ecores)));
+        units.add(unit(document, path -> new RulesUnit(document, path, ecores)));
       }
     }
     for (IFile template : templates) {
-      pathOf(template).ifPresent(path -> units.add(new TemplateUnit(template, path, ecores)));
+      units.add(unit(template, path -> new TemplateUnit(template, path, ecores)));
     }
     return units;
   }
@@ -110,6 +110,10 @@ final class CheckedFiles {
         .filter(
             each -> folders.stream().noneMatch(f -> f.getFullPath().isPrefixOf(each.getFullPath())))
         .toList();
+  }
+
+  private static CheckUnit unit(IResource subject, Function<Path, CheckUnit> onDisk) {
+    return pathOf(subject).map(onDisk).orElseGet(() -> new UnreachableUnit(subject));
   }
 
   private static List<Path> paths(List<IFile> files) {

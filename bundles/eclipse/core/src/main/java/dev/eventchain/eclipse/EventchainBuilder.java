@@ -11,6 +11,7 @@ import org.eclipse.core.resources.IncrementalProjectBuilder;
 import org.eclipse.core.runtime.CoreException;
 import org.eclipse.core.runtime.IProgressMonitor;
 import org.eclipse.core.runtime.SubMonitor;
+import org.eclipse.core.runtime.jobs.ISchedulingRule;
 
 /** Checks what was saved since the last build, in the build's own job, and sets markers. */
 public final class EventchainBuilder extends IncrementalProjectBuilder {
@@ -30,6 +31,12 @@ public final class EventchainBuilder extends IncrementalProjectBuilder {
       checks.checkChanged(changed(delta), progress);
     }
     return NO_OTHERS;
+  }
+
+  /** Nothing outside of the project is changed, so that others need not wait for a long check. */
+  @Override
+  public ISchedulingRule getRule(int kind, Map<String, String> arguments) {
+    return getProject();
   }
 
   /** The files whose content is another one, or that came or went. */

@@ -101,7 +101,7 @@ public record FindingMarker(IResource resource, Map<String, Object> attributes) 
     return text.length() <= MOST_CHARACTERS ? text : text.substring(0, MOST_CHARACTERS) + " ...";
   }
 
-  /** The file of the workspace; of several projects that have it, the one of what was checked. */
+  /** The file in the project of what was checked: others have markers of their own builds only. */
   private static IResource fileOf(SourceLocation place, IResource subject) {
     if (place.file().isEmpty()) {
       return null;
@@ -112,13 +112,11 @@ public record FindingMarker(IResource resource, Map<String, Object> attributes) 
     }
     URI uri = path.toUri();
     IFile[] found = ResourcesPlugin.getWorkspace().getRoot().findFilesForLocationURI(uri);
-    IResource first = null;
     for (IFile each : found) {
       if (each.exists() && each.getProject().equals(subject.getProject())) {
         return each;
       }
-      first = first == null && each.exists() ? each : first;
     }
-    return first;
+    return null;
   }
 }

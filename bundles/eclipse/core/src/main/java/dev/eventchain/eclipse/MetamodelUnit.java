@@ -1,15 +1,18 @@
 package dev.eventchain.eclipse;
 
 import dev.eventchain.diagnostics.Coverage;
-import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.validation.Validation;
 import java.nio.file.Path;
 import java.util.List;
 import org.eclipse.core.resources.IFile;
 import org.eclipse.core.resources.IResource;
 
-/** An Ecore metamodel, which has to be sound before models and rules can be about it. */
-record MetamodelUnit(IFile file, Path path) implements CheckUnit {
+/**
+ * An Ecore metamodel, which has to be sound before models and rules can be about it.
+ *
+ * @param all the metamodels of the project, which must not contradict each other
+ */
+record MetamodelUnit(IFile file, Path path, List<Path> all) implements CheckUnit {
 
   @Override
   public IResource subject() {
@@ -24,7 +27,7 @@ record MetamodelUnit(IFile file, Path path) implements CheckUnit {
 
   @Override
   public Validation check() {
-    new XmiStore(path.getParent()).loadMetamodel(path);
+    Metamodels.loadLast(path, all);
     return new Validation(new Coverage(List.of(path.toString()), 0, List.of()), List.of());
   }
 }

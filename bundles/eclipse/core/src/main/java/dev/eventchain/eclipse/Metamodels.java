@@ -38,8 +38,23 @@ final class Metamodels {
     return sound;
   }
 
+  /**
+   * Loads a metamodel after all others, so that what contradicts them is found at each of them.
+   *
+   * @throws DiagnosticException INPUT with what is wrong with it
+   */
+  static void loadLast(Path ecore, List<Path> all) {
+    List<Path> others = all.stream().filter(each -> !each.equals(ecore)).toList();
+    load(all, others, (file, loaded) -> {}).loadMetamodel(ecore);
+  }
+
   private static void load(List<Path> ecores, BiConsumer<Path, List<EPackage>> sound) {
-    List<Path> folders = ecores.stream().map(Path::getParent).distinct().toList();
+    load(ecores, ecores, sound);
+  }
+
+  private static XmiStore load(
+      List<Path> places, List<Path> ecores, BiConsumer<Path, List<EPackage>> sound) {
+    List<Path> folders = places.stream().map(Path::getParent).distinct().toList();
     XmiStore store = new XmiStore(folders);
     for (Path ecore : ecores) {
       try {
@@ -48,6 +63,7 @@ final class Metamodels {
         continue; // the findings are those of its MetamodelUnit
       }
     }
+    return store;
   }
 
   /** The file names' endings that models of these metamodels have by EMF's custom. */

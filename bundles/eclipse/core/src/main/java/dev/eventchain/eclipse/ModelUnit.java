@@ -5,10 +5,12 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.validation.ModelValidation;
+import dev.eventchain.validation.ProjectFolder;
 import dev.eventchain.validation.Validation;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.eclipse.core.resources.IFile;
 import org.eclipse.core.resources.IResource;
@@ -17,7 +19,7 @@ import org.eclipse.core.resources.IResource;
  * A model that stands for itself.
  *
  * @param metamodels those of the Eclipse project, which it is checked with if it is no event chain
- * @param rules the documents that are then evaluated besides what the metamodels say
+ * @param rules the documents that are evaluated on it, too, if it is in no folder of ours
  */
 record ModelUnit(IFile file, Path path, List<Path> metamodels, List<Path> rules)
     implements CheckUnit {
@@ -35,13 +37,14 @@ record ModelUnit(IFile file, Path path, List<Path> metamodels, List<Path> rules)
   /** Models may refer to others, and are what metamodels and rules say. */
   @Override
   public boolean dependsOn(IFile changed) {
-    return changed.equals(file) || RELEVANT.contains(String.valueOf(changed.getFileExtension()));
+    String extension = String.valueOf(changed.getFileExtension());
+    return extension.equals(file.getFileExtension()) || RELEVANT.contains(extension);
   }
 
   @Override
   public Validation check() {
     try {
-      return validate(List.of(), List.of());
+      return validateChain();
     } catch (DiagnosticException e) {
       if (!isOfAnotherMetamodel(e)) {
         throw e;
@@ -51,6 +54,22 @@ record ModelUnit(IFile file, Path path, List<Path> metamodels, List<Path> rules)
     return sound.isEmpty()
         ? new Validation(Coverage.NONE, List.of(unchecked()))
         : validate(sound, rules);
+  }
+
+  /** An event chain with the rules and messages of the folder it is in, if it is in one of ours. */
+  private Validation validateChain() {
+    Optional<ProjectFolder> folder =
+        EventchainFolders.around(file).flatMap(CheckedFiles::pathOf).map(ProjectFolder::new);
+    List<Path> documents =
+        folder.map(ProjectFolder::ownConstraints).orElseGet(() -> aboutChains(rules));
+    List<Path> messages = folder.map(ProjectFolder::messageFolders).orElse(List.of());
+    return ModelValidation.validate(
+        List.of(), Map.of(), documents, List.of(path), messages, Preferences.timeLimit());
+  }
+
+  /** The documents that are about event chains; the others are about other metamodels. */
+  private static List<Path> aboutChains(List<Path> documents) {
+    return documents.stream().filter(RulesUnit::isAboutChains).toList();
   }
 
   private Validation validate(List<Path> ecores, List<Path> documents) {

@@ -38,9 +38,11 @@ public record Program(Path file) {
   public static Program find() throws CoreException {
     String set = Preferences.program();
     Optional<Path> found =
-        set.isEmpty() ? onPath() : Optional.of(Path.of(set)).filter(Files::isExecutable);
+        set.isEmpty()
+            ? onPath()
+            : Optional.of(Path.of(set)).filter(Path::isAbsolute).filter(Files::isExecutable);
     if (found.isPresent() && !Files.isDirectory(found.get())) {
-      return new Program(found.get());
+      return new Program(found.get().toAbsolutePath());
     }
     String problem =
         set.isEmpty()
@@ -57,7 +59,7 @@ public record Program(Path file) {
   private static Optional<Path> onPath() {
     String path = System.getenv("PATH");
     return Arrays.stream(path == null ? new String[0] : path.split(File.pathSeparator))
-        .filter(folder -> !folder.isEmpty())
+        .filter(folder -> folder.startsWith(File.separator)) // "." would be another one elsewhere
         .map(folder -> Path.of(folder, "eventchain"))
         .filter(file -> Files.isRegularFile(file) && Files.isExecutable(file))
         .findFirst();
@@ -90,7 +92,12 @@ public record Program(Path file) {
           throw new OperationCanceledException();
         }
       }
-      reader.join();
+      while (reader.isAlive()) { // as long as a helper that it left behind may write
+        reader.join(MILLISECONDS_BETWEEN_LOOKS);
+        if (monitor.isCanceled()) {
+          throw new OperationCanceledException();
+        }
+      }
       return process.exitValue();
     } catch (InterruptedException e) {
       process.destroyForcibly();

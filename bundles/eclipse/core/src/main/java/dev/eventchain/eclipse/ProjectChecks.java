@@ -151,11 +151,11 @@ public final class ProjectChecks {
     List<CheckUnit> checked = new ArrayList<>();
     for (CheckUnit unit : units) {
       progress.split(1); // throws if it was cancelled
-      if (!spared.contains(unit)) {
+      if (!spared.contains(unit) || !results.containsKey(unit)) {
         progress.subTask(unit.subject().getFullPath().toString());
         now.put(unit, CheckUnit.attempt(unit));
         checked.add(unit);
-      } else if (results.containsKey(unit)) {
+      } else {
         now.put(unit, results.get(unit));
       }
     }

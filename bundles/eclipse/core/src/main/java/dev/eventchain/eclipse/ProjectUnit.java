@@ -1,5 +1,6 @@
 package dev.eventchain.eclipse;
 
+import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.validation.ProjectFolder;
@@ -37,7 +38,7 @@ record ProjectUnit(IContainer folder, Path path, ProjectValidation validation)
   @Override
   public boolean dependsOn(IFile file) {
     if (!folder.getFullPath().isPrefixOf(file.getFullPath())) {
-      return false;
+      return "ocl".equals(file.getFileExtension()); // documents may import some from elsewhere
     }
     IPath name = file.getFullPath().makeRelativeTo(folder.getFullPath());
     return name.segment(0).equals(CheckedFiles.OUTPUT)
@@ -64,6 +65,9 @@ record ProjectUnit(IContainer folder, Path path, ProjectValidation validation)
             .map(file -> SuppressionFile.read(file, LocalDate.now(ZoneId.systemDefault())))
             .orElse(Suppressions.NONE);
     Validation all = validation.validate();
+    if (all.coverage().equals(Coverage.NONE)) {
+      return all; // why nothing was checked cannot be suppressed
+    }
     List<Diagnostic> found = new ArrayList<>(suppressions.part(all.diagnostics()).remaining());
     found.addAll(suppressions.warnings(all.diagnostics(), all.coverage(), false));
     return new Validation(all.coverage(), found);

@@ -2,8 +2,10 @@ package dev.eventchain.eclipse;
 
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.metamodel.eventchain.EventchainPackage;
 import dev.eventchain.ocl.OclRules;
 import dev.eventchain.validation.Validation;
 import java.nio.file.Path;
@@ -17,6 +19,18 @@ import org.eclipse.core.resources.IResource;
 record RulesUnit(IFile file, Path path, List<Path> metamodels) implements CheckUnit {
 
   private static final Set<String> RELEVANT = Set.of("ocl", "ecore");
+
+  /** Whether a document can be understood with nothing but the metamodel of event chains. */
+  static boolean isAboutChains(Path document) {
+    try {
+      List<SourceText> documents =
+          OclRules.files(List.of(document)).stream().map(SourceText::read).toList();
+      return !Diagnostic.anyError(
+          OclRules.parse(documents, List.of(EventchainPackage.eINSTANCE)).diagnostics());
+    } catch (DiagnosticException e) {
+      return false; // its own unit says why
+    }
+  }
 
   @Override
   public IResource subject() {

@@ -40,7 +40,7 @@ record Installation(Path home, Path scratch) {
   SortedMap<String, Path> bundles() throws IOException {
     SortedMap<String, Path> bundles = new TreeMap<>();
     for (String line : Files.readAllLines(bundlesInfo())) {
-      String[] columns = line.split(",");
+      String[] columns = line.split(",", -1);
       if (!line.startsWith("#")) {
         bundles.put(columns[0], Path.of(home.toUri().resolve(URI.create(columns[2]))));
       }

@@ -27,6 +27,7 @@ public final class StartProbe implements BundleActivator {
   /** What the workbench sends when its window is open. */
   private static final String STARTED = "org/eclipse/e4/ui/LifeCycle/appStartupComplete";
 
+  @SuppressWarnings("JdkObsolete") // OSGi asks for a Dictionary, and Hashtable is the only one
   @Override
   public void start(BundleContext context) {
     Path workspace = Path.of(URI.create(context.getProperty("osgi.instance.area")));

@@ -7,6 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.ServiceLoader;
 import java.util.SortedMap;
 import java.util.SortedSet;
@@ -81,13 +82,17 @@ final class Wiring implements AutoCloseable {
   /** Loads a class with all that its declaration needs, by the class loader of a bundle. */
   Class<?> load(String name, String className) throws ClassNotFoundException {
     Class<?> loaded = bundles.get(name).loadClass(className);
-    loaded.getDeclaredMethods();
+    Objects.requireNonNull(loaded.getDeclaredMethods());
     return loaded;
   }
 
   @Override
-  public void close() throws BundleException, InterruptedException {
+  public void close() throws BundleException {
     framework.stop();
-    framework.waitForStop(0);
+    try {
+      framework.waitForStop(0);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt(); // nobody needs it to have ended
+    }
   }
 }

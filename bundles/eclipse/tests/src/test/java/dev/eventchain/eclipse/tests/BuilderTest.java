@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.eclipse.EventchainCore;
 import dev.eventchain.eclipse.FindingMarker;
+import dev.eventchain.eclipse.ProjectChecks;
 import java.util.List;
 import org.eclipse.core.resources.IMarker;
 import org.eclipse.core.resources.IResource;
@@ -97,6 +98,10 @@ class BuilderTest {
   void suppressedFindingHasNoMarker() throws Exception {
     try (TestProject project = TestProject.ofRadarExample("suppressed")) {
       project.replace(CHAIN, "software name=\"Radar_Tracking\"", "software name=\"class\"");
+      project.build();
+      assertEquals(
+          "SoftwareNode::NodeNameIsIdentifier",
+          project.marker("ocl.violated").getAttribute(FindingMarker.RULE, ""));
       project.write(
           "eventchain-suppressions.yaml",
           """
@@ -207,6 +212,88 @@ class BuilderTest {
       for (String file : List.of(CHAIN, "other.xmi")) {
         assertTrue(
             markers.contains("error " + file + ":2 xmi.package.unknown"), markers.toString());
+      }
+    }
+  }
+
+  @Test
+  void whyNothingWasCheckedCannotBeSuppressed() throws Exception {
+    try (TestProject project = TestProject.ofRadarExample("unsuppressed")) {
+      project.write(
+          "eventchain-suppressions.yaml",
+          """
+          - id: xmi.reference.unresolved
+            reason: It is mended in release 2.
+            expires: 2999-12-31
+          """);
+      String good = project.text(CHAIN);
+      project.write(CHAIN, good.replaceFirst("nextstep=\"[^\"]*\"", "nextstep=\"//@software.99\""));
+      project.build();
+      assertEquals(
+          IMarker.SEVERITY_ERROR,
+          project.marker("xmi.reference.unresolved").getAttribute(IMarker.SEVERITY, -1));
+    }
+  }
+
+  @Test
+  void validatingOneFileLeavesTheMarkersOfOthersAfterAProjectWasOpened() throws Exception {
+    try (TestProject project = TestProject.create("others")) {
+      project.write("c.ocl", "context (((");
+      project.write("d.ocl", "context (((");
+      project.build();
+      project.project().close(null);
+      project.project().open(null);
+      ProjectChecks.of(project.project()).check(List.of(project.file("d.ocl")), null);
+      assertEquals(2, project.markers().size(), project.markers().toString());
+    }
+  }
+
+  @Test
+  void chainInAFolderOfOursIsCheckedByTheRulesOfThatFolder() throws Exception {
+    try (TestProject project = TestProject.ofRadarExample("variant")) {
+      project.write("model/variant.xmi", project.text(CHAIN));
+      project.build();
+      assertEquals(List.of(), project.markers());
+      project.write("constraints.ocl", "context SoftwareNode\ninv Slow: self.frequency < 2\n");
+      project.build();
+      for (String file : List.of(CHAIN, "model/variant.xmi")) {
+        assertTrue(
+            project.markers().stream()
+                .anyMatch(m -> m.contains(file) && m.endsWith("ocl.violated")),
+            file + ": " + project.markers());
+      }
+    }
+  }
+
+  @Test
+  void chainInAPlainProjectIsCheckedByTheRulesBesideIt() throws Exception {
+    try (TestProject project = TestProject.create("plain")) {
+      project.write(
+          "one.eventchain",
+          """
+          <?xml version="1.0" encoding="UTF-8"?>
+          <eventchain:EventChain xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI"
+              xmlns:eventchain="http://eventchain.dev/eventchain/1.0" name="one"/>
+          """);
+      project.write("rules.ocl", "context EventChain\ninv Two: self.name = 'two'\n");
+      project.build();
+      assertTrue(
+          project.markers().stream()
+              .anyMatch(m -> m.startsWith("error one.eventchain:2 ocl.violated")),
+          project.markers().toString());
+    }
+  }
+
+  @Test
+  void metamodelsOfOneNamespaceAreErrorsAtBoth() throws Exception {
+    try (TestProject project = TestProject.create("twice")) {
+      project.write("shop.ecore", ECORE);
+      project.write("old/shop.ecore", ECORE);
+      project.build();
+      List<String> markers = project.markers();
+      for (String file : List.of("shop.ecore", "old/shop.ecore")) {
+        assertTrue(
+            markers.stream().anyMatch(m -> m.startsWith("error " + file)), file + ": " + markers);
       }
     }
   }

@@ -15,6 +15,7 @@ import org.eclipse.jface.dialogs.MessageDialog;
 import org.eclipse.swt.widgets.Shell;
 import org.eclipse.ui.PlatformUI;
 import org.eclipse.ui.handlers.HandlerUtil;
+import org.eclipse.ui.ide.IDE;
 
 /**
  * Checks what is selected now, whether it has changed or not, also in projects without our nature.
@@ -23,8 +24,12 @@ public final class ValidateHandler extends AbstractHandler {
 
   @Override
   public Object execute(ExecutionEvent event) {
+    List<IResource> selected = Selected.resources(event);
+    if (!IDE.saveAllEditors(selected.toArray(IResource[]::new), true)) {
+      return null; // what is on disk is checked, and people want to go on with their editors
+    }
     Map<IProject, List<IResource>> byProject =
-        Selected.resources(event).stream().collect(Collectors.groupingBy(IResource::getProject));
+        selected.stream().collect(Collectors.groupingBy(IResource::getProject));
     Shell shell = HandlerUtil.getActiveShell(event);
     byProject.forEach((project, resources) -> start(project, resources, shell));
     return null;

@@ -168,7 +168,9 @@ public final class ChainEditor extends EditorPart implements IGotoMarker, IEditi
       return;
     }
     isAsking = true;
-    boolean loads = !isDirty() || isDeleted || SaveDialogs.replace(shell(), file.file());
+    boolean edited = page != null && page.model().stack().isSaveNeeded(); // also of a file now gone
+    boolean loads =
+        !(edited || isDirty() && !isDeleted) || SaveDialogs.replace(shell(), file.file());
     isAsking = false;
     if (loads) {
       load();
@@ -188,6 +190,9 @@ public final class ChainEditor extends EditorPart implements IGotoMarker, IEditi
     setInputWithNotify(new FileEditorInput(other));
     setPartName(other.getName());
     isDeleted = false;
+    if (page != null) {
+      page.recheck(); // other rules may hold there
+    }
   }
 
   private void fileDeleted() {
@@ -265,8 +270,16 @@ public final class ChainEditor extends EditorPart implements IGotoMarker, IEditi
 
   private boolean saveAs() {
     Optional<IFile> other = SaveDialogs.chooseFile(shell(), file.file());
-    other.ifPresent(this::becomes);
-    return other.isPresent() && save(new NullProgressMonitor());
+    if (other.isEmpty()) {
+      return false;
+    }
+    IFile former = file.file();
+    becomes(other.get());
+    boolean saved = save(new NullProgressMonitor());
+    if (!saved && former.exists()) {
+      becomes(former);
+    }
+    return saved;
   }
 
   @Override

@@ -7,6 +7,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.eclipse.core.resources.IFile;
 import org.eclipse.core.runtime.IProgressMonitor;
 import org.eclipse.core.runtime.Status;
@@ -22,7 +23,7 @@ final class EditorValidation {
 
   private final ChainValidation validation;
   private final EventChain chain;
-  private final IFile file;
+  private final Supplier<IFile> file;
   private final Consumer<List<ElementFinding>> result;
   private final Display display = Display.getCurrent();
   private final Runnable start = this::start;
@@ -30,12 +31,13 @@ final class EditorValidation {
   private boolean disposed;
 
   /**
+   * @param file where the chain is by now, which decides by which rules it is checked
    * @param result given what was found, in the user interface's thread
    */
   EditorValidation(
       ChainValidation validation,
       EventChain chain,
-      IFile file,
+      Supplier<IFile> file,
       Consumer<List<ElementFinding>> result) {
     this.validation = validation;
     this.chain = chain;
@@ -45,6 +47,9 @@ final class EditorValidation {
 
   /** The chain has changed. */
   void schedule() {
+    if (running != null) {
+      running.cancel(); // what it finds would be about a chain that is no more
+    }
     display.timerExec(DELAY, start);
   }
 
@@ -66,11 +71,12 @@ final class EditorValidation {
     copier.copyReferences();
     Map<EObject, EObject> originals = new HashMap<>();
     copier.forEach((original, made) -> originals.put(made, original));
+    IFile now = file.get();
     running =
         Job.create(
-            "Checking " + file.getName(),
+            "Checking " + now.getName(),
             monitor -> {
-              List<ElementFinding> found = check(copy, monitor);
+              List<ElementFinding> found = check(copy, now, monitor);
               display(() -> show(monitor, originals, found));
               return monitor.isCanceled() ? Status.CANCEL_STATUS : Status.OK_STATUS;
             });
@@ -98,9 +104,9 @@ final class EditorValidation {
   /**
    * What goes wrong with the check is a finding, too: never is a chain shown as sound unchecked.
    */
-  private List<ElementFinding> check(EventChain copy, IProgressMonitor monitor) {
+  private List<ElementFinding> check(EventChain copy, IFile place, IProgressMonitor monitor) {
     try {
-      return validation.validate(copy, file, monitor);
+      return validation.validate(copy, place, monitor);
     } catch (RuntimeException | LinkageError | StackOverflowError e) {
       Diagnostic finding =
           Diagnostic.error(

@@ -83,6 +83,8 @@ final class ModelFile {
     } catch (DiagnosticException e) {
       List<Problem> problems = e.diagnostics().stream().map(Problem::of).toList();
       return new Content(Optional.empty(), problems);
+    } catch (RuntimeException | StackOverflowError e) {
+      return Content.wrong("The file cannot be read: " + e, "");
     }
   }
 

@@ -36,6 +36,7 @@ final class ModelPage {
   private final PropertyForm properties;
   private final TreeActions actions;
   private final EditorValidation validation;
+  private final RulesWatch rules;
   private final ChainSelection selection;
   private final List<Runnable> changed = new ArrayList<>();
   private String about = "";
@@ -54,7 +55,7 @@ final class ModelPage {
     managed = form(area);
     ScrolledForm form = managed.getForm();
     FormToolkit toolkit = managed.getToolkit();
-    ProjectMessages messages = new ProjectMessages(file.file());
+    ProjectMessages messages = new ProjectMessages(file::file);
     SashForm sash = new SashForm(form.getBody(), SWT.HORIZONTAL);
     toolkit.adapt(sash);
     GridLayoutFactory.swtDefaults().margins(4, 4).applyTo(form.getBody());
@@ -70,7 +71,8 @@ final class ModelPage {
     addMenu(site);
     validation =
         new EditorValidation(
-            new FolderValidation(messages), model.chain(), file.file(), this::found);
+            new FolderValidation(messages), model.chain(), file::file, this::found);
+    rules = new RulesWatch(file::file, this::recheck);
     FindingsMenu.open(form.getForm(), findings, this::select);
     area.addDisposeListener(event -> dispose());
     start();
@@ -106,6 +108,7 @@ final class ModelPage {
   private void dispose() {
     model.stack().removeCommandStackListener(listener);
     validation.dispose();
+    rules.dispose();
     managed.dispose();
   }
 
@@ -123,6 +126,15 @@ final class ModelPage {
 
   ShownFindings findings() {
     return findings;
+  }
+
+  /** What the chain is checked by may be another thing now: until it is checked, nobody knows. */
+  void recheck() {
+    if (!area.isDisposed()) {
+      isChecked = false;
+      decorate();
+      validation.schedule();
+    }
   }
 
   /** Lets somebody know when the model, or what was found about it, has changed. */

@@ -19,10 +19,10 @@ final class ProjectMessages implements Supplier<Optional<MessageCatalog>> {
 
   private static final IPath FOLDER = IPath.fromPortableString("software-base/msg");
 
-  private final IFile chain;
+  private final Supplier<IFile> chain;
   private volatile Optional<MessageCatalog> known = Optional.empty();
 
-  ProjectMessages(IFile chain) {
+  ProjectMessages(Supplier<IFile> chain) {
     this.chain = chain;
   }
 
@@ -33,7 +33,7 @@ final class ProjectMessages implements Supplier<Optional<MessageCatalog>> {
   }
 
   private MessageCatalog catalog() {
-    for (IContainer folder = chain.getParent();
+    for (IContainer folder = chain.get().getParent();
         folder != null && folder.getType() != IResource.ROOT;
         folder = folder.getParent()) {
       IFolder messages = folder.getFolder(FOLDER);

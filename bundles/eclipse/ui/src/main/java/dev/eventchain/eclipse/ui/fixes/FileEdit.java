@@ -3,8 +3,13 @@ package dev.eventchain.eclipse.ui.fixes;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.charset.CodingErrorAction;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.Optional;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.eclipse.core.resources.IFile;
 import org.eclipse.core.resources.IResource;
 import org.eclipse.core.runtime.CoreException;
@@ -14,7 +19,6 @@ import org.eclipse.core.runtime.Status;
 import org.eclipse.core.runtime.jobs.Job;
 import org.eclipse.jface.dialogs.MessageDialog;
 import org.eclipse.swt.widgets.Shell;
-import org.eclipse.ui.IEditorPart;
 import org.eclipse.ui.IWorkbenchPage;
 import org.eclipse.ui.IWorkbenchWindow;
 import org.eclipse.ui.PlatformUI;
@@ -28,6 +32,10 @@ final class FileEdit {
   interface Change {
     Optional<String> apply(String text) throws CoreException;
   }
+
+  /** The encoding that an XML file declares. */
+  private static final Pattern ENCODING =
+      Pattern.compile("\\A\\uFEFF?<\\?xml[^>]*encoding=[\"']([^\"']+)");
 
   private FileEdit() {}
 
@@ -57,18 +65,33 @@ final class FileEdit {
   }
 
   private static boolean isDirty(IWorkbenchWindow window, IFile file) {
-    for (IWorkbenchPage page : window.getPages()) {
-      IEditorPart editor = page.findEditor(new FileEditorInput(file));
-      if (editor != null && editor.isDirty()) {
-        return true;
-      }
+    FileEditorInput input = new FileEditorInput(file);
+    return Arrays.stream(window.getWorkbench().getWorkbenchWindows())
+        .flatMap(each -> Arrays.stream(each.getPages()))
+        .flatMap(page -> Arrays.stream(page.findEditors(input, null, IWorkbenchPage.MATCH_INPUT)))
+        .map(reference -> reference.getEditor(false))
+        .anyMatch(editor -> editor != null && editor.isDirty());
+  }
+
+  /** Text that is not UTF-8 is none: what it is would be lost. */
+  private static String text(byte[] bytes) throws IOException {
+    String text =
+        StandardCharsets.UTF_8
+            .newDecoder()
+            .onMalformedInput(CodingErrorAction.REPORT)
+            .onUnmappableCharacter(CodingErrorAction.REPORT)
+            .decode(ByteBuffer.wrap(bytes))
+            .toString();
+    Matcher declared = ENCODING.matcher(text);
+    if (declared.find() && !declared.group(1).equalsIgnoreCase("UTF-8")) {
+      throw new IOException("it says that it is " + declared.group(1) + ", not UTF-8");
     }
-    return false;
+    return text;
   }
 
   private static IStatus change(IFile file, Change change, IProgressMonitor monitor) {
     try (InputStream content = file.getContents()) {
-      String text = new String(content.readAllBytes(), StandardCharsets.UTF_8);
+      String text = text(content.readAllBytes());
       Optional<String> changed = change.apply(text);
       if (changed.isEmpty()) {
         return Status.warning(

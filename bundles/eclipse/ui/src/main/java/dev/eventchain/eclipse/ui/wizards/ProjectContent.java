@@ -10,6 +10,7 @@ import java.util.List;
 import java.util.regex.Matcher;
 import java.util.stream.Stream;
 import org.eclipse.core.runtime.CoreException;
+import org.eclipse.core.runtime.IPath;
 import org.eclipse.core.runtime.IProgressMonitor;
 import org.eclipse.core.runtime.IStatus;
 import org.eclipse.core.runtime.OperationCanceledException;
@@ -121,6 +122,22 @@ final class ProjectContent {
     } catch (IOException | java.io.UncheckedIOException e) {
       throw failure("The example cannot be copied: " + e.getMessage(), e);
     }
+  }
+
+  /**
+   * Makes sure that the folder is still missing or empty, since {@link #undo} takes all of it away.
+   *
+   * @throws CoreException if somebody has put something there
+   */
+  void requireFree() throws CoreException {
+    if (!isFree(folder)) {
+      throw failure("There is something in " + folder + " by now.", null);
+    }
+  }
+
+  /** Whether a project's folder is the one that is filled here. */
+  boolean isIn(IPath location) {
+    return location != null && location.toPath().equals(folder);
   }
 
   /** Takes away all that was written. */

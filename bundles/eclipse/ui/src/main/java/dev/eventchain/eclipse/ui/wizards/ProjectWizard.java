@@ -72,6 +72,7 @@ public final class ProjectWizard extends Wizard implements INewWizard {
       @Override
       protected void execute(IProgressMonitor monitor) throws CoreException, InterruptedException {
         monitor.beginTask("Creating " + project.getName(), IProgressMonitor.UNKNOWN);
+        content.requireFree();
         boolean done = false;
         try {
           if (example.isEmpty()) {
@@ -107,7 +108,8 @@ public final class ProjectWizard extends Wizard implements INewWizard {
   }
 
   private static void undo(IProject project, ProjectContent content) throws CoreException {
-    if (project.exists()) {
+    boolean ours = project.exists() && content.isIn(project.getLocation());
+    if (ours) {
       project.delete(false, true, null);
     }
     content.undo();
