@@ -29,6 +29,7 @@ public record Program(Path file) {
   private static final int SECONDS_TO_END = 10;
 
   private static final int MILLISECONDS_BETWEEN_LOOKS = 100;
+  private static final int MILLISECONDS_TO_READ = 1000;
 
   /**
    * Finds the program: as people have set it, else on the path.
@@ -49,11 +50,7 @@ public record Program(Path file) {
             ? "There is no program 'eventchain' on the path."
             : "'" + set + "' is no program that can be started.";
     throw new CoreException(
-        EventchainCore.failure(
-            problem
-                + " Name the file 'eventchain' of your copy of Eventchain under Window >"
-                + " Preferences > Eventchain.",
-            null));
+        EventchainCore.failure(problem + " Set it under Window > Preferences > Eventchain.", null));
   }
 
   private static Optional<Path> onPath() {
@@ -82,6 +79,25 @@ public record Program(Path file) {
     List<String> command = new ArrayList<>(List.of(file.toString()));
     command.addAll(arguments);
     Process process = start(command, folder);
+    // If the workbench is ended from outside, nobody is left who could end the run.
+    Thread end = new Thread(process::destroy);
+    Runtime.getRuntime().addShutdownHook(end);
+    try {
+      return await(process, output, monitor);
+    } finally {
+      forget(end);
+    }
+  }
+
+  private static void forget(Thread hook) {
+    try {
+      Runtime.getRuntime().removeShutdownHook(hook);
+    } catch (IllegalStateException e) {
+      return; // it is being run
+    }
+  }
+
+  private static int await(Process process, Consumer<String> output, IProgressMonitor monitor) {
     Thread reader = new Thread(() -> read(process.getInputStream(), output), "eventchain output");
     reader.setDaemon(true);
     reader.start();
@@ -89,6 +105,7 @@ public record Program(Path file) {
       while (!process.waitFor(MILLISECONDS_BETWEEN_LOOKS, TimeUnit.MILLISECONDS)) {
         if (monitor.isCanceled()) {
           end(process);
+          reader.join(MILLISECONDS_TO_READ); // what it said last
           throw new OperationCanceledException();
         }
       }

@@ -191,7 +191,7 @@ public final class ProjectChecks {
         new Diagnostic(
             "eclipse.findings.more",
             next.severity(),
-            "There are " + more + " more that have no marker.",
+            "Not shown as markers: " + more + " more.",
             SourceLocation.of(next.location().file()),
             "'eventchain validate' on the command line shows all.",
             "",

@@ -21,6 +21,10 @@ public record TextFix(int start, int end, String by) {
   private static final Pattern MEANT = Pattern.compile("Did you mean `([^`]+)`\\?");
 
   private static final Pattern QUOTED = Pattern.compile("[`']([^`']+)[`']");
+
+  /** A name in a message, which not all messages quote: topics stand by themselves. */
+  private static final Pattern NAME = Pattern.compile("[\\w/][\\w/.:-]*[\\w]");
+
   private static final Set<String> XML = Set.of("xmi", "eventchain", "ecore");
 
   /** The name that a hint asks for, if it does. */
@@ -30,7 +34,7 @@ public record TextFix(int start, int end, String by) {
   }
 
   /**
-   * Puts the name that a hint asks for in the place of the one that the message quotes.
+   * Puts the name that a hint asks for in the place of the one in the message that is like it.
    *
    * @param text the file's text
    * @param offset where the finding is
@@ -47,9 +51,9 @@ public record TextFix(int start, int end, String by) {
     int from = begin(text, offset, extension);
     int to = end(text, offset, extension);
     List<TextFix> found = new ArrayList<>();
-    Matcher quoted = QUOTED.matcher(message);
-    while (quoted.find()) {
-      String wrong = quoted.group(1);
+    Matcher named = NAME.matcher(message);
+    while (named.find()) {
+      String wrong = named.group();
       boolean near =
           !wrong.equals(meant.get()) && NearestName.of(wrong, Set.of(meant.get())).isPresent();
       if (near) {

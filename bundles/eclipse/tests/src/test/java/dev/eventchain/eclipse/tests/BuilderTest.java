@@ -421,7 +421,9 @@ class BuilderTest {
       project.build();
       IMarker more = project.marker("eclipse.findings.more");
       assertEquals(1001, project.found().length);
-      assertTrue(more.getAttribute(IMarker.MESSAGE, "").matches("There are \\d+ findings more.*"));
+      assertTrue(
+          more.getAttribute(IMarker.MESSAGE, "")
+              .matches("Not shown as markers: \\d+ findings more.*"));
       assertEquals(IResource.FILE, more.getResource().getType());
     }
   }

@@ -41,6 +41,18 @@ class TextFixTest {
   }
 
   @Test
+  void topicIsFoundWithoutQuotes() {
+    String text = "<data name=\"valid\" topicName=\"/radar/targt\"/>";
+    assertEquals(
+        Optional.of(text.replace("targt", "target")),
+        nearest(
+            text,
+            "topicName",
+            "'Radar_Tracking' reads /radar/targt, but no component writes it.",
+            "Did you mean `/radar/target`?"));
+  }
+
+  @Test
   void hintThatAsksNothingChangesNothing() {
     assertEquals(
         Optional.empty(), nearest(XML, "fieldName", "No 'rangez'.", "Known are `ranges`."));

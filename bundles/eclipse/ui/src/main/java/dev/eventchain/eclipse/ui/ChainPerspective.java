@@ -23,6 +23,7 @@ public final class ChainPerspective implements IPerspectiveFactory {
       below.addView(DIAGRAM);
     }
     layout.addView(IPageLayout.ID_OUTLINE, IPageLayout.RIGHT, 0.75f, editor);
+    layout.addNewWizardShortcut(EventchainUi.ID + ".wizards.project");
     layout.addShowViewShortcut(PROJECTS);
     layout.addShowViewShortcut(IPageLayout.ID_PROBLEM_VIEW);
     layout.addShowViewShortcut(CONSOLE);

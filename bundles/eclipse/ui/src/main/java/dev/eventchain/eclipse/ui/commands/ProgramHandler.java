@@ -13,8 +13,8 @@ import org.eclipse.core.runtime.IConfigurationElement;
 import org.eclipse.core.runtime.IExecutableExtension;
 import org.eclipse.jface.dialogs.MessageDialog;
 import org.eclipse.swt.widgets.Shell;
-import org.eclipse.ui.PlatformUI;
 import org.eclipse.ui.handlers.HandlerUtil;
+import org.eclipse.ui.ide.IDE;
 
 /**
  * Starts a command of {@code eventchain} on the folder of the project that is selected, as its
@@ -46,8 +46,13 @@ public final class ProgramHandler extends AbstractHandler implements IExecutable
     }
     try {
       Program program = Program.find();
-      if (PlatformUI.getWorkbench().saveAllEditors(true)) {
-        new ProgramJob(program, command, folder.get()).schedule();
+      if (ProgramJob.isRunning(folder.get())) {
+        MessageDialog.openInformation(
+            shell,
+            "Eventchain",
+            "A run of this project is going on. Wait for it, or end it in the Progress view.");
+      } else if (IDE.saveAllEditors(new IResource[] {folder.get()}, true)) {
+        new ProgramJob(program, command, folder.get()).start();
       }
     } catch (CoreException e) {
       MessageDialog.openError(shell, "Eventchain", e.getStatus().getMessage());

@@ -11,7 +11,13 @@ import org.eclipse.core.runtime.IProgressMonitor;
 import org.eclipse.core.runtime.IStatus;
 import org.eclipse.core.runtime.OperationCanceledException;
 import org.eclipse.core.runtime.Status;
+import org.eclipse.core.runtime.jobs.IJobChangeEvent;
 import org.eclipse.core.runtime.jobs.Job;
+import org.eclipse.core.runtime.jobs.JobChangeAdapter;
+import org.eclipse.jface.dialogs.MessageDialog;
+import org.eclipse.ui.IWorkbench;
+import org.eclipse.ui.IWorkbenchListener;
+import org.eclipse.ui.PlatformUI;
 import org.eclipse.ui.console.ConsolePlugin;
 import org.eclipse.ui.console.IConsole;
 import org.eclipse.ui.console.MessageConsole;
@@ -19,6 +25,9 @@ import org.eclipse.ui.console.MessageConsoleStream;
 
 /** A run of {@code eventchain} with its output in a console; whoever cancels the job ends it. */
 final class ProgramJob extends Job {
+
+  /** How long the workbench waits for a run to leave its files complete, in ms. */
+  private static final long LONGEST_END = 12_000;
 
   private final Program program;
   private final String command;
@@ -30,6 +39,59 @@ final class ProgramJob extends Job {
     this.command = command;
     this.folder = folder;
     setUser(false); // in the background, with its output in the console
+  }
+
+  /** Whether a run of a project is going on. */
+  static boolean isRunning(IContainer folder) {
+    return Job.getJobManager().find(folder.getFullPath()).length > 0;
+  }
+
+  @Override
+  public boolean belongsTo(Object family) {
+    return folder.getFullPath().equals(family);
+  }
+
+  /** Starts, and asks before the workbench is closed over it. From the workbench's thread only. */
+  void start() {
+    IWorkbenchListener closing =
+        new IWorkbenchListener() {
+          @Override
+          public boolean preShutdown(IWorkbench workbench, boolean forced) {
+            return forced || mayEnd(workbench);
+          }
+
+          @Override
+          public void postShutdown(IWorkbench workbench) {
+            // It has ended by then.
+          }
+        };
+    IWorkbench workbench = PlatformUI.getWorkbench();
+    workbench.addWorkbenchListener(closing);
+    addJobChangeListener(
+        new JobChangeAdapter() {
+          @Override
+          public void done(IJobChangeEvent event) {
+            workbench.removeWorkbenchListener(closing);
+          }
+        });
+    schedule();
+  }
+
+  private boolean mayEnd(IWorkbench workbench) {
+    boolean ends =
+        MessageDialog.openQuestion(
+            workbench.getModalDialogShellProvider().getShell(),
+            "Eventchain",
+            getName() + " is still running. End it?");
+    if (ends) {
+      cancel();
+      try {
+        join(LONGEST_END, null);
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+      }
+    }
+    return ends;
   }
 
   @Override
@@ -69,7 +131,7 @@ final class ProgramJob extends Job {
     return switch (code) {
       case 0 -> "Done.";
       case 1 -> "There are findings, or the verdict is not PASSED.";
-      case 2 -> "The input could not be read.";
+      case 2 -> "It could not be done; what is in the way is named above.";
       case 3 -> "This machine lacks something that the command needs; it is named above.";
       case 4 -> "An answer of a language model is awaited; it is said above where.";
       default -> "It ended with " + code + ".";

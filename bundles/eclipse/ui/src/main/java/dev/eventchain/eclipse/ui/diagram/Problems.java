@@ -6,7 +6,11 @@ import dev.eventchain.eclipse.diagram.ChainDiagram.Box;
 import dev.eventchain.metamodel.Origins;
 import java.util.ArrayList;
 import java.util.Comparator;
+import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import org.eclipse.core.resources.IFile;
 import org.eclipse.core.resources.IMarker;
 import org.eclipse.core.resources.IResource;
@@ -24,6 +28,9 @@ final class Problems {
   /** A finding; more is worse. */
   record Problem(String element, int severity, String message) {}
 
+  private static final Comparator<Problem> WORST_FIRST =
+      Comparator.comparingInt(Problem::severity).reversed();
+
   private final List<List<Problem>> byBox = new ArrayList<>();
 
   private Problems() {}
@@ -34,16 +41,30 @@ final class Problems {
    * @param file may be null or gone, which has no findings
    */
   static Problems of(IFile file, ChainDiagram diagram) {
-    List<Problem> all = read(file);
+    Map<String, Set<Problem>> byPath = byPath(read(file));
     Problems problems = new Problems();
     for (Box box : diagram.boxes()) {
-      List<String> paths = all.isEmpty() ? List.of() : paths(box);
-      problems.byBox.add(
-          all.stream()
-              .filter(problem -> paths.stream().anyMatch(path -> isIn(problem.element(), path)))
-              .toList());
+      Set<Problem> found = new LinkedHashSet<>();
+      for (String path : byPath.isEmpty() ? List.<String>of() : paths(box)) {
+        found.addAll(byPath.getOrDefault(path, Set.of()));
+      }
+      List<Problem> sorted = new ArrayList<>(found);
+      sorted.sort(WORST_FIRST);
+      problems.byBox.add(sorted);
     }
     return problems;
+  }
+
+  /** The findings by the paths of their elements and of all that these are in. */
+  private static Map<String, Set<Problem>> byPath(List<Problem> all) {
+    Map<String, Set<Problem>> byPath = new HashMap<>();
+    for (Problem problem : all) {
+      String path = problem.element();
+      for (int end = path.length(); end > 0; end = path.lastIndexOf('/', end - 1)) {
+        byPath.computeIfAbsent(path.substring(0, end), key -> new LinkedHashSet<>()).add(problem);
+      }
+    }
+    return byPath;
   }
 
   private static List<Problem> read(IFile file) {
@@ -64,7 +85,6 @@ final class Problems {
         return List.of(); // the file went meanwhile
       }
     }
-    all.sort(Comparator.comparingInt(Problem::severity).reversed());
     return all;
   }
 
@@ -75,11 +95,6 @@ final class Problems {
   /** The path of an element, as findings name it. */
   static String path(EObject element) {
     return new Origins().locate(element).element();
-  }
-
-  private static boolean isIn(String path, String container) {
-    return path.startsWith(container)
-        && (path.length() == container.length() || path.charAt(container.length()) == '/');
   }
 
   /** The worst severity at each box; -1 for none. */

@@ -12,6 +12,11 @@ import org.eclipse.ui.dialogs.SaveAsDialog;
 /** What an editor asks when its file is not as it was. */
 final class SaveDialogs {
 
+  private static final int FIRST = 0;
+
+  /** The button that Enter presses where the first one would lose somebody's work. */
+  private static final int SECOND = 1;
+
   private SaveDialogs() {}
 
   /** Whether the editor takes over what somebody else has written, and gives up its changes. */
@@ -21,7 +26,8 @@ final class SaveDialogs {
         "File changed",
         file.getName() + " has been changed on the disk, and here, too. Which of both is to stay?",
         "Load the file",
-        "Keep my changes");
+        "Keep my changes",
+        SECOND);
   }
 
   /** Whether the file is written over what somebody else has written meanwhile. */
@@ -31,7 +37,8 @@ final class SaveDialogs {
         "File changed",
         file.getName() + " has been changed on the disk since it was opened.",
         "Overwrite it",
-        "Cancel");
+        "Cancel",
+        SECOND);
   }
 
   /**
@@ -45,7 +52,8 @@ final class SaveDialogs {
         "Not saved",
         file.getName() + " was not written: " + reason,
         "Save As\u2026",
-        "Cancel");
+        "Cancel",
+        FIRST);
   }
 
   /** Where to write the chain to; empty if nowhere. */
@@ -61,9 +69,11 @@ final class SaveDialogs {
     MessageDialog.openError(shell, "Event chain", text);
   }
 
-  private static boolean ask(Shell shell, String title, String text, String yes, String no) {
+  private static boolean ask(
+      Shell shell, String title, String text, String yes, String no, int preselected) {
     String[] buttons = {yes, no};
-    return new MessageDialog(shell, title, null, text, MessageDialog.WARNING, buttons, 0).open()
+    return new MessageDialog(shell, title, null, text, MessageDialog.WARNING, buttons, preselected)
+            .open()
         == 0;
   }
 }

@@ -2,7 +2,6 @@ package dev.eventchain.eclipse.ui.fixes;
 
 import dev.eventchain.eclipse.FindingMarker;
 import dev.eventchain.eclipse.RulePages;
-import java.util.regex.Pattern;
 import org.eclipse.core.resources.IMarker;
 import org.eclipse.jface.dialogs.Dialog;
 import org.eclipse.jface.dialogs.IDialogConstants;
@@ -15,6 +14,7 @@ import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Shell;
 import org.eclipse.swt.widgets.Text;
 import org.eclipse.ui.IMarkerResolution;
+import org.eclipse.ui.IMarkerResolutionRelevance;
 import org.eclipse.ui.PlatformUI;
 
 /**
@@ -22,11 +22,7 @@ import org.eclipse.ui.PlatformUI;
  *
  * @param id that of the finding
  */
-record ExplainResolution(String id) implements IMarkerResolution {
-
-  /** A line break inside of a paragraph: the dialog wraps lines at its own width. */
-  private static final Pattern WRAPPED =
-      Pattern.compile("(?<=[^\\n])(?<!^#[^\\n]{0,80})\\n(?=[^\\s#|*-])", Pattern.MULTILINE);
+record ExplainResolution(String id) implements IMarkerResolution, IMarkerResolutionRelevance {
 
   private static final int WIDTH = 720;
   private static final int HEIGHT = 520;
@@ -34,6 +30,12 @@ record ExplainResolution(String id) implements IMarkerResolution {
   @Override
   public String getLabel() {
     return "Explain " + id;
+  }
+
+  /** After all that mends something. */
+  @Override
+  public int getRelevanceForResolution() {
+    return -1;
   }
 
   @Override
@@ -44,8 +46,23 @@ record ExplainResolution(String id) implements IMarkerResolution {
     String about = rule.isEmpty() ? "" : "Rule: " + rule + "\n";
     String see = related.isEmpty() ? "" : "See: " + related.replace("\n", ", ") + "\n";
     String before = about + see;
-    page = WRAPPED.matcher(page).replaceAll(" ");
+    page = paragraphs(page);
     new PageDialog(id, before.isEmpty() ? page : before + "\n" + page).open();
+  }
+
+  /** Joins the lines of each paragraph, since the dialog wraps them at its own width. */
+  static String paragraphs(String markdown) {
+    StringBuilder text = new StringBuilder();
+    boolean code = false;
+    boolean open = false;
+    for (String line : markdown.lines().toList()) {
+      boolean fence = line.startsWith("```");
+      boolean plain = !code && !fence && !line.isBlank() && !line.matches("[\\s#|*-].*");
+      text.append(text.isEmpty() ? "" : open && plain ? " " : "\n").append(line);
+      code ^= fence;
+      open = !code && !fence && !line.isBlank() && !line.startsWith("#");
+    }
+    return text.append('\n').toString();
   }
 
   private static final class PageDialog extends Dialog {

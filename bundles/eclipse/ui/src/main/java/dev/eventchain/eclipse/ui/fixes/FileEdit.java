@@ -94,7 +94,7 @@ final class FileEdit {
       String text = text(content.readAllBytes());
       Optional<String> changed = change.apply(text);
       if (changed.isEmpty()) {
-        return Status.warning(
+        return Status.error( // which the platform shows in a dialog
             "The text is another one by now, or it is not certain what is to be changed: mend it by"
                 + " hand.");
       }

@@ -103,6 +103,7 @@ public final class ProjectWizard extends Wizard implements INewWizard {
     description.setLocation(location);
     project.create(description, null);
     project.open(null);
+    project.setDefaultCharset("UTF-8", null);
     EventchainCore.setNature(project, true, monitor);
     project.refreshLocal(IResource.DEPTH_INFINITE, null);
   }
