@@ -198,6 +198,47 @@ final class Structure {
         by < 0 ? "move up" : "move down", () -> list.move(list.indexOf(element) + by, element));
   }
 
+  /** Whether two elements are neighbours in one list, so that one can be put beside the other. */
+  static boolean canMove(Object parent, EObject element, EObject neighbour) {
+    EList<Object> list = listOf(parent, element);
+    return list != null && list.contains(neighbour);
+  }
+
+  /**
+   * Puts an element beside a neighbour.
+   *
+   * @param after whether behind it, else before it
+   */
+  void move(Object parent, EObject element, EObject neighbour, boolean after) {
+    EList<Object> list = listOf(parent, element);
+    int to = list.indexOf(neighbour) + (after ? 1 : 0);
+    int place = list.indexOf(element) < to ? to - 1 : to;
+    model.change("move", () -> list.move(place, element));
+  }
+
+  /** Whether data that one component reads or writes can be another one's instead. */
+  static boolean canGive(Data data, Object from, SoftwareNode to) {
+    return from instanceof SoftwareNode
+        && from != to
+        && !to.getInput().contains(data)
+        && !to.getOutput().contains(data);
+  }
+
+  /** Makes what one component reads or writes another one's. */
+  void give(Data data, Object from, SoftwareNode to) {
+    SoftwareNode former = (SoftwareNode) from;
+    model.change(
+        "move",
+        () -> {
+          if (former.getInput().remove(data)) {
+            to.getInput().add(data);
+          }
+          if (former.getOutput().remove(data)) {
+            to.getOutput().add(data);
+          }
+        });
+  }
+
   /** The values of a reference with several. */
   static EList<Object> list(EObject owner, EReference feature) {
     return AbstractOverrideableCommand.getOwnerList(owner, feature);

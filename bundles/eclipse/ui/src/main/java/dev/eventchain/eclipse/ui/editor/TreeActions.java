@@ -44,6 +44,7 @@ final class TreeActions {
   TreeActions(EditedModel model, ChainTree tree) {
     this.model = model;
     this.structure = new Structure(model);
+    TreeDrag.enable(tree, structure);
     this.tree = tree;
     ISharedImages images = PlatformUI.getWorkbench().getSharedImages();
     delete.show(images, ISharedImages.IMG_TOOL_DELETE);
