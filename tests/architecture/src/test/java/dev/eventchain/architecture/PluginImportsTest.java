@@ -41,7 +41,15 @@ class PluginImportsTest {
   @Test
   void coreChecksWithoutStages() throws IOException {
     assertEquals(
-        Set.of("diagnostics", "m2t", "messages", "metamodel", "modeler", "ocl", "templates", "validation"),
+        Set.of(
+            "diagnostics",
+            "m2t",
+            "messages",
+            "metamodel",
+            "modeler",
+            "ocl",
+            "templates",
+            "validation"),
         imports("core"));
   }
 

@@ -11,6 +11,7 @@ import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
+import java.util.regex.Pattern;
 import org.eclipse.core.resources.IFile;
 import org.eclipse.core.resources.IMarker;
 import org.eclipse.core.resources.IResource;
@@ -149,6 +150,54 @@ class CommandsUiTest {
           "the change", () -> project.text("rules.ocl").contains("self.frequency > 1"));
       project.build();
       assertEquals(List.of(), project.markers());
+    }
+  }
+
+  @Test
+  void quickFixWritesTheUnitOfTheOtherSide() throws Exception {
+    try (TestProject project = TestProject.ofRadarExample("ui-unit")) {
+      String good = project.text(CHAIN);
+      int last = good.lastIndexOf("unit=\"m/s\"");
+      project.write(CHAIN, good.substring(0, last) + "unit=\"km/h\"" + good.substring(last + 10));
+      project.build();
+      fix(project.marker("contract.unit.mismatch"), "Write the unit of the other side");
+      Workbench.waitUntil("the change", () -> project.text(CHAIN).equals(good));
+    }
+  }
+
+  @Test
+  void quickFixTakesOverTheQualityOfServiceOfTheOtherSide() throws Exception {
+    try (TestProject project = TestProject.ofRadarExample("ui-qos")) {
+      String good = project.text(CHAIN);
+      String weak = "<qos name=\"sensor_data\"/>";
+      String broken = good.replaceFirst("<qos name=\"default\"/>", weak);
+      project.write(CHAIN, broken.replaceFirst("<qos name=\"default\"/>", weak));
+      project.build();
+      IMarker marker =
+          Arrays.stream(project.found())
+              .filter(each -> each.getAttribute("id", "").equals("contract.qos.incompatible"))
+              .findFirst()
+              .orElseThrow();
+      long before = count(project.text(CHAIN), weak);
+      fix(marker, "Take over the quality of service of the other side");
+      Workbench.waitUntil("the change", () -> count(project.text(CHAIN), weak) != before);
+    }
+  }
+
+  private static long count(String text, String part) {
+    return text.split(Pattern.quote(part), -1).length - 1L;
+  }
+
+  @Test
+  void quickFixWritesTheTextOfTheRequirement() throws Exception {
+    try (TestProject project = TestProject.ofRadarExample("ui-requirement")) {
+      String good = project.text(CHAIN);
+      project.write(CHAIN, good.replace("text=\"The system shall warn", "text=\"It might warn"));
+      project.build();
+      fix(
+          project.marker("project.requirement.changed"),
+          "Write the text of requirements.md into the model");
+      Workbench.waitUntil("the change", () -> project.text(CHAIN).equals(good));
     }
   }
 

@@ -1,9 +1,9 @@
 package dev.eventchain.eclipse.ui.fixes;
 
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.eclipse.FindingMarker;
 import dev.eventchain.metamodel.LoadedModel;
-import dev.eventchain.metamodel.Origins;
 import dev.eventchain.metamodel.XmiStore;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
@@ -29,14 +29,15 @@ record ElementResolution(ElementFix fix) implements IMarkerResolution {
   public void run(IMarker marker) {
     IFile file = (IFile) marker.getResource();
     String element = marker.getAttribute(FindingMarker.ELEMENT, "");
-    FileEdit.start(fix.label(), file, text -> changed(file, element));
+    int line = marker.getAttribute(IMarker.LINE_NUMBER, 0);
+    FileEdit.start(fix.label(), file, text -> changed(file, element, line));
   }
 
-  private Optional<String> changed(IFile file, String path) throws CoreException {
+  private Optional<String> changed(IFile file, String path, int line) throws CoreException {
     try {
       Path location = file.getLocation().toPath();
       LoadedModel model = new XmiStore(location.getParent()).load(location);
-      Optional<EObject> element = find(model, path);
+      Optional<EObject> element = find(model, path, line);
       return element.isPresent() && fix.apply(element.get(), file)
           ? Optional.of(new String(XmiStore.toBytes(model.roots()), StandardCharsets.UTF_8))
           : Optional.empty();
@@ -45,15 +46,17 @@ record ElementResolution(ElementFix fix) implements IMarkerResolution {
     }
   }
 
-  private static Optional<EObject> find(LoadedModel model, String path) {
-    Origins paths = new Origins();
+  /** The element of a path; of several that are called alike, the one that the line is in. */
+  private static Optional<EObject> find(LoadedModel model, String path, int line) {
+    EObject found = null;
     Iterator<EObject> all = EcoreUtil.getAllProperContents(model.roots(), false);
     while (all.hasNext()) {
       EObject each = all.next();
-      if (paths.locate(each).element().equals(path)) {
-        return Optional.of(each);
+      SourceLocation place = model.origins().locate(each);
+      if (place.element().equals(path) && (found == null || place.line() <= line)) {
+        found = each;
       }
     }
-    return Optional.empty();
+    return Optional.ofNullable(found);
   }
 }

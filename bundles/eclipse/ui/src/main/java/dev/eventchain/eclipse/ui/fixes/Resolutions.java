@@ -27,7 +27,7 @@ public final class Resolutions implements IMarkerResolutionGenerator2 {
       switch (id) {
         case "xmi.reference.unresolved" -> found.add(TextResolution.withoutReference());
         case "contract.unit.mismatch" -> found.add(new ElementResolution(ElementFix.UNIT));
-        case "contract.qos.incompatible", "contract.qos.ambiguous" ->
+        case "contract.qos.incompatible", "contract.qos.ambiguous", "contract.qos.undecided" ->
             found.add(new ElementResolution(ElementFix.QUALITY_OF_SERVICE));
         case "project.requirement.changed" ->
             found.add(new ElementResolution(ElementFix.REQUIREMENT_TEXT));
