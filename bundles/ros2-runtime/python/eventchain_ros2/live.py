@@ -367,4 +367,5 @@ _MISSED: dict[type, str] = {Reader: "nothing was received in time", Writer: "not
 
 
 def _warn(text: str) -> None:
-    print(f"[WARN] {text}", file=sys.stderr, flush=True)
+    sys.stderr.write(f"[WARN] {text}\n")  # in one piece: nodes write from their own threads
+    sys.stderr.flush()
