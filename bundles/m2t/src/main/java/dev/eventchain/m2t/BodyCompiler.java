@@ -1,7 +1,9 @@
 package dev.eventchain.m2t;
 
 import dev.eventchain.diagnostics.SourceRange;
-import dev.eventchain.m2t.Syntax.Node;
+import dev.eventchain.m2t.syntax.Place;
+import dev.eventchain.m2t.syntax.Syntax;
+import dev.eventchain.m2t.syntax.Syntax.Node;
 import dev.eventchain.ocl.Expression;
 import dev.eventchain.ocl.ExpressionLanguage;
 import dev.eventchain.ocl.Scope;

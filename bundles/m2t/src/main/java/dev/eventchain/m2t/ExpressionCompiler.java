@@ -1,6 +1,7 @@
 package dev.eventchain.m2t;
 
 import dev.eventchain.diagnostics.SourceRange;
+import dev.eventchain.m2t.syntax.Problems;
 import dev.eventchain.ocl.Expression;
 import dev.eventchain.ocl.ExpressionLanguage;
 import dev.eventchain.ocl.Scope;

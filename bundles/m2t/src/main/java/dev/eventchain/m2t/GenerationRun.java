@@ -2,6 +2,7 @@ package dev.eventchain.m2t;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.m2t.syntax.Place;
 import dev.eventchain.ocl.Evaluation;
 import dev.eventchain.ocl.Expression;
 import dev.eventchain.ocl.Invalid;

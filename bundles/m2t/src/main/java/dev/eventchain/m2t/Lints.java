@@ -1,6 +1,8 @@
 package dev.eventchain.m2t;
 
-import dev.eventchain.m2t.Syntax.Visibility;
+import dev.eventchain.m2t.syntax.Problems;
+import dev.eventchain.m2t.syntax.Syntax;
+import dev.eventchain.m2t.syntax.Syntax.Visibility;
 import dev.eventchain.ocl.Expression;
 import java.util.ArrayDeque;
 import java.util.ArrayList;

@@ -1,7 +1,8 @@
 package dev.eventchain.m2t;
 
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.m2t.Syntax.Visibility;
+import dev.eventchain.m2t.syntax.Place;
+import dev.eventchain.m2t.syntax.Syntax.Visibility;
 import dev.eventchain.ocl.Evaluation;
 import dev.eventchain.ocl.Expression;
 import dev.eventchain.ocl.Invalid;

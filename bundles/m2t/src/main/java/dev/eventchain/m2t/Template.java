@@ -1,6 +1,7 @@
 package dev.eventchain.m2t;
 
-import dev.eventchain.m2t.Syntax.Visibility;
+import dev.eventchain.m2t.syntax.Place;
+import dev.eventchain.m2t.syntax.Syntax.Visibility;
 import dev.eventchain.ocl.Evaluation;
 import dev.eventchain.ocl.Expression;
 import dev.eventchain.ocl.Invalid;

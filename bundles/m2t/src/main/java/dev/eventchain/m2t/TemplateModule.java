@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.m2t.syntax.ModuleLoader;
 import dev.eventchain.ocl.DeepStack;
 import java.nio.file.Files;
 import java.nio.file.Path;

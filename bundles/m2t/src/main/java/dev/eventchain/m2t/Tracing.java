@@ -3,6 +3,7 @@ package dev.eventchain.m2t;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.m2t.GenerationTrace.Origin;
 import dev.eventchain.m2t.GenerationTrace.Segment;
+import dev.eventchain.m2t.syntax.Place;
 import dev.eventchain.ocl.Expression;
 import java.util.ArrayList;
 import java.util.Arrays;

@@ -1,5 +1,6 @@
 package dev.eventchain.architecture;
 
+import static com.tngtech.archunit.base.DescribedPredicate.not;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
 import static com.tngtech.archunit.lang.conditions.ArchPredicates.are;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
@@ -127,6 +128,18 @@ class ArchitectureTest {
           .should()
           .dependOnClassesThat()
           .resideInAPackage(ROOT + "metamodel..");
+
+  /** Templates are read first, then linked and run: what reads them knows nothing of that. */
+  @ArchTest
+  static final ArchRule READING_TEMPLATES_KNOWS_NO_RUN =
+      noClasses()
+          .that(are(resideInAPackage(ROOT + "m2t.syntax..")))
+          .should()
+          .dependOnClassesThat(
+              resideInAPackage(ROOT + "m2t..").and(not(resideInAPackage(ROOT + "m2t.syntax.."))))
+          .orShould()
+          .dependOnClassesThat()
+          .resideInAnyPackage(ROOT + "ocl..", "org.eclipse.emf..");
 
   @ArchTest
   static final ArchRule NO_BUNDLE_OPENS_HTTP_BUT_LLM =

@@ -1,4 +1,4 @@
-package dev.eventchain.m2t;
+package dev.eventchain.m2t.syntax;
 
 /** String literals of OCL, as far as finding their end goes. */
 final class Quotes {

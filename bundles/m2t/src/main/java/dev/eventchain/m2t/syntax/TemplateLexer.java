@@ -1,7 +1,7 @@
-package dev.eventchain.m2t;
+package dev.eventchain.m2t.syntax;
 
 import dev.eventchain.diagnostics.NearestName;
-import dev.eventchain.m2t.Token.Kind;
+import dev.eventchain.m2t.syntax.Token.Kind;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;

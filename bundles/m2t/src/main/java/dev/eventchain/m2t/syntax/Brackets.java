@@ -1,4 +1,4 @@
-package dev.eventchain.m2t;
+package dev.eventchain.m2t.syntax;
 
 import dev.eventchain.diagnostics.SourceRange;
 import java.util.ArrayDeque;
@@ -12,7 +12,7 @@ import java.util.Optional;
  * that was forgotten, for it has to be written {@code ['['/]}. Where the brackets depend on
  * conditions or are computed it keeps silent.
  */
-final class Brackets {
+public final class Brackets {
   private final String source;
   private final Deque<Integer> open = new ArrayDeque<>();
   private final List<Integer> closeWithoutOpen = new ArrayList<>();
@@ -23,7 +23,7 @@ final class Brackets {
   }
 
   /** Warns of the first bracket of a template, or of a file in it, that has no partner. */
-  static void check(List<Syntax.Node> body, Problems problems) {
+  public static void check(List<Syntax.Node> body, Problems problems) {
     if (!new Brackets(problems.source().text()).isOnlyABracket(body)) {
       checkText(body, problems);
     }

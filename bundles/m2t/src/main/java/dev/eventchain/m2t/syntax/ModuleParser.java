@@ -1,13 +1,13 @@
-package dev.eventchain.m2t;
+package dev.eventchain.m2t.syntax;
 
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceRange;
-import dev.eventchain.m2t.Syntax.Name;
-import dev.eventchain.m2t.Syntax.Query;
-import dev.eventchain.m2t.Syntax.Template;
-import dev.eventchain.m2t.Syntax.Variable;
-import dev.eventchain.m2t.Syntax.Visibility;
-import dev.eventchain.m2t.Token.Kind;
+import dev.eventchain.m2t.syntax.Syntax.Name;
+import dev.eventchain.m2t.syntax.Syntax.Query;
+import dev.eventchain.m2t.syntax.Syntax.Template;
+import dev.eventchain.m2t.syntax.Syntax.Variable;
+import dev.eventchain.m2t.syntax.Syntax.Visibility;
+import dev.eventchain.m2t.syntax.Token.Kind;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;

@@ -1,9 +1,9 @@
-package dev.eventchain.m2t;
+package dev.eventchain.m2t.syntax;
 
 import dev.eventchain.diagnostics.SourceRange;
-import dev.eventchain.m2t.Syntax.Decoration;
-import dev.eventchain.m2t.Syntax.Name;
-import dev.eventchain.m2t.Syntax.Variable;
+import dev.eventchain.m2t.syntax.Syntax.Decoration;
+import dev.eventchain.m2t.syntax.Syntax.Name;
+import dev.eventchain.m2t.syntax.Syntax.Variable;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;

@@ -1,4 +1,4 @@
-package dev.eventchain.m2t;
+package dev.eventchain.m2t.syntax;
 
 import dev.eventchain.diagnostics.SourceRange;
 import java.util.List;
@@ -8,11 +8,11 @@ import java.util.Optional;
  * The syntax tree of a template file. Immutable; white space is settled; expressions are still the
  * places where they stand. Offsets are those of the file.
  */
-final class Syntax {
+public final class Syntax {
   private Syntax() {}
 
   /** A file. */
-  record Module(
+  public record Module(
       String name,
       int start,
       List<SourceRange> metamodels,
@@ -22,20 +22,20 @@ final class Syntax {
       List<Query> queries) {}
 
   /** A name and where it stands. */
-  record Name(String text, int start) {}
+  public record Name(String text, int start) {}
 
   /** Who may call a template or query. */
-  enum Visibility {
+  public enum Visibility {
     PUBLIC,
     PROTECTED,
     PRIVATE
   }
 
   /** {@code name : type}, or {@code name : type = value}; the type may be left to the value. */
-  record Variable(Name name, Optional<SourceRange> type, Optional<SourceRange> value) {}
+  public record Variable(Name name, Optional<SourceRange> type, Optional<SourceRange> value) {}
 
   /** {@code [template ...]...[/template]}. */
-  record Template(
+  public record Template(
       Name name,
       Visibility visibility,
       List<Variable> parameters,
@@ -47,7 +47,7 @@ final class Syntax {
       List<Node> body) {}
 
   /** {@code [query ... : type = value /]}. */
-  record Query(
+  public record Query(
       Name name,
       Visibility visibility,
       List<Variable> parameters,
@@ -55,22 +55,22 @@ final class Syntax {
       SourceRange value) {}
 
   /** What a template's body is made of. */
-  sealed interface Node {
+  public sealed interface Node {
     /** Where the node's tag starts. */
     int start();
   }
 
   /** Text that is output as it stands. */
-  record Text(int start, String text) implements Node {}
+  public record Text(int start, String text) implements Node {}
 
   /** {@code [value/]}. */
-  record Output(int start, SourceRange value, Decoration decoration) implements Node {}
+  public record Output(int start, SourceRange value, Decoration decoration) implements Node {}
 
   /** {@code [super/]}. */
-  record Super(int start) implements Node {}
+  public record Super(int start) implements Node {}
 
   /** What goes around and between the parts of a repeated output. */
-  record Decoration(
+  public record Decoration(
       Optional<SourceRange> before,
       Optional<SourceRange> separator,
       Optional<SourceRange> after,
@@ -78,7 +78,7 @@ final class Syntax {
       List<Variable> variables) {}
 
   /** {@code [for (variable | items) ...]}; without a variable, self and i are all there is. */
-  record For(
+  public record For(
       int start,
       Optional<Variable> variable,
       SourceRange items,
@@ -87,19 +87,20 @@ final class Syntax {
       implements Node {}
 
   /** {@code [if] [elseif] [else]}. */
-  record If(int start, List<Branch> branches, List<Node> otherwise) implements Node {}
+  public record If(int start, List<Branch> branches, List<Node> otherwise) implements Node {}
 
   /** A condition, what it guards, and where its tag starts. */
-  record Branch(int start, SourceRange condition, List<Variable> variables, List<Node> body) {}
+  public record Branch(
+      int start, SourceRange condition, List<Variable> variables, List<Node> body) {}
 
   /** {@code [let] [elselet] [else]}. */
-  record Let(int start, List<Binding> bindings, List<Node> otherwise) implements Node {}
+  public record Let(int start, List<Binding> bindings, List<Node> otherwise) implements Node {}
 
   /** A variable that its type must suit, the body that sees it, and where its tag starts. */
-  record Binding(int start, Variable variable, List<Variable> variables, List<Node> body) {}
+  public record Binding(int start, Variable variable, List<Variable> variables, List<Node> body) {}
 
   /** {@code [file (name, mode, charset)]}. */
-  record File(
+  public record File(
       int start,
       SourceRange name,
       Optional<SourceRange> mode,
@@ -108,7 +109,7 @@ final class Syntax {
       implements Node {}
 
   /** {@code [protected (id) startTagPrefix(...) endTagPrefix(...)]}. */
-  record Protected(
+  public record Protected(
       int start,
       SourceRange id,
       Optional<SourceRange> startPrefix,

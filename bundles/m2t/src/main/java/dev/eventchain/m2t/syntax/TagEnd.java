@@ -1,4 +1,4 @@
-package dev.eventchain.m2t;
+package dev.eventchain.m2t.syntax;
 
 /**
  * The end of a tag. Brackets inside quotes do not count; another opening bracket or the end of a

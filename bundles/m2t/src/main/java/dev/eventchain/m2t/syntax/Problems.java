@@ -1,21 +1,21 @@
-package dev.eventchain.m2t;
+package dev.eventchain.m2t.syntax;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.List;
 
 /** Where the stages of one compilation unit put what they find wrong with it. */
-record Problems(SourceText source, List<Diagnostic> found) {
+public record Problems(SourceText source, List<Diagnostic> found) {
   static final String SYNTAX = "m2t.syntax";
 
   /** A file with more is no template. */
   private static final int MOST = 1000;
 
-  void syntax(int offset, String message, String hint) {
+  public void syntax(int offset, String message, String hint) {
     error(SYNTAX, offset, message, hint);
   }
 
-  void error(String id, int offset, String message, String hint) {
+  public void error(String id, int offset, String message, String hint) {
     if (found.size() < MOST) {
       found.add(Diagnostic.error(id, message, source.at(offset)).withHint(hint));
     } else if (found.size() == MOST) {
@@ -29,7 +29,7 @@ record Problems(SourceText source, List<Diagnostic> found) {
     return found.size() > MOST;
   }
 
-  void warning(String id, int offset, String message, String hint) {
+  public void warning(String id, int offset, String message, String hint) {
     found.add(Diagnostic.warning(id, message, source.at(offset)).withHint(hint));
   }
 }

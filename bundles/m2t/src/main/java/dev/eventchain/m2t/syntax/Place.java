@@ -1,11 +1,11 @@
-package dev.eventchain.m2t;
+package dev.eventchain.m2t.syntax;
 
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 
 /** An offset in a template file; its line is only counted when somebody asks. */
-record Place(SourceText source, int offset) {
-  SourceLocation location() {
+public record Place(SourceText source, int offset) {
+  public SourceLocation location() {
     return source.at(offset);
   }
 }

@@ -1,12 +1,12 @@
-package dev.eventchain.m2t;
+package dev.eventchain.m2t.syntax;
 
 import dev.eventchain.diagnostics.SourceRange;
-import dev.eventchain.m2t.Syntax.Binding;
-import dev.eventchain.m2t.Syntax.Branch;
-import dev.eventchain.m2t.Syntax.Decoration;
-import dev.eventchain.m2t.Syntax.Node;
-import dev.eventchain.m2t.Syntax.Variable;
-import dev.eventchain.m2t.Token.Kind;
+import dev.eventchain.m2t.syntax.Syntax.Binding;
+import dev.eventchain.m2t.syntax.Syntax.Branch;
+import dev.eventchain.m2t.syntax.Syntax.Decoration;
+import dev.eventchain.m2t.syntax.Syntax.Node;
+import dev.eventchain.m2t.syntax.Syntax.Variable;
+import dev.eventchain.m2t.syntax.Token.Kind;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;

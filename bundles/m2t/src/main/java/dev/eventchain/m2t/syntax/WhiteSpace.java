@@ -1,6 +1,6 @@
-package dev.eventchain.m2t;
+package dev.eventchain.m2t.syntax;
 
-import dev.eventchain.m2t.Token.Kind;
+import dev.eventchain.m2t.syntax.Token.Kind;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;

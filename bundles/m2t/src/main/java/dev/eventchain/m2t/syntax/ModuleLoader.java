@@ -1,4 +1,4 @@
-package dev.eventchain.m2t;
+package dev.eventchain.m2t.syntax;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
@@ -24,9 +24,9 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /** Reads a module and all those that it imports or extends. */
-final class ModuleLoader {
+public final class ModuleLoader {
   /** A module that was read. */
-  record Loaded(Syntax.Module syntax, Problems problems) {}
+  public record Loaded(Syntax.Module syntax, Problems problems) {}
 
   private static final Pattern ENCODING =
       Pattern.compile("\\s*\\[comment\\s+encoding\\s*=\\s*([^\\s/\\]]+)");
@@ -43,7 +43,7 @@ final class ModuleLoader {
   }
 
   /** All modules by the name under which they are imported; the main one first. */
-  static Map<String, Loaded> load(
+  public static Map<String, Loaded> load(
       SourceText main, Function<String, Optional<SourceText>> sources, List<Diagnostic> found) {
     ModuleLoader loader = new ModuleLoader(sources, found);
     loader.loadMain(main);
@@ -57,7 +57,7 @@ final class ModuleLoader {
    *
    * @param read gets the file of each module that is read
    */
-  static Function<String, Optional<SourceText>> beside(Path file, Consumer<Path> read) {
+  public static Function<String, Optional<SourceText>> beside(Path file, Consumer<Path> read) {
     Path folder = Optional.ofNullable(file.getParent()).orElse(Path.of(""));
     return name -> {
       String nested = name.replace("::", "/") + ".mtl";
@@ -80,7 +80,7 @@ final class ModuleLoader {
    * @throws DiagnosticException INPUT if it cannot be read, is not in that encoding, or there is no
    *     such encoding
    */
-  static SourceText read(Path file) {
+  public static SourceText read(Path file) {
     String name = encoding(file);
     if (name.isEmpty() || name.equalsIgnoreCase("UTF-8")) {
       return SourceText.read(file);

@@ -1,4 +1,4 @@
-package dev.eventchain.m2t;
+package dev.eventchain.m2t.syntax;
 
 import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.diagnostics.SourceText;
