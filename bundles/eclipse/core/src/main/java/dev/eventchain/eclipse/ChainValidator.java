@@ -22,7 +22,8 @@ import org.eclipse.emf.ecore.util.EcoreUtil;
 
 /**
  * Our checks as EMF's validation knows them, so that Validate in any editor of EMF finds what the
- * builder finds: the rules of the project that the model is in, or the standard ones.
+ * builder finds: the rules of the project that the model is in, or the standard ones. What the
+ * metamodel itself demands may be said twice, in EMF's words and in ours.
  */
 public final class ChainValidator extends EObjectValidator {
 
@@ -49,12 +50,14 @@ public final class ChainValidator extends EObjectValidator {
     } catch (DiagnosticException e) {
       e.diagnostics().forEach(each -> diagnostics.add(diagnostic(each, element)));
       return false;
+    } catch (RuntimeException | StackOverflowError e) {
+      diagnostics.add(diagnostic(CheckUnit.failed(e), element));
+      return false;
     }
     boolean good = true;
     for (ChainFindings.Found each : findings.found()) {
       EObject about = each.element().orElse(chain);
-      boolean metamodel = each.diagnostic().id().startsWith("ecore."); // EMF has said that itself
-      if (!metamodel && EcoreUtil.isAncestor(element, about)) {
+      if (EcoreUtil.isAncestor(element, about)) {
         BasicDiagnostic diagnostic = diagnostic(each.diagnostic(), about);
         diagnostics.add(diagnostic);
         good &= diagnostic.getSeverity() < BasicDiagnostic.ERROR;

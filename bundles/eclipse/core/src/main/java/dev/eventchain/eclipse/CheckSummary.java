@@ -10,17 +10,20 @@ import java.util.List;
 /**
  * What a validation did, for people.
  *
- * @param units how many models, projects, documents and templates were checked
+ * @param units how many models, projects, documents and templates there were to check
+ * @param unchecked how many of them were not checked; each has a finding that says why
  * @param errors how many findings are errors
  * @param warnings how many findings are warnings
  * @param constraints how often a constraint, a contract or a rule of a metamodel was evaluated
  */
-public record CheckSummary(int units, long errors, long warnings, long constraints) {
+public record CheckSummary(
+    int units, long unchecked, long errors, long warnings, long constraints) {
 
   static CheckSummary of(List<Validation> validations) {
     long evaluated = validations.stream().mapToLong(each -> evaluations(each.coverage())).sum();
     return new CheckSummary(
         validations.size(),
+        validations.stream().filter(each -> each.coverage().equals(Coverage.NONE)).count(),
         count(validations, Severity.ERROR),
         count(validations, Severity.WARNING),
         evaluated);
@@ -39,12 +42,22 @@ public record CheckSummary(int units, long errors, long warnings, long constrain
         .count();
   }
 
-  /** A sentence for people; that nothing was checked is said, too. */
+  /** Whether nothing at all was checked, so that no errors means nothing. */
+  public boolean isEmpty() {
+    return unchecked == units;
+  }
+
+  /** A sentence for people; that something was not checked is said first. */
   public String words() {
     if (units == 0) {
       return "There is nothing here that could be checked: no model, no rules and no template.";
     }
-    return Coverage.counted(errors, "error")
+    String gap =
+        unchecked == 0
+            ? ""
+            : unchecked + " of " + Coverage.counted(units, "part") + " not checked: ";
+    return gap
+        + Coverage.counted(errors, "error")
         + ", "
         + Coverage.counted(warnings, "warning")
         + " in "

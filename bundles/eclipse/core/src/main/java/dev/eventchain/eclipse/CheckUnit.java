@@ -44,15 +44,17 @@ interface CheckUnit {
     } catch (DiagnosticException e) {
       return new Validation(Coverage.NONE, withSubject(unit, e.diagnostics()));
     } catch (RuntimeException | StackOverflowError | OutOfMemoryError e) {
-      Diagnostic failed =
-          Diagnostic.error(
-                  "eclipse.check.failed",
-                  "This was not checked, because the check itself failed: " + e,
-                  DiagnosticException.placeOf(e))
-              .withHint(
-                  "'eventchain validate' on the command line may say more; please report it.");
-      return new Validation(Coverage.NONE, List.of(failed));
+      return new Validation(Coverage.NONE, List.of(failed(e)));
     }
+  }
+
+  /** The finding that a check broke, at what it was about when it did. */
+  static Diagnostic failed(Throwable failure) {
+    return Diagnostic.error(
+            "eclipse.check.failed",
+            "This was not checked, because the check itself failed: " + failure,
+            DiagnosticException.placeOf(failure))
+        .withHint("'eventchain validate' on the command line may say more; please report it.");
   }
 
   /** Adds a finding about the unit's own file, where all others are about files that it needs. */

@@ -6,7 +6,6 @@ import java.util.List;
 import org.eclipse.core.resources.IProject;
 import org.eclipse.core.resources.IProjectDescription;
 import org.eclipse.core.runtime.CoreException;
-import org.eclipse.core.runtime.ILog;
 import org.eclipse.core.runtime.IProgressMonitor;
 import org.eclipse.core.runtime.IStatus;
 import org.eclipse.core.runtime.Status;
@@ -68,10 +67,5 @@ public final class EventchainCore {
   /** A failure that people are told of, as the platform's own dialogs show it. */
   static IStatus failure(String message, Throwable cause) {
     return new Status(IStatus.ERROR, ID, message, cause);
-  }
-
-  /** The log, for what nobody is there to be told. */
-  static ILog log() {
-    return ILog.of(EventchainCore.class);
   }
 }

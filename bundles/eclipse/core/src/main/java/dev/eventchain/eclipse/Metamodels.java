@@ -1,6 +1,5 @@
 package dev.eventchain.eclipse;
 
-import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
 import java.nio.file.Path;
@@ -41,7 +40,7 @@ final class Metamodels {
   /**
    * Loads a metamodel after all others, so that what contradicts them is found at each of them.
    *
-   * @throws DiagnosticException INPUT with what is wrong with it
+   * @throws dev.eventchain.diagnostics.DiagnosticException INPUT with what is wrong with it
    */
   static void loadLast(Path ecore, List<Path> all) {
     List<Path> others = all.stream().filter(each -> !each.equals(ecore)).toList();
@@ -59,8 +58,8 @@ final class Metamodels {
     for (Path ecore : ecores) {
       try {
         sound.accept(ecore, store.loadMetamodel(ecore));
-      } catch (DiagnosticException e) {
-        continue; // the findings are those of its MetamodelUnit
+      } catch (RuntimeException | StackOverflowError e) {
+        continue; // why not is said by its MetamodelUnit, which loads it by itself
       }
     }
     return store;

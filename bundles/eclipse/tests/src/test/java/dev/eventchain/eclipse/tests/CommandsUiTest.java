@@ -248,15 +248,18 @@ class CommandsUiTest {
   @Test
   void validateSaysWhereThereIsNothingToCheck() throws Exception {
     try (TestProject project = TestProject.create("ui-nothing")) {
-      project.write("notes.txt", "nothing");
-      run("validate", project.file("notes.txt"));
-      Workbench.waitUntil("a dialog", () -> shell("Validate").isPresent());
-      Workbench.screenshot("nothing-to-validate");
-      Workbench.run(
-          () -> {
-            shell("Validate").orElseThrow().close();
-            return true;
-          });
+      for (String name : List.of("notes.txt", "model-of-what.xmi")) {
+        project.write(
+            name, "<?xml version=\"1.0\"?>\n<s:Shop xmlns:s=\"http://example.org/shop\"/>\n");
+        run("validate", project.file(name));
+        Workbench.waitUntil("a dialog", () -> shell("Validate").isPresent());
+        Workbench.screenshot("nothing-to-validate");
+        Workbench.run(
+            () -> {
+              shell("Validate").orElseThrow().close();
+              return true;
+            });
+      }
     }
   }
 

@@ -55,7 +55,7 @@ public final class ValidateHandler extends AbstractHandler {
         .getDisplay()
         .asyncExec(
             () -> {
-              if (summary.units() == 0 && !shell.isDisposed()) {
+              if (summary.isEmpty() && !shell.isDisposed()) {
                 MessageDialog.openWarning(shell, "Validate", names + ": " + summary.words());
               } else {
                 StatusLine.show(names + ": " + summary.words());

@@ -53,10 +53,6 @@ final class ChainTracker implements IPartListener2, ISelectionListener, IPropert
     forgetEditor();
   }
 
-  boolean isLinked() {
-    return isLinked;
-  }
-
   /** Whether the view goes on to other chains with what people look at. */
   void setLinked(boolean linked) {
     isLinked = linked;

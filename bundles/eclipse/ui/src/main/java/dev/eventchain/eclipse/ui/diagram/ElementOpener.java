@@ -1,5 +1,6 @@
 package dev.eventchain.eclipse.ui.diagram;
 
+import dev.eventchain.eclipse.FindingMarker;
 import org.eclipse.core.resources.IFile;
 import org.eclipse.core.resources.IMarker;
 import org.eclipse.core.runtime.CoreException;
@@ -41,7 +42,7 @@ final class ElementOpener {
     IMarker marker = file.createMarker(IMarker.TEXT);
     try {
       marker.setAttribute(IMarker.TRANSIENT, true);
-      marker.setAttribute(Problems.ELEMENT, element);
+      marker.setAttribute(FindingMarker.ELEMENT, element);
       if (line > 0) {
         marker.setAttribute(IMarker.LINE_NUMBER, line);
       }

@@ -1,6 +1,7 @@
 package dev.eventchain.eclipse.ui.diagram;
 
 import dev.eventchain.eclipse.EventchainCore;
+import dev.eventchain.eclipse.FindingMarker;
 import dev.eventchain.eclipse.diagram.ChainDiagram;
 import dev.eventchain.eclipse.diagram.ChainDiagram.Box;
 import dev.eventchain.metamodel.Origins;
@@ -19,11 +20,6 @@ import org.eclipse.emf.ecore.EObject;
 
 /** The findings of a file, at the boxes that they are about. */
 final class Problems {
-
-  /** The path of the element that a marker is about, as findings name it. */
-  static final String ELEMENT = "element";
-
-  private static final String TYPE = EventchainCore.ID + ".problem";
 
   /** A finding; more is worse. */
   record Problem(String element, int severity, String message) {}
@@ -71,8 +67,9 @@ final class Problems {
     List<Problem> all = new ArrayList<>();
     if (file != null && file.isAccessible()) {
       try {
-        for (IMarker marker : file.findMarkers(TYPE, true, IResource.DEPTH_ZERO)) {
-          String element = marker.getAttribute(ELEMENT, "");
+        for (IMarker marker :
+            file.findMarkers(EventchainCore.PROBLEM, true, IResource.DEPTH_ZERO)) {
+          String element = marker.getAttribute(FindingMarker.ELEMENT, "");
           if (!element.isEmpty()) {
             all.add(
                 new Problem(

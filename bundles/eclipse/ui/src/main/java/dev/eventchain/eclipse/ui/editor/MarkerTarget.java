@@ -1,5 +1,6 @@
 package dev.eventchain.eclipse.ui.editor;
 
+import dev.eventchain.eclipse.FindingMarker;
 import dev.eventchain.metamodel.Origins;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import java.util.ArrayList;
@@ -11,15 +12,12 @@ import org.eclipse.emf.ecore.EObject;
 /** The element of a chain that a marker is about. */
 final class MarkerTarget {
 
-  /** The attribute that has the path of an element: {@code EventChain[aeb]/software[Braking]}. */
-  private static final String ELEMENT = "element";
-
   private MarkerTarget() {}
 
   /** By its path, or the longest beginning of it that leads somewhere; else by its line. */
   static Optional<EObject> find(EditedModel model, IMarker marker) {
     List<EObject> elements = elements(model.chain());
-    String path = marker.getAttribute(ELEMENT, "");
+    String path = marker.getAttribute(FindingMarker.ELEMENT, "");
     while (path.contains("/")) {
       Optional<EObject> found = byPath(elements, path);
       if (found.isPresent()) {
