@@ -186,10 +186,19 @@ final class BodyCompiler {
       Step body = body(binding.body(), withVariables);
       if (value.isPresent() && type.isPresent()) {
         bindings.add(
-            new Steps.Let.Binding(name, accepts(type.get()), value.get(), variables, body));
+            new Steps.Let.Binding(
+                name, accepts(binding, type.get(), value.get()), value.get(), variables, body));
       }
     }
     return new Steps.Let(List.copyOf(bindings), body(choice.otherwise(), scope));
+  }
+
+  private Predicate<Object> accepts(Syntax.Binding binding, EClassifier type, Expression value) {
+    return binding
+        .variable()
+        .type()
+        .map(declared -> new LetTypes(expressions).accepts(declared, type, value.type()))
+        .orElseGet(() -> accepts(type));
   }
 
   private Step fileStep(Syntax.File file, Scope scope) {

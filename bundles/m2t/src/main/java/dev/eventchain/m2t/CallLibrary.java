@@ -7,24 +7,18 @@ import dev.eventchain.ocl.OperationLibrary;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import org.eclipse.emf.ecore.EClassifier;
 
 /**
  * The templates and queries that a module can call, as operations: {@code x.name(y)} and {@code
- * name(x, y)} are the same call. Which one is meant is decided at run time by the arguments: the
- * one with the most special parameters that takes them.
+ * name(x, y)} are the same call. Which template is meant is decided at run time by the arguments:
+ * the one with the most special parameters that takes them. Which query is meant is decided by the
+ * types that the arguments have in the text.
  */
 final class CallLibrary implements OperationLibrary {
   private final List<Callable> visible = new ArrayList<>();
-  private ExpressionLanguage language;
-
-  /** Says over which types the calls are; a library is made before its language is. */
-  void use(ExpressionLanguage newLanguage) {
-    language = newLanguage;
-  }
 
   /** Makes a callable visible; of two with the same parameters the first added wins. */
   void add(Callable callable) {
@@ -49,59 +43,47 @@ final class CallLibrary implements OperationLibrary {
 
   @Override
   public Optional<Operation> lookup(
-      EClassifier source, String name, List<EClassifier> argumentTypes) {
+      ExpressionLanguage language,
+      EClassifier source,
+      String name,
+      List<EClassifier> argumentTypes) {
+    return operation(language, source, name, argumentTypes, false);
+  }
+
+  @Override
+  public Optional<Operation> lookupLoosely(
+      ExpressionLanguage language,
+      EClassifier source,
+      String name,
+      List<EClassifier> argumentTypes) {
+    return operation(language, source, name, argumentTypes, true);
+  }
+
+  private Optional<Operation> operation(
+      ExpressionLanguage language,
+      EClassifier source,
+      String name,
+      List<EClassifier> argumentTypes,
+      boolean loosely) {
     List<EClassifier> types = new ArrayList<>(argumentTypes);
     if (source != null) {
       types.add(0, source);
     }
+    Signatures signatures = new Signatures(language);
     List<Callable> candidates =
         visible.stream()
             .filter(callable -> callable.name().equals(name))
             .filter(callable -> callable.parameters().size() == types.size())
             .toList();
-    Optional<Callable> found =
-        candidates.stream().filter(callable -> conform(types, callable)).findFirst();
-    return found.map(
-        callable ->
-            new Operation(
-                name,
-                callable.resultType(),
-                new Call(name, bySpeciality(candidates), source != null)));
-  }
-
-  private boolean conform(List<EClassifier> types, Callable callable) {
-    for (int i = 0; i < types.size(); i++) {
-      if (!language.conforms(types.get(i), callable.parameters().get(i).type())) {
-        return false;
-      }
+    List<Callable> suitable = signatures.suiting(types, candidates, loosely);
+    if (suitable.isEmpty()) {
+      return Optional.empty();
     }
-    return true;
-  }
-
-  /**
-   * Each callable comes after those that are more special, and after its likes that have a guard;
-   * otherwise the order stays.
-   */
-  private List<Callable> bySpeciality(List<Callable> candidates) {
-    List<Callable> rest = new ArrayList<>(candidates);
-    rest.sort(Comparator.comparing(callable -> !callable.hasGuard()));
-    List<Callable> sorted = new ArrayList<>();
-    while (!rest.isEmpty()) {
-      Callable next =
-          rest.stream()
-              .filter(each -> rest.stream().noneMatch(other -> isMoreSpecial(other, each)))
-              .findFirst()
-              .orElse(rest.get(0));
-      sorted.add(next);
-      rest.remove(next);
-    }
-    return List.copyOf(sorted);
-  }
-
-  private boolean isMoreSpecial(Callable one, Callable other) {
-    return one != other
-        && conform(one.parameters().stream().map(Callable.Parameter::type).toList(), other)
-        && !conform(other.parameters().stream().map(Callable.Parameter::type).toList(), one);
+    Callable meant = suitable.get(0);
+    List<Callable> called =
+        meant instanceof Query && !loosely ? List.of(meant) : signatures.bySpeciality(candidates);
+    return Optional.of(
+        new Operation(name, meant.resultType(), new Call(name, called, source != null)));
   }
 
   /** A call of one of some callables, the most special first. */

@@ -25,16 +25,19 @@ import org.eclipse.ocl.util.ObjectUtil;
 final class CollectionOperations {
   private static final ResultType SAME = Types::source;
 
+  /** The operation that takes elements of one type out. */
+  static final String FILTER = "filter";
+
   private CollectionOperations() {}
 
   static List<Row> rows() {
     List<Row> rows = new ArrayList<>();
     rows.add(
         row(
-            "filter",
+            FILTER,
             COLLECTION,
             types -> types.language().collectionLike(types.source(), types.named()),
-            (s, a, c) -> list(s).stream().filter(each -> c.isInstance(each, a.get(0))).toList(),
+            (s, a, c) -> list(s).stream().filter(each -> c.isOfType(each, a.get(0))).toList(),
             TYPE));
     addSeparators(rows);
     addOrder(rows);

@@ -70,13 +70,8 @@ final class Linker {
 
   private Unit unit(ModuleLoader.Loaded loaded) {
     CallLibrary calls = new CallLibrary();
-    OperationTable operations = new OperationTable();
-    ServiceLibrary invoke = new ServiceLibrary(services);
     ExpressionLanguage language =
-        ExpressionLanguage.of(metamodels(loaded), calls, operations, invoke);
-    calls.use(language);
-    operations.use(language);
-    invoke.use(language);
+        ExpressionLanguage.of(metamodels(loaded), AcceleoDialect.of(calls, services));
     ExpressionCompiler expressions = new ExpressionCompiler(language, loaded.problems(), usage);
     return new Unit(loaded, calls, expressions, new LinkedHashMap<>(), new LinkedHashMap<>());
   }
@@ -284,10 +279,10 @@ final class Linker {
     }
     ExpressionLanguage language = unit.expressions().language();
     boolean service = value.get().outermostCall().orElse(null) instanceof ServiceLibrary.Call;
-    if (!service && !language.conforms(value.get().type(), query.resultType())) {
+    if (!service && !new Signatures(language).mayFit(value.get().type(), query.resultType())) {
       unit.loaded()
           .problems()
-          .error(
+          .warning(
               "m2t.query.type",
               syntax.value().start(),
               "The query is of type '"
@@ -295,8 +290,7 @@ final class Linker {
                   + "', not '"
                   + query.resultType().getName()
                   + "'.",
-              "Mend the type after the colon, or the expression.");
-      return;
+              "Fix the type after the colon, or the expression.");
     }
     if (service) {
       query.defineService(value.get(), unit.expressions().valuesOf(query.resultType()));

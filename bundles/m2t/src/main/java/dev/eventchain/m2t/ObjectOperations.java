@@ -48,11 +48,11 @@ final class ObjectOperations {
             types -> types.language().any(),
             (s, a, c) -> object(s).eGet(feature(object(s), (String) a.get(0)))));
     addContext(rows);
-    rows.add(new Row("toString", ANY, List.of(), Types::text, (s, a, c) -> Texts.of(s)));
     return rows;
   }
 
   private static void addContext(List<Row> rows) {
+    rows.add(new Row("lineSeparator", ANY, List.of(), Types::text, true, (s, a, c) -> "\n"));
     rows.add(
         new Row(
             "getProperty",

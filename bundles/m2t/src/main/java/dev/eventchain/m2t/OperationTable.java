@@ -3,6 +3,7 @@ package dev.eventchain.m2t;
 import dev.eventchain.ocl.Evaluation;
 import dev.eventchain.ocl.ExpressionLanguage;
 import dev.eventchain.ocl.OperationLibrary;
+import java.math.BigDecimal;
 import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -11,6 +12,10 @@ import java.util.Optional;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.ocl.types.AnyType;
+import org.eclipse.ocl.types.OrderedSetType;
+import org.eclipse.ocl.types.PrimitiveType;
+import org.eclipse.ocl.types.SequenceType;
 
 /**
  * The non-standard operations of Acceleo templates, as a table: for each operation the kinds of its
@@ -82,6 +87,16 @@ final class OperationTable implements OperationLibrary {
     boolean isInstance(Object value, Object type) {
       return language.isInstance(value, (EClassifier) type);
     }
+
+    /** As {@link #isInstance}, but an Integer is no Real, and nothing is of OclAny itself. */
+    boolean isOfType(Object value, Object type) {
+      boolean real =
+          type instanceof PrimitiveType<?> primitive
+              && primitive.getName().equals(PrimitiveType.REAL_NAME);
+      return real
+          ? value instanceof Double || value instanceof Float || value instanceof BigDecimal
+          : !(type instanceof AnyType<?>) && isInstance(value, type);
+    }
   }
 
   /** A row of the table. */
@@ -106,21 +121,17 @@ final class OperationTable implements OperationLibrary {
           .flatMap(List::stream)
           .collect(Collectors.groupingBy(Row::name, LinkedHashMap::new, Collectors.toList()));
 
-  private ExpressionLanguage language;
-
-  /** Says over which types the operations work; a library is made before its language is. */
-  void use(ExpressionLanguage newLanguage) {
-    language = newLanguage;
-  }
-
   @Override
   public Optional<Operation> lookup(
-      EClassifier source, String name, List<EClassifier> argumentTypes) {
+      ExpressionLanguage language,
+      EClassifier source,
+      String name,
+      List<EClassifier> argumentTypes) {
     if (source == null) {
       return Optional.empty();
     }
     for (Row row : ROWS.getOrDefault(name, List.of())) {
-      if (suits(row, source, argumentTypes)) {
+      if (suits(row, source, argumentTypes, language)) {
         EClassifier result = row.result().of(new Types(language, source, argumentTypes));
         return Optional.of(
             new Operation(name, result, new RowCall(row, language, !STATEFUL.equals(name))));
@@ -142,7 +153,12 @@ final class OperationTable implements OperationLibrary {
     }
 
     @Override
-    public Optional<Implementation> endOnly(boolean first) {
+    public boolean isSelection() {
+      return row.name().equals(CollectionOperations.FILTER);
+    }
+
+    /** As {@link AcceleoDialect#endOf}. */
+    Optional<Implementation> endOnly(boolean first) {
       return TextOperations.endOnly(row.name(), row.arguments().size(), first)
           .map(
               body ->
@@ -168,19 +184,20 @@ final class OperationTable implements OperationLibrary {
     }
   }
 
-  private boolean suits(Row row, EClassifier source, List<EClassifier> argumentTypes) {
-    if (row.arguments().size() != argumentTypes.size() || !is(row.source(), source)) {
+  private static boolean suits(
+      Row row, EClassifier source, List<EClassifier> argumentTypes, ExpressionLanguage language) {
+    if (row.arguments().size() != argumentTypes.size() || !is(row.source(), source, language)) {
       return false;
     }
     for (int i = 0; i < argumentTypes.size(); i++) {
-      if (!is(row.arguments().get(i), argumentTypes.get(i))) {
+      if (!is(row.arguments().get(i), argumentTypes.get(i), language)) {
         return false;
       }
     }
     return true;
   }
 
-  private boolean is(Kind kind, EClassifier type) {
+  private static boolean is(Kind kind, EClassifier type, ExpressionLanguage language) {
     boolean collection = language.elementType(type).isPresent();
     boolean literal = language.referredType(type).isPresent();
     return switch (kind) {
@@ -195,7 +212,6 @@ final class OperationTable implements OperationLibrary {
   }
 
   private static boolean isOrdered(EClassifier type) {
-    return type instanceof org.eclipse.ocl.types.SequenceType<?, ?>
-        || type instanceof org.eclipse.ocl.types.OrderedSetType<?, ?>;
+    return type instanceof SequenceType<?, ?> || type instanceof OrderedSetType<?, ?>;
   }
 }

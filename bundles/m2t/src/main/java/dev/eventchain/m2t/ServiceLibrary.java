@@ -13,15 +13,9 @@ final class ServiceLibrary implements OperationLibrary {
   private static final String NAME = "invoke";
 
   private final Services services;
-  private ExpressionLanguage language;
 
   ServiceLibrary(Services services) {
     this.services = services;
-  }
-
-  /** Says over which types the calls are; a library is made before its language is. */
-  void use(ExpressionLanguage newLanguage) {
-    language = newLanguage;
   }
 
   @Override
@@ -31,19 +25,22 @@ final class ServiceLibrary implements OperationLibrary {
 
   @Override
   public Optional<Operation> lookup(
-      EClassifier source, String name, List<EClassifier> argumentTypes) {
+      ExpressionLanguage language,
+      EClassifier source,
+      String name,
+      List<EClassifier> argumentTypes) {
     boolean suits =
         name.equals(NAME)
             && argumentTypes.size() == 3
-            && isText(argumentTypes.get(0))
-            && isText(argumentTypes.get(1))
+            && isText(argumentTypes.get(0), language)
+            && isText(argumentTypes.get(1), language)
             && language.elementType(argumentTypes.get(2)).isPresent();
     return suits
         ? Optional.of(new Operation(NAME, language.any(), new Call(services)))
         : Optional.empty();
   }
 
-  private boolean isText(EClassifier type) {
+  private static boolean isText(EClassifier type, ExpressionLanguage language) {
     return language.elementType(type).isEmpty() && language.conforms(type, language.type("String"));
   }
 

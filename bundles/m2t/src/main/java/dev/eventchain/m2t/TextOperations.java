@@ -1,7 +1,8 @@
 package dev.eventchain.m2t;
 
+import static dev.eventchain.m2t.OperationTable.Kind.ANY;
+import static dev.eventchain.m2t.OperationTable.Kind.COLLECTION;
 import static dev.eventchain.m2t.OperationTable.Kind.INTEGER;
-import static dev.eventchain.m2t.OperationTable.Kind.REAL;
 import static dev.eventchain.m2t.OperationTable.Kind.TEXT;
 
 import dev.eventchain.m2t.OperationTable.Body;
@@ -30,11 +31,21 @@ final class TextOperations {
 
   static List<Row> rows() {
     List<Row> rows = new ArrayList<>();
+    addSums(rows);
     addTests(rows);
     addSubstitutions(rows);
     addParts(rows);
     addCases(rows);
     return rows;
+  }
+
+  /** A text and anything else, in either order; of null the text is empty. */
+  private static void addSums(List<Row> rows) {
+    Body sum = (s, a, c) -> Texts.of(s) + Texts.of(a.get(0));
+    for (Kind kind : List.of(ANY, COLLECTION)) {
+      rows.add(new Row("+", TEXT, List.of(kind), TO_TEXT, true, sum));
+      rows.add(new Row("+", kind, List.of(TEXT), TO_TEXT, true, sum));
+    }
   }
 
   private static void addTests(List<Row> rows) {
@@ -53,6 +64,25 @@ final class TextOperations {
             TO_INTEGER,
             (s, a, c) -> index(text(s).lastIndexOf(text(a.get(0)))),
             TEXT));
+    addLaterPositions(rows);
+  }
+
+  /** The second argument is where the search begins, or goes back from, counted from 0. */
+  private static void addLaterPositions(List<Row> rows) {
+    rows.add(
+        row(
+            "index",
+            TO_INTEGER,
+            (s, a, c) -> index(text(s).indexOf(text(a.get(0)), number(a.get(1)))),
+            TEXT,
+            INTEGER));
+    rows.add(
+        row(
+            "lastIndex",
+            TO_INTEGER,
+            (s, a, c) -> index(text(s).lastIndexOf(text(a.get(0)), number(a.get(1)))),
+            TEXT,
+            INTEGER));
   }
 
   private static void addSubstitutions(List<Row> rows) {
@@ -108,6 +138,7 @@ final class TextOperations {
             INTEGER));
     rows.add(
         row("substring", TO_TEXT, (s, a, c) -> text(s).substring(number(a.get(0)) - 1), INTEGER));
+    rows.add(row("prefix", TO_TEXT, (s, a, c) -> text(a.get(0)) + text(s), TEXT));
   }
 
   private static void addCases(List<Row> rows) {
@@ -120,8 +151,8 @@ final class TextOperations {
     }
     rows.add(row("toUpperFirst", TO_TEXT, (s, a, c) -> first(s, true)));
     rows.add(row("toLowerFirst", TO_TEXT, (s, a, c) -> first(s, false)));
-    for (Kind kind : List.of(TEXT, INTEGER, REAL)) {
-      rows.add(new Row("toString", kind, List.of(), TO_TEXT, (s, a, c) -> Texts.of(s)));
+    for (Kind kind : List.of(ANY, COLLECTION)) {
+      rows.add(new Row("toString", kind, List.of(), TO_TEXT, true, (s, a, c) -> Texts.of(s)));
     }
   }
 

@@ -109,7 +109,7 @@ final class CallHints {
 
   private String nearest(EClassifier owner, String name) {
     Set<String> known = operations(owner);
-    List<String> ofLibraries = root.libraryNames();
+    List<String> ofLibraries = root.libraries().names();
     if (ofLibraries.contains(name)) {
       return "There is a '" + name + "', but for other types or another number of arguments.";
     }

@@ -103,9 +103,9 @@ final class DefinitionNodes {
     }
 
     /** The same for a caller that asks for one end of the result only. */
-    Node endOnly(boolean first) {
-      return implementation
-          .endOnly(first)
+    Node endOnly(Dialect dialect, boolean first) {
+      return dialect
+          .endOf(implementation, first)
           .<Node>map(shorter -> new LibraryCall(call, type, shorter, source, arguments))
           .orElse(this);
     }

@@ -29,7 +29,7 @@ public final class Expression {
 
   /** What gives no more elements than there are in a collection, and one for a single value. */
   private static final Set<String> KEEPING =
-      Set.of("oclAsSet", "asSet", "asBag", "filter", "select", "reject");
+      Set.of("oclAsSet", "asSet", "asBag", "select", "reject");
 
   private final ExpressionLanguage language;
   private final OCLExpression<EClassifier> ast;
@@ -115,13 +115,19 @@ public final class Expression {
       return literal.getPart().size() <= 1
           && literal.getPart().stream().allMatch(CollectionItem.class::isInstance);
     }
-    if (expression instanceof OperationCallExp<?, ?> call && KEEPING.contains(name(call))) {
+    if (expression instanceof OperationCallExp<?, ?> call && isSelection(call)) {
       boolean single = !(call.getSource().getType() instanceof CollectionType);
       return single || holdsAtMostOne(call.getSource());
     }
     return expression instanceof IteratorExp<?, ?> loop
         && KEEPING.contains(loop.getName())
         && holdsAtMostOne(loop.getSource());
+  }
+
+  private static boolean isSelection(OperationCallExp<?, ?> call) {
+    return call.getReferredOperation() instanceof Libraries.LibraryOperation operation
+        ? operation.implementation().isSelection()
+        : KEEPING.contains(name(call));
   }
 
   private static String name(OperationCallExp<?, ?> call) {

@@ -30,7 +30,7 @@ import org.eclipse.ocl.util.TypeUtil;
 import org.eclipse.ocl.utilities.ExpressionInOCL;
 
 /**
- * OCL over some metamodels, with operations of its own. Parses expressions; those that it parsed
+ * OCL, or a {@link Dialect} of it, over some metamodels. Parses expressions; those that it parsed
  * can be evaluated by several threads while another thread parses on.
  *
  * <p>Simple names of types are looked for in the packages in the given order, nested packages
@@ -59,15 +59,19 @@ public final class ExpressionLanguage {
   private ExpressionLanguage(OclEnvironmentFactory factory) {
     this.factory = factory;
     factory.computeBy(this::bodyOf);
+    factory.libraries().belongTo(this);
     this.root = factory.root();
     this.lowering = new Lowering(this);
   }
 
-  /** The language over these packages, with the operations of these libraries, tried in order. */
-  public static ExpressionLanguage of(
-      Collection<EPackage> packages, OperationLibrary... libraries) {
-    return new ExpressionLanguage(
-        new OclEnvironmentFactory(new PackageIndex(packages), new Libraries(List.of(libraries))));
+  /** Standard OCL over these packages. */
+  public static ExpressionLanguage of(Collection<EPackage> packages) {
+    return of(packages, Dialect.STANDARD);
+  }
+
+  /** A dialect of OCL over these packages. */
+  public static ExpressionLanguage of(Collection<EPackage> packages, Dialect dialect) {
+    return new ExpressionLanguage(new OclEnvironmentFactory(new PackageIndex(packages), dialect));
   }
 
   /** The scope without variables. */

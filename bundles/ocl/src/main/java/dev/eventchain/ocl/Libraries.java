@@ -18,18 +18,25 @@ final class Libraries {
   /** Stands for the source of a call that has none. */
   static final String NO_SOURCE = "(no source)";
 
-  private record Call(EClassifier source, String name, List<EClassifier> argumentTypes) {}
+  private record Call(
+      EClassifier source, String name, List<EClassifier> argumentTypes, boolean loosely) {}
 
   private final List<OperationLibrary> libraries;
+  private ExpressionLanguage language;
   private final Map<Call, Optional<LibraryOperation>> known = new HashMap<>();
   private final EClass owner = EcoreFactory.eINSTANCE.createEClass();
   private final EClass functions = EcoreFactory.eINSTANCE.createEClass();
 
-  Libraries(List<OperationLibrary> libraries) {
-    this.libraries = new ArrayList<>(libraries);
+  Libraries(Dialect dialect) {
+    this.libraries = new ArrayList<>(dialect.libraries());
     this.libraries.add(new StandardAdditions());
     owner.setName("Library");
     functions.setName(NO_SOURCE);
+  }
+
+  /** Says whose libraries these are. */
+  void belongTo(ExpressionLanguage owner) {
+    language = owner;
   }
 
   /** The names of all operations, for hints. */
@@ -42,9 +49,16 @@ final class Libraries {
     return functions;
   }
 
-  /** The operation that a call means; {@code null} if no library has it. */
+  /**
+   * The operation that a call means; {@code null} if no library has it.
+   *
+   * @param loosely whether it may be one that takes only some values of these types
+   */
   LibraryOperation lookup(
-      EClassifier source, String name, List<? extends TypedElement<EClassifier>> arguments) {
+      EClassifier source,
+      String name,
+      List<? extends TypedElement<EClassifier>> arguments,
+      boolean loosely) {
     List<EClassifier> types = new ArrayList<>();
     if (arguments != null) {
       for (TypedElement<EClassifier> argument : arguments) {
@@ -55,13 +69,15 @@ final class Libraries {
       }
     }
     EClassifier given = source == functions ? null : source;
-    return known.computeIfAbsent(new Call(given, name, types), this::ask).orElse(null);
+    return known.computeIfAbsent(new Call(given, name, types, loosely), this::ask).orElse(null);
   }
 
   private Optional<LibraryOperation> ask(Call call) {
     for (OperationLibrary library : libraries) {
       Optional<OperationLibrary.Operation> found =
-          library.lookup(call.source(), call.name(), call.argumentTypes());
+          call.loosely()
+              ? library.lookupLoosely(language, call.source(), call.name(), call.argumentTypes())
+              : library.lookup(language, call.source(), call.name(), call.argumentTypes());
       if (found.isPresent()) {
         LibraryOperation operation = new LibraryOperation(call, found.get());
         owner.getEOperations().add(operation);

@@ -137,9 +137,12 @@ final class OclEnvironment extends EcoreEnvironment {
     return factory.texts();
   }
 
-  /** The names of the operations of libraries. */
-  List<String> libraryNames() {
-    return factory.libraries().names();
+  Dialect dialect() {
+    return factory.dialect();
+  }
+
+  Libraries libraries() {
+    return factory.libraries();
   }
 
   /** A type that several packages have must be named with its package. */
@@ -169,7 +172,12 @@ final class OclEnvironment extends EcoreEnvironment {
       return found;
     }
     List<EClassifier> candidates = factory.packages().classifiers(names);
-    return candidates.isEmpty() ? super.lookupClassifier(names) : candidates.get(0);
+    if (!candidates.isEmpty()) {
+      return candidates.get(0);
+    }
+    EClassifier other = super.lookupClassifier(names);
+    boolean any = other == null && names.size() == 1 && dialect().meansAnyType(names.get(0));
+    return any ? getOCLStandardLibrary().getOclAny() : other;
   }
 
   /**
@@ -192,7 +200,7 @@ final class OclEnvironment extends EcoreEnvironment {
   public EOperation lookupOperation(
       EClassifier owner, String name, List<? extends TypedElement<EClassifier>> args) {
     if (owner != null) {
-      EOperation found = factory.libraries().lookup(owner, name, args);
+      EOperation found = factory.libraries().lookup(owner, name, args, false);
       if (found != null) {
         return found;
       }
@@ -204,6 +212,9 @@ final class OclEnvironment extends EcoreEnvironment {
       }
     }
     EOperation found = super.lookupOperation(owner, name, args);
+    if (found == null && owner != null) {
+      return LooseTypes.operation(this, owner, name, args);
+    }
     return isOverridden(owner, found) ? null : found;
   }
 
@@ -224,8 +235,9 @@ final class OclEnvironment extends EcoreEnvironment {
   @Override
   public Variable<EClassifier, EParameter> lookupImplicitSourceForOperation(
       String name, List<? extends TypedElement<EClassifier>> args) {
-    Libraries libraries = factory.libraries();
-    if (libraries.lookup(libraries.functions(), name, args) != null) {
+    Libraries libraries = libraries();
+    if (libraries.lookup(libraries.functions(), name, args, false) != null
+        || libraries.lookup(libraries.functions(), name, args, true) != null) {
       Variable<EClassifier, EParameter> none = getOCLFactory().createVariable();
       getUMLReflection().setName(none, Libraries.NO_SOURCE);
       getUMLReflection().setType(none, libraries.functions());

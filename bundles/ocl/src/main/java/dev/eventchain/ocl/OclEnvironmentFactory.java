@@ -27,6 +27,7 @@ import org.eclipse.ocl.expressions.OCLExpression;
 final class OclEnvironmentFactory extends EcoreEnvironmentFactory {
 
   private final PackageIndex packages;
+  private final Dialect dialect;
   private final Libraries libraries;
   private final OclEnvironment root;
   private final ValueEnvironment.Kinds kinds;
@@ -36,10 +37,11 @@ final class OclEnvironmentFactory extends EcoreEnvironmentFactory {
   private boolean declaring;
   private Function<ETypedElement, OCLExpression<EClassifier>> bodies = element -> null;
 
-  OclEnvironmentFactory(PackageIndex packages, Libraries libraries) {
+  OclEnvironmentFactory(PackageIndex packages, Dialect dialect) {
     super(packages.registry());
     this.packages = packages;
-    this.libraries = libraries;
+    this.dialect = dialect;
+    this.libraries = new Libraries(dialect);
     this.root = new OclEnvironment(this);
     this.texts = new ProblemTexts(root, packages);
     this.kinds = new ValueEnvironment.Kinds(element -> root.getUMLReflection().getOCLType(element));
@@ -66,6 +68,10 @@ final class OclEnvironmentFactory extends EcoreEnvironmentFactory {
 
   PackageIndex packages() {
     return packages;
+  }
+
+  Dialect dialect() {
+    return dialect;
   }
 
   Libraries libraries() {

@@ -21,6 +21,7 @@ public interface OperationLibrary {
   /**
    * Finds the operation that a call means. The same arguments must always give the same answer.
    *
+   * @param language the language of the expression
    * @param source the static type before the arrow or the dot; for a dot after a collection the
    *     type of its elements, for they are called one by one; {@code null} for a call with nothing
    *     before it, {@code f(x)}, which is tried before {@code self} is taken as the source
@@ -28,7 +29,24 @@ public interface OperationLibrary {
    * @param argumentTypes the static types of the arguments
    * @return empty if the library has no such operation
    */
-  Optional<Operation> lookup(EClassifier source, String name, List<EClassifier> argumentTypes);
+  Optional<Operation> lookup(
+      ExpressionLanguage language,
+      EClassifier source,
+      String name,
+      List<EClassifier> argumentTypes);
+
+  /**
+   * Finds the operation that a call means for some values of these types only. It is asked where
+   * neither a library nor the standard nor the metamodel has an operation that takes them all; the
+   * operation has to look at its arguments.
+   */
+  default Optional<Operation> lookupLoosely(
+      ExpressionLanguage language,
+      EClassifier source,
+      String name,
+      List<EClassifier> argumentTypes) {
+    return Optional.empty();
+  }
 
   /** The names of the operations, to find the one that a misspelt call means. */
   default Collection<String> names() {
@@ -70,14 +88,11 @@ public interface OperationLibrary {
     }
 
     /**
-     * What gives a collection of only the first element of the result, or of only the last one, and
-     * an empty one if there is none. It is called where an expression asks for no more: {@code
-     * x.f()->first()}.
-     *
-     * @return empty if that is not easier than {@link #call}
+     * Whether the result holds nothing but elements of the source, each at most as often as that
+     * does; a single value counts as a collection of one.
      */
-    default Optional<Implementation> endOnly(boolean first) {
-      return Optional.empty();
+    default boolean isSelection() {
+      return false;
     }
   }
 }

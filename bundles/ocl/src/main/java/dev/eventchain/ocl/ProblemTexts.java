@@ -125,7 +125,7 @@ final class ProblemTexts {
   Problem unknownFunction(String name, String message) {
     Matcher signature = SIGNATURE.matcher(message);
     String call = signature.matches() ? signature.group(1) : name;
-    List<String> known = root.libraryNames();
+    List<String> known = root.libraries().names();
     return new Problem(
         "There is no operation '" + call + "' here.",
         known.contains(name)

@@ -28,7 +28,10 @@ final class StandardAdditions implements OperationLibrary {
 
   @Override
   public Optional<Operation> lookup(
-      EClassifier source, String name, List<EClassifier> argumentTypes) {
+      ExpressionLanguage language,
+      EClassifier source,
+      String name,
+      List<EClassifier> argumentTypes) {
     if (source == null || !argumentTypes.isEmpty()) {
       return Optional.empty();
     }

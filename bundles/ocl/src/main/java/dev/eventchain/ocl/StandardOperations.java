@@ -180,7 +180,8 @@ final class StandardOperations {
     }
     if (source instanceof DefinitionNodes.LibraryCall made
         && (code == PredefinedType.FIRST || code == PredefinedType.LAST)) {
-      return new CollectionNodes.Aggregate(code, made.endOnly(code == PredefinedType.FIRST), null);
+      return new CollectionNodes.Aggregate(
+          code, made.endOnly(environment.dialect(), code == PredefinedType.FIRST), null);
     }
     return CollectionNodes.Aggregate.has(code)
         ? new CollectionNodes.Aggregate(code, source, emptySum(type))

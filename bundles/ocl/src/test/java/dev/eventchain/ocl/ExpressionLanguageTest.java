@@ -22,6 +22,8 @@ import org.junit.jupiter.api.Test;
 /** Expressions on a small library of books, with and without operations of their own. */
 class ExpressionLanguageTest {
 
+  private record Extended(List<OperationLibrary> libraries) implements Dialect {}
+
   private final TestModels models = new TestModels("library");
   private final EPackage metamodel = models.metamodel();
   private final EObject library = models.load("library.xmi");
@@ -30,7 +32,10 @@ class ExpressionLanguageTest {
       new OperationLibrary() {
         @Override
         public Optional<Operation> lookup(
-            EClassifier source, String name, List<EClassifier> argumentTypes) {
+            ExpressionLanguage language,
+            EClassifier source,
+            String name,
+            List<EClassifier> argumentTypes) {
           if (name.equals("filter") && language.elementType(source).isPresent()) {
             EClassifier wanted = language.referredType(argumentTypes.get(0)).orElseThrow();
             return Optional.of(
@@ -69,7 +74,8 @@ class ExpressionLanguageTest {
           return Optional.empty();
         }
       };
-  private final ExpressionLanguage language = ExpressionLanguage.of(List.of(metamodel), extras);
+  private final ExpressionLanguage language =
+      ExpressionLanguage.of(List.of(metamodel), new Extended(List.of(extras)));
 
   private static List<Object> contents(EObject object, Object type) {
     List<Object> found = new ArrayList<>();

@@ -1,0 +1,124 @@
+package dev.eventchain.ocl;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceText;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EcorePackage;
+import org.eclipse.ocl.types.AnyType;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** What a dialect lets pass, which standard OCL refuses. */
+class DialectTest {
+
+  /** An operation for strings and numbers that takes only some of what is not known better. */
+  private static final OperationLibrary SHOUT =
+      new OperationLibrary() {
+        @Override
+        public Optional<Operation> lookup(
+            ExpressionLanguage language,
+            EClassifier source,
+            String name,
+            List<EClassifier> argumentTypes) {
+          return Optional.empty();
+        }
+
+        @Override
+        public Optional<Operation> lookupLoosely(
+            ExpressionLanguage language,
+            EClassifier source,
+            String name,
+            List<EClassifier> argumentTypes) {
+          return name.equals("size") || name.equals("shout")
+              ? Optional.of(
+                  new Operation(
+                      name, language.type("String"), (value, arguments, run) -> value + "!"))
+              : Optional.empty();
+        }
+      };
+
+  private static final Dialect LOOSE =
+      new Dialect() {
+        @Override
+        public List<OperationLibrary> libraries() {
+          return List.of(SHOUT);
+        }
+
+        @Override
+        public boolean takesAnyElement() {
+          return true;
+        }
+
+        @Override
+        public Optional<EClassifier> assumed(EClassifier type) {
+          return type instanceof AnyType<?>
+              ? Optional.of(EcorePackage.Literals.EOBJECT)
+              : Optional.empty();
+        }
+
+        @Override
+        public boolean meansAnyType(String name) {
+          return name.equals("Whatever");
+        }
+      };
+
+  private final TestModels models = new TestModels("library");
+  private final EPackage metamodel = models.metamodel();
+  private final EObject library = models.load("library.xmi");
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "Set{1}->including('a')->size() | 2",
+        "Sequence{1}->append('a')->last() | a",
+        "Sequence{1}->union(Sequence{'a'})->size() | 2",
+        "Sequence{1} = 1 | false",
+        "1 <> Sequence{1} | true",
+        "let all : Sequence(Whatever) = Sequence{1, 'a'} in all->size() | 2",
+        "self.oclAsType(OclAny).eClass().name | Library",
+        "'a'.shout() | a!",
+        "'abc'.size() | 3",
+      })
+  void loosePassesWhatStandardRefuses(String text, String expected) {
+    ExpressionLanguage language = ExpressionLanguage.of(List.of(metamodel), LOOSE);
+    assertEquals(expected, String.valueOf(value(language, text)));
+    boolean standard = text.equals("'abc'.size()");
+    assertEquals(standard, errors(ExpressionLanguage.of(List.of(metamodel)), text).isEmpty(), text);
+  }
+
+  @Test
+  void whatIsNoModelElementHasNoClass() {
+    ExpressionLanguage language = ExpressionLanguage.of(List.of(metamodel), LOOSE);
+    assertTrue(value(language, "1.oclAsType(OclAny).eClass()") instanceof Invalid);
+  }
+
+  private Object value(ExpressionLanguage language, String text) {
+    List<Diagnostic> problems = new ArrayList<>();
+    Evaluation run = Evaluation.over(List.of(library));
+    run.bind("self", library);
+    return language
+        .parse(SourceText.of("test", text).whole(), scope(language), problems)
+        .orElseThrow(() -> new AssertionError(problems))
+        .evaluate(run);
+  }
+
+  private List<Diagnostic> errors(ExpressionLanguage language, String text) {
+    List<Diagnostic> problems = new ArrayList<>();
+    language.parse(SourceText.of("test", text).whole(), scope(language), problems);
+    return problems.stream().filter(each -> Diagnostic.anyError(List.of(each))).toList();
+  }
+
+  private Scope scope(ExpressionLanguage language) {
+    return language.root().with("self", language.type("Library"));
+  }
+}
