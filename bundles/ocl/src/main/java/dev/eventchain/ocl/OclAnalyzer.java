@@ -39,6 +39,7 @@ final class OclAnalyzer extends OCLAnalyzer {
   OclAnalyzer(OclEnvironment environment, String input) {
     super(new BigLiterals.Parser(new OCLLexer(environment, input.toCharArray())));
     getLexer().lexer(getAbstractParser().getIPrsStream());
+    KeywordNames.release(getAbstractParser().getIPrsStream(), environment.packages());
   }
 
   @Override

@@ -137,6 +137,10 @@ final class OclEnvironment extends EcoreEnvironment {
     return factory.texts();
   }
 
+  PackageIndex packages() {
+    return factory.packages();
+  }
+
   Dialect dialect() {
     return factory.dialect();
   }
