@@ -1,6 +1,7 @@
 package dev.eventchain.m2t;
 
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.output.ProtectedAreas;
 import java.nio.ByteBuffer;
 import java.nio.CharBuffer;
 import java.nio.charset.CharacterCodingException;

@@ -2,7 +2,9 @@ package dev.eventchain.m2t;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.m2t.ProtectedAreas.Area;
+import dev.eventchain.output.OutputPath;
+import dev.eventchain.output.ProtectedAreas;
+import dev.eventchain.output.ProtectedAreas.Area;
 import java.nio.charset.Charset;
 import java.util.ArrayList;
 import java.util.Arrays;

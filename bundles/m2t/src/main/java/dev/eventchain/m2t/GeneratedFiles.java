@@ -2,6 +2,8 @@ package dev.eventchain.m2t;
 
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.m2t.Steps.FileMode;
+import dev.eventchain.output.OutputPath;
+import dev.eventchain.output.ProtectedAreas;
 import java.io.ByteArrayOutputStream;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
@@ -86,7 +88,7 @@ final class GeneratedFiles {
             ? Optional.of(StandardCharsets.UTF_8)
             : FileCharsets.named(tag.charset().get(), tag.charsetPlace(), run);
     if (path.refused()) {
-      var refused = OutputFindings.refused(tag.name(), path);
+      var refused = path.refusal(tag.name());
       run.error(refused.id(), tag.place(), refused.message(), refused.hint());
       return;
     }

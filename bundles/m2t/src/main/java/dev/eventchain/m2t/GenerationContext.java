@@ -1,6 +1,7 @@
 package dev.eventchain.m2t;
 
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.output.OutputFolder;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;

@@ -1,6 +1,7 @@
 package dev.eventchain.m2t;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.output.OutputFolder;
 import java.util.Collections;
 import java.util.List;
 import java.util.SortedMap;

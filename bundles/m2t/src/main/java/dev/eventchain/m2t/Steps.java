@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.m2t.syntax.Place;
 import dev.eventchain.ocl.Expression;
 import dev.eventchain.ocl.Invalid;
+import dev.eventchain.output.ProtectedAreas;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;

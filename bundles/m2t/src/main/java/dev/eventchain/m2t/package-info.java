@@ -1,2 +1,2 @@
-/** MOFM2T templates (Acceleo 3 syntax) on any Ecore model, and the one door for output. */
+/** MOFM2T templates (Acceleo 3 syntax) on any Ecore model. */
 package dev.eventchain.m2t;

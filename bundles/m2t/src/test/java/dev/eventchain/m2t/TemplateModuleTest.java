@@ -8,7 +8,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.m2t.OutputFolder.Outcome;
+import dev.eventchain.output.OutputFolder;
+import dev.eventchain.output.OutputFolder.Outcome;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -17,6 +18,8 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
@@ -207,6 +210,14 @@ class TemplateModuleTest {
     assertEquals(List.of(), result.diagnostics());
     assertEquals("grown\ngrown\n", new String(result.files().get("out.txt"), UTF_8));
     assertEquals(4, resource.getContents().size());
+  }
+
+  @Test
+  void whatPeopleWroteIsSavedBeforeTheFileThatLosesIt() {
+    SortedMap<String, byte[]> files = new TreeMap<>();
+    List.of("a", "b", "b.lost", "c").forEach(name -> files.put(name, name.getBytes(UTF_8)));
+    GenerationResult result = new GenerationResult(files, List.of(), GenerationTrace.NONE);
+    assertEquals(List.of("b.lost", "a", "b", "c"), List.copyOf(result.files().keySet()));
   }
 
   @Test

@@ -6,7 +6,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.m2t.OutputFolder;
+import dev.eventchain.output.OutputFolder;
 import dev.eventchain.pipeline.EvaluatedRun.Grade;
 import dev.eventchain.pipeline.EvaluatedRun.Host;
 import dev.eventchain.pipeline.EvaluatedRun.Score;

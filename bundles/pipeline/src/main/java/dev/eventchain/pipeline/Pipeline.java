@@ -4,7 +4,7 @@ import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Suppressions.Parted;
-import dev.eventchain.m2t.OutputFolder;
+import dev.eventchain.output.OutputFolder;
 import dev.eventchain.pipeline.Progress.Status;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -1,6 +1,6 @@
 package dev.eventchain.pipeline;
 
-import dev.eventchain.m2t.OutputFolder;
+import dev.eventchain.output.OutputFolder;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;

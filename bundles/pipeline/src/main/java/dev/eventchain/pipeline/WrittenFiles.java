@@ -2,9 +2,9 @@ package dev.eventchain.pipeline;
 
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.m2t.OutputFolder;
-import dev.eventchain.m2t.OutputFolder.OnEdit;
-import dev.eventchain.m2t.OutputFolder.Outcome;
+import dev.eventchain.output.OutputFolder;
+import dev.eventchain.output.OutputFolder.OnEdit;
+import dev.eventchain.output.OutputFolder.Outcome;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;

@@ -1,6 +1,6 @@
 package dev.eventchain.benchmarks;
 
-import dev.eventchain.m2t.OutputFolder;
+import dev.eventchain.output.OutputFolder;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;

@@ -22,6 +22,7 @@ public final class RulePages {
           "metamodel",
           "modeler",
           "ocl",
+          "output",
           "validation",
           "eclipse");
 

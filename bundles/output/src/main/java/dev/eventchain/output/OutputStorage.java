@@ -1,4 +1,4 @@
-package dev.eventchain.m2t;
+package dev.eventchain.output;
 
 import java.io.IOException;
 import java.nio.file.Path;

@@ -1,11 +1,11 @@
-package dev.eventchain.m2t;
+package dev.eventchain.output;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.m2t.OutputFolder.Outcome;
+import dev.eventchain.output.OutputFolder.Outcome;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -1,12 +1,12 @@
-package dev.eventchain.m2t;
+package dev.eventchain.output;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.m2t.OutputFolder.Outcome;
-import dev.eventchain.m2t.OutputFolder.Written;
+import dev.eventchain.output.OutputFolder.Outcome;
+import dev.eventchain.output.OutputFolder.Written;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

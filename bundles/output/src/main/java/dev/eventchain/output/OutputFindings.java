@@ -1,4 +1,4 @@
-package dev.eventchain.m2t;
+package dev.eventchain.output;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
@@ -40,18 +40,9 @@ final class OutputFindings {
         SourceLocation.of(storage.shown(path)));
   }
 
-  /** The finding for a name that cannot be a file's in any output folder. */
-  static Diagnostic refused(String name, OutputPath path) {
-    return Diagnostic.error(
-            "output.path.refused",
-            "The file name '" + OutputPath.shown(name) + "' " + path.problem() + ".",
-            SourceLocation.NONE)
-        .withHint("Files are named relative to the output folder and stay below it.");
-  }
-
-  /** As {@link #refused}, at the folder that the file was to be in. */
+  /** {@link OutputPath#refusal}, at the folder that the file was to be in. */
   Diagnostic refusedHere(String name, OutputPath path) {
-    return refused(name, path).withLocation(SourceLocation.of(storage.shown("")));
+    return path.refusal(name).withLocation(SourceLocation.of(storage.shown("")));
   }
 
   Diagnostic linkRefused(String name, IOException e) {

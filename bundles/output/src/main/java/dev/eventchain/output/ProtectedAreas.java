@@ -1,4 +1,4 @@
-package dev.eventchain.m2t;
+package dev.eventchain.output;
 
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
@@ -8,12 +8,12 @@ import java.util.List;
  * The parts of a generated text that belong to people. An area runs from the line of the text
  * {@code Start of user code ID} to the text {@code End of user code}.
  */
-final class ProtectedAreas {
-  static final String START = "Start of user code ";
-  static final String END = "End of user code";
+public final class ProtectedAreas {
+  public static final String START = "Start of user code ";
+  public static final String END = "End of user code";
 
   /** What the name of a file ends with that has the areas which another one lost. */
-  static final String LOST = ".lost";
+  public static final String LOST = ".lost";
 
   /**
    * An area of a text.
@@ -23,8 +23,9 @@ final class ProtectedAreas {
    * @param start where the content starts, at the end of that line
    * @param end where the content ends, before the end mark; the start if the area has one line only
    */
-  record Area(String line, int start, int end) {
-    String content(String text) {
+  public record Area(String line, int start, int end) {
+    /** What stands in the area of the text that it was found in. */
+    public String content(String text) {
       return text.substring(start, end);
     }
   }
@@ -32,7 +33,7 @@ final class ProtectedAreas {
   private ProtectedAreas() {}
 
   /** The areas of a text. */
-  static List<Area> in(String text) {
+  public static List<Area> in(String text) {
     int start = text.indexOf(START);
     if (start < 0) {
       return List.of();
@@ -52,7 +53,7 @@ final class ProtectedAreas {
   }
 
   /** Whether a content has an area. */
-  static boolean anyIn(byte[] content) {
+  public static boolean anyIn(byte[] content) {
     return new String(content, StandardCharsets.ISO_8859_1).contains(START);
   }
 
@@ -82,7 +83,7 @@ final class ProtectedAreas {
     return kept.append(text, from, text.length()).toString().getBytes(StandardCharsets.ISO_8859_1);
   }
 
-  static int endOfLine(String text, int from) {
+  public static int endOfLine(String text, int from) {
     for (int i = from; i < text.length(); i++) {
       if (text.charAt(i) == '\n' || text.charAt(i) == '\r') {
         return i;

@@ -1,4 +1,4 @@
-package dev.eventchain.m2t;
+package dev.eventchain.output;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;

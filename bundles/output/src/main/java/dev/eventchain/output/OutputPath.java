@@ -1,5 +1,7 @@
-package dev.eventchain.m2t;
+package dev.eventchain.output;
 
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
@@ -11,7 +13,7 @@ import java.util.regex.Pattern;
  * @param value normalised name, segments separated by {@code /}; empty when the name was refused
  * @param problem why the name was refused, as the end of a sentence; empty when it was not
  */
-record OutputPath(String value, String problem) {
+public record OutputPath(String value, String problem) {
   /** Where an output folder keeps its own records. */
   static final String RESERVED = ".eventchain";
 
@@ -20,7 +22,8 @@ record OutputPath(String value, String problem) {
   private static final int SHORT_NAME = 200;
   private static final Pattern DRIVE = Pattern.compile("[A-Za-z]:.*", Pattern.DOTALL);
 
-  static OutputPath of(String name) {
+  /** The path of a name that a template or a person gave. */
+  public static OutputPath of(String name) {
     if (isPlain(name)) {
       return new OutputPath(name, "");
     }
@@ -57,12 +60,26 @@ record OutputPath(String value, String problem) {
     return afterLetter && name.length() <= SHORT_NAME;
   }
 
-  boolean refused() {
+  /** Whether the name cannot be a file's in any output folder. */
+  public boolean refused() {
     return !problem.isEmpty();
   }
 
+  /**
+   * The error {@code output.path.refused} for a refused name, without a place.
+   *
+   * @param name what this is the path of
+   */
+  public Diagnostic refusal(String name) {
+    return Diagnostic.error(
+            "output.path.refused",
+            "The file name '" + shown(name) + "' " + problem + ".",
+            SourceLocation.NONE)
+        .withHint("Files are named relative to the output folder and stay below it.");
+  }
+
   /** The name for people: control characters shown as escapes, very long names shortened. */
-  static String shown(String name) {
+  public static String shown(String name) {
     StringBuilder shown = new StringBuilder();
     name.codePoints()
         .limit(120)

@@ -1,4 +1,4 @@
-package dev.eventchain.m2t;
+package dev.eventchain.output;
 
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;

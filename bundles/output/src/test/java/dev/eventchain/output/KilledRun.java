@@ -1,4 +1,4 @@
-package dev.eventchain.m2t;
+package dev.eventchain.output;
 
 import java.io.BufferedReader;
 import java.io.IOException;
