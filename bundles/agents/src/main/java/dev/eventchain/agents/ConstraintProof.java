@@ -1,8 +1,8 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.ocl.OclConstraint;
-import dev.eventchain.ocl.OclConstraint.Verdict;
 import dev.eventchain.ocl.TimeBudget;
+import dev.eventchain.rules.OclConstraint;
+import dev.eventchain.rules.OclConstraint.Verdict;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;

@@ -35,7 +35,7 @@ public final class DeepStack {
    * Does some things at the same time, each in a thread of its own. If one fails, or this thread is
    * interrupted, the others are interrupted, too; none is left running.
    */
-  static void runAll(List<Runnable> tasks) {
+  public static void runAll(List<Runnable> tasks) {
     List<Callable<Void>> calls = new ArrayList<>();
     for (Runnable task : tasks) {
       calls.add(

@@ -2,6 +2,7 @@ package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceRange;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -11,37 +12,67 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.ocl.Environment;
 import org.eclipse.ocl.expressions.OCLExpression;
 
 /**
- * Adds the definitions of rule documents to a language: first the signatures of all, then their
- * bodies, so that they may call each other in any order, also mutually. What uses a definition that
- * has an error is found to be unusable without an error of its own.
+ * Adds operations and properties to the classes of a language: first the signatures of all, then
+ * their bodies, so that they may call each other in any order, also mutually. What uses a
+ * definition that has an error is found to be unusable without an error of its own.
  */
-final class Definitions {
+public final class Definitions {
+
+  /**
+   * A definition: {@code def: name(parameter : Type) : Type = expression}.
+   *
+   * @param text all of it, from {@code def} or {@code static} on
+   * @param scope in which {@code self} is of the class that is to have it
+   * @param location what findings about it name as its place
+   */
+  public record Definition(SourceRange text, Scope scope, SourceLocation location) {
+
+    private EClassifier owner() {
+      return scope.typeOf(Environment.SELF_VARIABLE_NAME);
+    }
+
+    private Tokens tokens() {
+      return new Tokens(text.text());
+    }
+
+    /** Whether another one says the same in another document, which is no fault. */
+    private boolean repeats(Definition other) {
+      return text.source() != other.text.source()
+          && tokens().words().equals(other.tokens().words());
+    }
+  }
 
   /** A definition whose signature is known. */
-  private record Declared(ResolvedClause clause, SourceRange body, Object feature) {}
+  private record Declared(Definition definition, SourceRange body, Object feature) {}
 
   private static final String STATIC = "static";
 
   private final ExpressionLanguage language;
   private final List<Diagnostic> problems;
-  private final Map<String, ResolvedClause> names = new HashMap<>();
+  private final Map<String, Definition> names = new HashMap<>();
   private final List<Declared> declared = new ArrayList<>();
 
-  Definitions(ExpressionLanguage language, List<Diagnostic> problems) {
+  /**
+   * Definitions for a language.
+   *
+   * @param problems takes all errors and warnings
+   */
+  public Definitions(ExpressionLanguage language, List<Diagnostic> problems) {
     this.language = language;
     this.problems = problems;
   }
 
   /** Adds all of these. */
-  void addAll(List<ResolvedClause> clauses) {
-    for (ResolvedClause clause : clauses) {
-      DiagnosticException.runAt(clause.location(), () -> declare(clause));
+  public void addAll(List<Definition> definitions) {
+    for (Definition each : definitions) {
+      DiagnosticException.runAt(each.location(), () -> declare(each));
     }
     for (Declared each : declared) {
-      DiagnosticException.runAt(each.clause().location(), () -> complete(each));
+      DiagnosticException.runAt(each.definition().location(), () -> complete(each));
     }
     spoilUsers();
   }
@@ -74,10 +105,9 @@ final class Definitions {
     }
   }
 
-  /** Notes a definition for a class that there is not. */
-  void addHomeless(RuleDocument.Clause clause) {
-    Tokens tokens = new Tokens(clause.text().text());
-    language.environment().addFailedName(nameOf(tokens));
+  /** Notes the text of a definition for a class that there is not. */
+  public void addHomeless(SourceRange text) {
+    language.environment().addFailedName(nameOf(new Tokens(text.text())));
   }
 
   private OCLExpression<EClassifier> bodyOf(Object feature) {
@@ -85,7 +115,7 @@ final class Definitions {
   }
 
   /** Takes back what has an error, so that nothing that is parsed later can use it. */
-  void forgetUnusable() {
+  public void forgetUnusable() {
     for (Declared each : declared) {
       if (bodyOf(each.feature()) == null) {
         language.environment().undefine(each.feature());
@@ -95,20 +125,20 @@ final class Definitions {
   }
 
   /** Whether all definitions that an expression uses have a body. */
-  boolean isUsable(OCLExpression<EClassifier> expression) {
-    return Navigations.definitionsIn(expression, language.environment()).stream()
+  public boolean isUsable(Expression expression) {
+    return Navigations.definitionsIn(expression.ast(), language.environment()).stream()
         .allMatch(each -> bodyOf(each) != null);
   }
 
-  private void declare(ResolvedClause clause) {
-    Tokens tokens = clause.tokens();
+  private void declare(Definition definition) {
+    Tokens tokens = definition.tokens();
     int equals = equalsSign(tokens);
-    Optional<Diagnostic> problem = shapeProblem(clause, tokens, equals);
+    Optional<Diagnostic> problem = shapeProblem(definition, tokens, equals);
     if (problem.isPresent()) {
       problems.add(problem.get());
       language.environment().addFailedName(nameOf(tokens));
-    } else if (!isRepeated(clause, tokens, equals)) {
-      SourceRange text = clause.clause().text();
+    } else if (!isRepeated(definition, tokens, equals)) {
+      SourceRange text = definition.text();
       int end = text.start() + tokens.end(equals);
       boolean isStatic = tokens.is(0, STATIC);
       int start = text.start() + tokens.start(isStatic ? 1 : 0);
@@ -116,48 +146,49 @@ final class Definitions {
       SourceRange body = text.source().range(end, text.end());
       int before = problems.size();
       language
-          .declare(signature, clause, problems)
+          .declare(signature, definition.scope(), problems)
           .ifPresentOrElse(
               feature -> {
-                declared.add(new Declared(clause, body, feature));
+                declared.add(new Declared(definition, body, feature));
                 if (isStatic) {
                   language.environment().addStatic(feature);
                 }
               },
-              () -> fail(clause, tokens, before));
+              () -> fail(definition, tokens, before));
     }
   }
 
   /** Nothing that cannot be declared goes unsaid. */
-  private void fail(ResolvedClause clause, Tokens tokens, int before) {
+  private void fail(Definition definition, Tokens tokens, int before) {
     language.environment().addFailedName(nameOf(tokens));
     if (!Diagnostic.anyError(problems.subList(before, problems.size()))) {
       problems.add(
-          Diagnostic.error("ocl.syntax", "This definition cannot be read.", clause.location())
+          Diagnostic.error("ocl.syntax", "This definition cannot be read.", definition.location())
               .withHint("Write def: name(parameter : Type) : Type = ..."));
     }
   }
 
   /** What Eclipse OCL would complain of in words that help nobody. */
   private static Optional<Diagnostic> shapeProblem(
-      ResolvedClause clause, Tokens tokens, int equals) {
+      Definition definition, Tokens tokens, int equals) {
+    SourceRange text = definition.text();
     if (equals == tokens.size()) {
       return Optional.of(
           Diagnostic.error(
                   "ocl.syntax",
                   "A definition needs '=' and an expression.",
-                  clause.source().at(clause.clause().text().end()))
+                  text.source().at(text.end()))
               .withHint("Write def: name : Type = ..."));
     } else if (untypedParameter(tokens, equals) >= 0) {
-      int at = clause.clause().text().start() + tokens.start(untypedParameter(tokens, equals));
+      int at = text.start() + tokens.start(untypedParameter(tokens, equals));
       return Optional.of(
-          Diagnostic.error("ocl.syntax", "A parameter needs a type.", clause.source().at(at))
+          Diagnostic.error("ocl.syntax", "A parameter needs a type.", text.source().at(at))
               .withHint("Write def: name(parameter : Type) : Type = ..."));
     } else if (typeColon(tokens, equals) < 0) {
-      int at = clause.clause().text().start() + tokens.start(equals);
+      int at = text.start() + tokens.start(equals);
       return Optional.of(
           Diagnostic.error(
-                  "ocl.syntax", "A definition needs a type before '='.", clause.source().at(at))
+                  "ocl.syntax", "A definition needs a type before '='.", text.source().at(at))
               .withHint("Write def: name : Type = ..."));
     }
     return Optional.empty();
@@ -217,25 +248,25 @@ final class Definitions {
     return "";
   }
 
-  private boolean isRepeated(ResolvedClause clause, Tokens tokens, int equals) {
+  private boolean isRepeated(Definition definition, Tokens tokens, int equals) {
     int colon = 0;
     while (colon < equals && !tokens.is(colon, ":")) {
       colon++;
     }
-    String signature = Names.qualified(clause.context()) + " " + clause.words(colon, equals);
-    ResolvedClause first = names.putIfAbsent(signature, clause);
+    String signature = Names.qualified(definition.owner()) + " " + tokens.words(colon, equals);
+    Definition first = names.putIfAbsent(signature, definition);
     if (first == null) {
       return false;
-    } else if (!clause.repeats(first)) {
+    } else if (!definition.repeats(first)) {
       problems.add(
           Diagnostic.error(
                   "ocl.duplicate",
                   "The definition '"
                       + nameOf(tokens)
                       + "' of "
-                      + clause.context().getName()
+                      + definition.owner().getName()
                       + " is there twice.",
-                  clause.location())
+                  definition.location())
               .withHint("Give one of them another name.")
               .withRelated(first.location()));
     }
@@ -243,6 +274,6 @@ final class Definitions {
   }
 
   private void complete(Declared each) {
-    language.complete(each.feature(), each.body(), each.clause(), problems);
+    language.complete(each.feature(), each.body(), each.definition().scope(), problems);
   }
 }

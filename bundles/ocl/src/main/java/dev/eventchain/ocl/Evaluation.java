@@ -161,12 +161,12 @@ public final class Evaluation {
   }
 
   /** Whether it is time to end. */
-  boolean isOutOfTime() {
+  public boolean isOutOfTime() {
     return !shortage().isEmpty();
   }
 
   /** Whether the latest evaluation was stopped because it took too long. */
-  boolean ranOutOfTime() {
+  public boolean ranOutOfTime() {
     return outOfTime;
   }
 

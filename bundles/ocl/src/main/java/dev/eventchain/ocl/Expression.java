@@ -8,9 +8,11 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
+import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.ENamedElement;
 import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.eclipse.ocl.EvaluationHaltedException;
 import org.eclipse.ocl.expressions.CollectionItem;
@@ -41,6 +43,9 @@ public final class Expression {
   private volatile SourceLocation location;
 
   private volatile Parts parts;
+
+  /** What an explanation evaluates; made when the first one is asked for. */
+  private volatile SubExpressions subExpressions;
 
   Expression(ExpressionLanguage language, OCLExpression<EClassifier> ast) {
     this.language = language;
@@ -88,6 +93,18 @@ public final class Expression {
    */
   public record LibraryCall(
       EClassifier sourceType, OperationLibrary.Implementation implementation) {}
+
+  /**
+   * A feature that an expression reads.
+   *
+   * @param type the class it is read of
+   */
+  public record Navigation(EClass type, EStructuralFeature feature) {}
+
+  /** The features it reads, also by way of definitions, in the order of first mention. */
+  public List<Navigation> navigations() {
+    return Navigations.of(ast, language.environment());
+  }
 
   /** The calls of libraries' operations anywhere in the expression. */
   public List<LibraryCall> libraryCalls() {
@@ -234,6 +251,22 @@ public final class Expression {
     }
   }
 
+  /**
+   * Why a condition is false, in words: the values that made it so. Parts of it are evaluated
+   * again.
+   *
+   * @param run binds the variables as for the evaluation; its time limit holds for this, too
+   * @return such as {@code self.pages is 3}; empty if there is nothing to tell
+   */
+  public String whyFalse(Evaluation run) {
+    SubExpressions known = subExpressions;
+    if (known == null) {
+      known = new SubExpressions(language);
+      subExpressions = known;
+    }
+    return Explanation.whyFalse(ast, known, run);
+  }
+
   /** Evaluates again, and keeps an eye on where the value becomes invalid. */
   private Invalid explain(Frame frame) {
     frame.calls().replay();
@@ -256,7 +289,7 @@ public final class Expression {
    * Whether the expression runs compiled as a whole; otherwise parts of it, or of the definitions
    * it calls, are left to Eclipse OCL's evaluator.
    */
-  boolean isLowered() {
+  public boolean isLowered() {
     return lowered().isWhole();
   }
 

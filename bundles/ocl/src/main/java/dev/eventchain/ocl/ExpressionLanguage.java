@@ -11,7 +11,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
-import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EParameter;
@@ -88,15 +87,7 @@ public final class ExpressionLanguage {
    */
   public synchronized Optional<Expression> parse(
       SourceRange range, Scope scope, List<Diagnostic> problems) {
-    return parse(range, "", environment(scope, null), problems)
-        .map(ast -> new Expression(this, ast));
-  }
-
-  /** As the public one, in the context of a clause. */
-  synchronized Optional<Expression> parse(
-      SourceRange range, ResolvedClause clause, List<Diagnostic> problems) {
-    OclEnvironment environment = environment(clause.scope(), clause.contextPackage());
-    return parse(range, clause.prefix(), environment, problems)
+    return parse(range, scope.prefix(), environment(scope), problems)
         .map(ast -> new Expression(this, ast));
   }
 
@@ -124,11 +115,10 @@ public final class ExpressionLanguage {
    * @return the operation or property; empty if the signature has an error
    */
   synchronized Optional<Object> declare(
-      SourceRange signature, ResolvedClause clause, List<Diagnostic> problems) {
-    Scope scope = clause.scope();
+      SourceRange signature, Scope scope, List<Diagnostic> problems) {
     EClassifier owner = scope.typeOf(Environment.SELF_VARIABLE_NAME);
     List<Object> before = root.definitionsOf(owner);
-    OclEnvironment environment = environment(scope, clause.contextPackage());
+    OclEnvironment environment = environment(scope);
     boolean declared;
     factory.declare(true);
     try {
@@ -148,12 +138,14 @@ public final class ExpressionLanguage {
 
   /** Gives a declared operation or property its body; none if that has an error. */
   synchronized void complete(
-      Object feature, SourceRange text, ResolvedClause clause, List<Diagnostic> problems) {
+      Object feature, SourceRange text, Scope scope, List<Diagnostic> problems) {
     ExpressionInOCL<EClassifier, EParameter> definition =
         root.getDefinition(feature).getSpecification();
     Variable<EClassifier, EParameter> self = definition.getContextVariable();
     OclEnvironment environment = factory.createEnvironment(root);
-    environment.setPackage(clause.contextPackage());
+    if (scope.home() != null) {
+      environment.setPackage(scope.home());
+    }
     if (root.isStatic(feature)) {
       environment.hideSelf();
     } else {
@@ -165,15 +157,20 @@ public final class ExpressionLanguage {
     parameters.forEach(environment::addVariable);
     EClassifier declared = root.getUMLReflection().getOCLType(feature);
     Optional<OCLExpression<EClassifier>> body =
-        parse(text, clause.prefix(), environment, problems)
+        parse(text, scope.prefix(), environment, problems)
             .filter(found -> hasType(found, feature, declared, text, problems));
     definition.setContextVariable(self);
     definition.getParameterVariable().addAll(parameters);
     definition.setBodyExpression(body.orElse(null));
   }
 
-  /** As {@link MemberBodies#implement}. */
-  synchronized void implement(
+  /**
+   * Sets the expression that computes a feature or an operation of a metamodel, for all expressions
+   * that are evaluated from now on; what uses one that has an error is invalid.
+   *
+   * @param parameters what the parameters are called there; {@code null} for their own names
+   */
+  public synchronized void implement(
       ETypedElement member, List<String> parameters, SourceRange text, List<Diagnostic> problems) {
     bodies.implement(member, parameters, text, problems);
   }
@@ -189,9 +186,8 @@ public final class ExpressionLanguage {
   /** The expression of a member, if it has the member's type. */
   Optional<OCLExpression<EClassifier>> parse(
       SourceRange text, Scope scope, ETypedElement member, List<Diagnostic> problems) {
-    EPackage metamodel = ((EClass) member.eContainer()).getEPackage();
     EClassifier declared = typeOf(member);
-    return parse(text, "", environment(scope, metamodel), problems)
+    return parse(text, "", environment(scope), problems)
         .filter(found -> hasType(found, member, declared, text, problems));
   }
 
@@ -255,10 +251,10 @@ public final class ExpressionLanguage {
     }
   }
 
-  private OclEnvironment environment(Scope scope, EPackage contextPackage) {
+  private OclEnvironment environment(Scope scope) {
     OclEnvironment environment = factory.createEnvironment(root);
-    if (contextPackage != null) {
-      environment.setPackage(contextPackage);
+    if (scope.home() != null) {
+      environment.setPackage(scope.home());
     }
     Set<String> seen = new HashSet<>();
     for (Scope each = scope; each.parent() != null; each = each.parent()) {
@@ -286,7 +282,7 @@ public final class ExpressionLanguage {
     }
     int before = problems.size();
     Optional<EClassifier> type =
-        parseConstraint(range, TYPE_PREFIX, TYPE_SUFFIX, environment(Scope.EMPTY, null), problems)
+        parseConstraint(range, TYPE_PREFIX, TYPE_SUFFIX, environment(Scope.EMPTY), problems)
             .map(let -> ((LetExp<?, ?>) let).getVariable().getType())
             .map(EClassifier.class::cast);
     if (type.isPresent() && problems.size() == before) {
@@ -373,7 +369,8 @@ public final class ExpressionLanguage {
     return root;
   }
 
-  PackageIndex packages() {
+  /** The packages that expressions can name. */
+  public PackageIndex packages() {
     return factory.packages();
   }
 

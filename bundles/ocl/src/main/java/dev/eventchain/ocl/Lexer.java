@@ -37,16 +37,6 @@ final class Lexer {
     return end;
   }
 
-  /** How many lines end in a text. */
-  static int lineEnds(String text) {
-    int count = 0;
-    for (int i = 0; i < text.length(); i++) {
-      boolean inside = text.charAt(i) == '\r' && text.startsWith("\n", i + 1);
-      count += !inside && (text.charAt(i) == '\n' || text.charAt(i) == '\r') ? 1 : 0;
-    }
-    return count;
-  }
-
   /** Whether a comment that starts and ends at these offsets has its end marks. */
   static boolean isUnclosedComment(String text, int start, int end) {
     return text.startsWith("/*", start) && text.indexOf("*/", start + 2) != end - 2;

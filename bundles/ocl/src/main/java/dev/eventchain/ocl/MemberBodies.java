@@ -59,7 +59,8 @@ final class MemberBodies {
    */
   void implement(
       ETypedElement member, List<String> parameters, SourceRange text, List<Diagnostic> problems) {
-    Scope scope = Scope.EMPTY.with(Environment.SELF_VARIABLE_NAME, (EClass) member.eContainer());
+    EClass owner = (EClass) member.eContainer();
+    Scope scope = Scope.EMPTY.in(owner.getEPackage()).with(Environment.SELF_VARIABLE_NAME, owner);
     if (member instanceof EOperation operation) {
       for (int i = 0; i < operation.getEParameters().size(); i++) {
         EParameter parameter = operation.getEParameters().get(i);

@@ -10,26 +10,31 @@ import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
-/** How elements of models and metamodels are called in messages. */
-final class Names {
+/** How elements of models and metamodels, and values, are called in messages. */
+public final class Names {
 
   private static final List<String> NAMING_FEATURES = List.of("name", "id", "label", "title");
 
   private Names() {}
 
   /** The name of an element of a metamodel. */
-  static String of(Object element) {
+  public static String of(Object element) {
     return element instanceof ENamedElement named ? named.getName() : String.valueOf(element);
   }
 
   /** {@code package::Class}. */
-  static String qualified(EClassifier classifier) {
+  public static String qualified(EClassifier classifier) {
     EPackage owner = classifier.getEPackage();
     return (owner == null ? "" : PackageIndex.qualifiedName(owner) + "::") + of(classifier);
   }
 
+  /** A value, short, on one line, and a text in quotes. */
+  public static String ofValue(Object value) {
+    return ValueTexts.of(value);
+  }
+
   /** The class of an object and its name, or else its place in its model. */
-  static String label(EObject object) {
+  public static String label(EObject object) {
     String type = object.eClass().getName();
     String name = nameOf(object);
     return name.isEmpty()
@@ -54,7 +59,7 @@ final class Names {
   }
 
   /** The path of an object from the root of its model, {@code /} for the root itself. */
-  static String pathOf(EObject object) {
+  public static String pathOf(EObject object) {
     if (object.eContainer() == null) {
       return "/";
     }

@@ -19,14 +19,14 @@ import org.eclipse.ocl.expressions.OCLExpression;
 final class Navigations {
 
   private final OclEnvironment environment;
-  private final Set<OclConstraint.Navigation> found = new LinkedHashSet<>();
+  private final Set<Expression.Navigation> found = new LinkedHashSet<>();
   private final Set<OCLExpression<EClassifier>> visited = new HashSet<>();
 
   private Navigations(OclEnvironment environment) {
     this.environment = environment;
   }
 
-  static List<OclConstraint.Navigation> of(EObject expression, OclEnvironment environment) {
+  static List<Expression.Navigation> of(EObject expression, OclEnvironment environment) {
     Navigations navigations = new Navigations(environment);
     navigations.walk(expression);
     return new ArrayList<>(navigations.found);
@@ -60,7 +60,7 @@ final class Navigations {
               call.getSource().getType() instanceof EClass type
                   ? type
                   : feature.getEContainingClass();
-          found.add(new OclConstraint.Navigation(owner, feature));
+          found.add(new Expression.Navigation(owner, feature));
         }
       } else if (node instanceof OperationCallExp call && call.getReferredOperation() != null) {
         followed(environment.bodyOf(call.getReferredOperation()));

@@ -26,7 +26,7 @@ import org.eclipse.emf.ecore.util.ExtendedMetaData;
  * The OCL that an Ecore metamodel holds in annotations, as OCLinEcore and EMF's delegates write it
  * ("OCLinEcore", "Delegates" in the documentation of Eclipse OCL).
  */
-final class OclAnnotations {
+public final class OclAnnotations {
 
   private static final String ECORE = EcorePackage.eNS_URI;
 
@@ -49,24 +49,24 @@ final class OclAnnotations {
    *
    * @param entry the detail that holds it
    */
-  record Text(String key, String value, EObject entry) {}
+  public record Text(String key, String value, EObject entry) {}
 
   private OclAnnotations() {}
 
   /** The invariants of a class or a data type, by their names. */
-  static Map<String, Text> invariants(EClassifier type) {
+  public static Map<String, Text> invariants(EClassifier type) {
     Map<String, Text> invariants = details(type);
     invariants.keySet().removeIf(key -> key.endsWith(MESSAGE));
     return invariants;
   }
 
   /** The expression for the message of an invariant. */
-  static Optional<Text> message(EClassifier type, String invariant) {
+  public static Optional<Text> message(EClassifier type, String invariant) {
     return Optional.ofNullable(details(type).get(invariant + MESSAGE));
   }
 
   /** The expression that computes a feature or an operation. */
-  static Optional<Text> body(ETypedElement element) {
+  public static Optional<Text> body(ETypedElement element) {
     return Optional.ofNullable(details(element).get(bodyKey(element)));
   }
 
@@ -75,7 +75,7 @@ final class OclAnnotations {
   }
 
   /** The conditions of calls of an operation, and the initial value of a feature. */
-  static List<Text> conditions(ETypedElement element) {
+  public static List<Text> conditions(ETypedElement element) {
     return details(element).values().stream().filter(each -> isCondition(element, each)).toList();
   }
 
@@ -86,14 +86,14 @@ final class OclAnnotations {
   }
 
   /** The texts of an operation or a feature that mean nothing there. */
-  static List<Text> misunderstood(ETypedElement element) {
+  public static List<Text> misunderstood(ETypedElement element) {
     return details(element).values().stream()
         .filter(each -> !each.key().equals(bodyKey(element)) && !isCondition(element, each))
         .toList();
   }
 
   /** The constraints that a classifier is said to have and that no OCL states: Java checks them. */
-  static Set<String> constraintsInJava(EClassifier type) {
+  public static Set<String> constraintsInJava(EClassifier type) {
     Set<String> inJava = new LinkedHashSet<>();
     for (Text text : texts(type, ECORE)) {
       if (text.key().equals("constraints") && !text.value().isBlank()) {
@@ -105,7 +105,7 @@ final class OclAnnotations {
   }
 
   /** Whether a feature has no value of its own; those of a feature map's entries have. */
-  static boolean isComputed(EStructuralFeature feature) {
+  public static boolean isComputed(EStructuralFeature feature) {
     return (feature.isVolatile() || (feature.isDerived() && feature.isTransient()))
         && ExtendedMetaData.INSTANCE.getGroup(feature) == null
         && ExtendedMetaData.INSTANCE.getFeatureKind(feature)
@@ -116,7 +116,7 @@ final class OclAnnotations {
    * Whether a feature of a metamodel without generated code is computed, and nothing says how:
    * reading it gives its default.
    */
-  static boolean isComputedInJava(EStructuralFeature feature) {
+  public static boolean isComputedInJava(EStructuralFeature feature) {
     EClass owner = feature.getEContainingClass();
     EPackage ePackage = owner == null ? null : owner.getEPackage();
     return isComputed(feature)
@@ -135,7 +135,7 @@ final class OclAnnotations {
   }
 
   /** Annotations that seem to hold OCL, by their sources, and that are not read. */
-  static List<EAnnotation> unknown(EModelElement element) {
+  public static List<EAnnotation> unknown(EModelElement element) {
     return element.getEAnnotations().stream()
         .filter(each -> each.getSource() != null && !SOURCES.contains(each.getSource()))
         .filter(each -> NAMES_OCL.matcher(each.getSource()).matches())
@@ -144,7 +144,7 @@ final class OclAnnotations {
   }
 
   /** Texts whose key another one has in annotations of the same source, and that say otherwise. */
-  static List<Text> contradictions(EModelElement element) {
+  public static List<Text> contradictions(EModelElement element) {
     List<Text> contradictions = new ArrayList<>();
     for (String source : SOURCES) {
       Map<String, Text> known = new HashMap<>();

@@ -24,7 +24,7 @@ import org.eclipse.ocl.parser.AbstractOCLAnalyzer;
  * The packages that expressions can name, with all that are nested in them: those that were given,
  * then those that they refer to.
  */
-final class PackageIndex {
+public final class PackageIndex {
 
   private final Set<EPackage> given = new LinkedHashSet<>();
   private final Set<EPackage> all = new LinkedHashSet<>();
@@ -80,8 +80,21 @@ final class PackageIndex {
   }
 
   /** All packages: those that were given, those that they refer to, and those nested in them. */
-  Set<EPackage> all() {
+  public Set<EPackage> all() {
     return all;
+  }
+
+  /**
+   * What to do about the name of a type that there is not: the one that was meant, or else the
+   * metamodels, of which one may be missing.
+   */
+  public String hintForType(List<String> path) {
+    return new TypeHints(this).of(path);
+  }
+
+  /** Which metamodels are known, and how to give others; empty if there are none. */
+  public String hintForMetamodels() {
+    return new TypeHints(this).metamodels();
   }
 
   /** A registry of these packages and no others. */
@@ -100,7 +113,7 @@ final class PackageIndex {
    * there is one; those that are only referred to if none is given, and Ecore if there are no
    * others.
    */
-  List<EPackage> packages(List<String> path) {
+  public List<EPackage> packages(List<String> path) {
     List<EPackage> found = given.stream().filter(each -> endsWith(each, path)).toList();
     if (found.isEmpty()) {
       found = all.stream().filter(each -> endsWith(each, path)).toList();
@@ -134,7 +147,7 @@ final class PackageIndex {
   }
 
   /** {@code outer::inner}. */
-  static String qualifiedName(EPackage innermost) {
+  public static String qualifiedName(EPackage innermost) {
     EPackage outer = innermost.getESuperPackage();
     return (outer == null ? "" : qualifiedName(outer) + "::") + innermost.getName();
   }
@@ -144,7 +157,7 @@ final class PackageIndex {
    * is one; those of packages that are only referred to if no given one has any, and those of Ecore
    * if there are no others.
    */
-  List<EClassifier> classifiers(List<String> path) {
+  public List<EClassifier> classifiers(List<String> path) {
     return classifiers.computeIfAbsent(List.copyOf(path), this::find);
   }
 

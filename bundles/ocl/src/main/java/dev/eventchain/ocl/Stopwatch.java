@@ -11,12 +11,12 @@ final class Stopwatch {
 
   private static final long UNKNOWN = Long.MIN_VALUE;
 
-  private final ThreadClock clock;
+  private final TimeBudget.Clock clock;
   private TimeBudget budget;
   private long wall;
   private long processor = UNKNOWN;
 
-  Stopwatch(ThreadClock clock) {
+  Stopwatch(TimeBudget.Clock clock) {
     this.clock = clock;
     this.wall = clock.wall();
   }

@@ -1,5 +1,7 @@
 package dev.eventchain.ocl;
 
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicLong;
 
@@ -11,6 +13,48 @@ import java.util.concurrent.atomic.AtomicLong;
  */
 public final class TimeBudget {
 
+  /** What a limit is measured with. */
+  public interface Clock {
+
+    /** The clocks of this machine. */
+    Clock SYSTEM =
+        new Clock() {
+          @Override
+          public long wall() {
+            return System.nanoTime();
+          }
+
+          @Override
+          public long processor() {
+            long nanos = Processor.BEAN == null ? -1 : Processor.BEAN.getCurrentThreadCpuTime();
+            return nanos < 0 ? wall() : nanos;
+          }
+        };
+
+    /** Nanoseconds of a clock on the wall, from an arbitrary start. */
+    long wall();
+
+    /**
+     * Nanoseconds for which a processor worked for the calling thread, from an arbitrary start;
+     * wall time where Java cannot tell. A hundred times as dear as {@link #wall}.
+     */
+    long processor();
+
+    /** Loaded when a limit is first looked at closely, as it takes ten milliseconds. */
+    final class Processor {
+      private static final ThreadMXBean BEAN = find();
+
+      private Processor() {}
+
+      private static ThreadMXBean find() {
+        ThreadMXBean bean = ManagementFactory.getThreadMXBean();
+        return bean.isCurrentThreadCpuTimeSupported() && bean.isThreadCpuTimeEnabled()
+            ? bean
+            : null;
+      }
+    }
+  }
+
   private static final int WALL_FACTOR = 60;
   private static final long LEAST_WALL = Duration.ofMinutes(10).toNanos();
   private static final long NOT_STARTED = Long.MIN_VALUE;
@@ -18,14 +62,14 @@ public final class TimeBudget {
   private final String purpose;
   private final long nanos;
   private final TimeBudget whole;
-  private final ThreadClock clock;
+  private final Clock clock;
   private final AtomicLong used = new AtomicLong();
   private final AtomicLong started = new AtomicLong(NOT_STARTED);
 
   /** Of a budget and all its parts, so that a thread's time is taken once. */
   private final ThreadLocal<Stopwatch> stopwatch;
 
-  private TimeBudget(String purpose, Duration limit, ThreadClock clock) {
+  private TimeBudget(String purpose, Duration limit, Clock clock) {
     this.purpose = purpose;
     this.nanos = limit.toNanos();
     this.whole = null;
@@ -43,20 +87,21 @@ public final class TimeBudget {
 
   /** A budget for everything that is evaluated with it. */
   public static TimeBudget of(Duration processorTime) {
-    return of("it takes", processorTime, ThreadClock.SYSTEM);
+    return of("it takes", processorTime, Clock.SYSTEM);
   }
 
   /**
    * As {@link #of(Duration)}.
    *
    * @param purpose who takes the time, in words: {@code it takes}
+   * @param clock what measures it
    */
-  static TimeBudget of(String purpose, Duration processorTime, ThreadClock clock) {
+  public static TimeBudget of(String purpose, Duration processorTime, Clock clock) {
     return new TimeBudget(purpose, processorTime, clock);
   }
 
   /** A budget for a part: what is taken of it is taken of this one, too. */
-  TimeBudget part(Duration processorTime) {
+  public TimeBudget part(Duration processorTime) {
     return new TimeBudget(processorTime, this);
   }
 
@@ -71,7 +116,7 @@ public final class TimeBudget {
   /**
    * As {@link #isSpent}: what there is too little of, in words; empty while there is some of all.
    */
-  String shortage() {
+  public String shortage() {
     start();
     stopwatch.get().charge(this);
     String lack = lack();

@@ -2,8 +2,11 @@ package dev.eventchain.ocl;
 
 import java.util.Arrays;
 
-/** The tokens of a text, without white space and comments. */
-final class Tokens {
+/**
+ * The tokens of OCL text, without white space and comments: names, numbers, strings, arrows, double
+ * colons, and else single characters.
+ */
+public final class Tokens {
 
   private final String text;
   private int[] starts = new int[64];
@@ -11,7 +14,8 @@ final class Tokens {
   private int size;
   private int unclosedComment = -1;
 
-  Tokens(String text) {
+  /** The tokens of a text; no text is wrong here. */
+  public Tokens(String text) {
     this.text = text;
     for (int i = 0; i < text.length(); ) {
       int end = Lexer.end(text, i, text.length());
@@ -34,48 +38,68 @@ final class Tokens {
   }
 
   /** Where a comment begins that has no end; -1 if there is none. */
-  int unclosedComment() {
+  public int unclosedComment() {
     return unclosedComment;
   }
 
-  int size() {
+  /** How many there are. */
+  public int size() {
     return size;
   }
 
-  int start(int index) {
+  /** Where a token begins; 0 for what is before the first. */
+  public int start(int index) {
     return index < 0 ? 0 : starts[index];
   }
 
-  int end(int index) {
+  /** Where a token ends. */
+  public int end(int index) {
     return ends[index];
   }
 
   /** The end of the token before this one; 0 if it is the first. */
-  int endBefore(int index) {
+  public int endBefore(int index) {
     return index == 0 ? 0 : ends[index - 1];
   }
 
-  String text(int index) {
+  /** The text of a token. */
+  public String text(int index) {
     return text.substring(starts[index], ends[index]);
   }
 
-  boolean is(int index, String token) {
+  /** Whether there is a token of this index, and it is this one. */
+  public boolean is(int index, String token) {
     return index < size
         && ends[index] - starts[index] == token.length()
         && text.startsWith(token, starts[index]);
   }
 
+  /** All of them, whatever white space and comments stand between. */
+  public String words() {
+    return words(0, size);
+  }
+
+  /** Some of them: from an index to before another one. */
+  public String words(int from, int to) {
+    StringBuilder words = new StringBuilder();
+    for (int i = from; i < to; i++) {
+      words.append(text(i)).append(' ');
+    }
+    return words.toString();
+  }
+
   /** Whether nothing stands between a token and the one after it. */
-  boolean touches(int index) {
+  public boolean touches(int index) {
     return index + 1 < size && ends[index] == starts[index + 1];
   }
 
-  boolean isName(int index) {
+  /** Whether there is a token of this index, and it may be a name. */
+  public boolean isName(int index) {
     return index < size && Character.isJavaIdentifierStart(text.charAt(starts[index]));
   }
 
   /** Whether a token is a complete string literal. */
-  boolean isString(int index) {
+  public boolean isString(int index) {
     return index < size
         && (text.charAt(starts[index]) == '\'' || text.charAt(starts[index]) == '"')
         && ends[index] - starts[index] >= 2
@@ -93,10 +117,15 @@ final class Tokens {
   }
 
   /** The index of the parenthesis that closes the one at an index; {@link #size} if none does. */
-  int closing(int open) {
+  public int closing(int open) {
+    return closing(open, "(", ")");
+  }
+
+  /** As {@link #closing(int)} for other pairs, such as braces. */
+  public int closing(int open, String opening, String closing) {
     int depth = 0;
     for (int i = open; i < size(); i++) {
-      depth += is(i, "(") ? 1 : is(i, ")") ? -1 : 0;
+      depth += is(i, opening) ? 1 : is(i, closing) ? -1 : 0;
       if (depth == 0) {
         return i;
       }

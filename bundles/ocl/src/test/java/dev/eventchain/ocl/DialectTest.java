@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.fixtures.TestModels;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.fixtures.TestModels;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;
@@ -36,16 +37,15 @@ import org.eclipse.ocl.util.Tuple;
  */
 class LoweringTest {
 
-  private static final String DEFINITIONS =
-      """
-      context Thing
-        def: load : Real = if whole > 2 then real else partial / 2 endif
-        def: sameName(other : Thing) : Boolean = name = other.name
-        def: depth(n : Integer) : Integer =
-          if n <= 0 or n > 20 or next = null then n else 1 + next.depth(n - 1) endif
-        def: even() : Integer = if parts->isEmpty() then 0 else 2 + parts->last().odd() endif
-        def: odd() : Integer = if parts->isEmpty() then 1 else parts->first().even() endif
-      """;
+  private static final List<String> DEFINITIONS =
+      List.of(
+          "def: load : Real = if whole > 2 then real else partial / 2 endif",
+          "def: sameName(other : Thing) : Boolean = name = other.name",
+          """
+          def: depth(n : Integer) : Integer =
+            if n <= 0 or n > 20 or next = null then n else 1 + next.depth(n - 1) endif""",
+          "def: even() : Integer = if parts->isEmpty() then 0 else 2 + parts->last().odd() endif",
+          "def: odd() : Integer = if parts->isEmpty() then 1 else parts->first().even() endif");
 
   private static final int MODELS = 50;
 
@@ -59,9 +59,7 @@ class LoweringTest {
 
   private ExpressionLanguage language() {
     ExpressionLanguage result = ExpressionLanguage.of(List.of(metamodel));
-    OclRules rules =
-        new RuleParser(result).parse(List.of(SourceText.of("definitions.ocl", DEFINITIONS)));
-    assertEquals(List.of(), rules.diagnostics());
+    TestDefinitions.define(result, metamodel.getEClassifier("Thing"), DEFINITIONS);
     return result;
   }
 

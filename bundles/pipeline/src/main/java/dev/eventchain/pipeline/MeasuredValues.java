@@ -2,10 +2,10 @@ package dev.eventchain.pipeline;
 
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
-import dev.eventchain.ocl.OclConstraint;
-import dev.eventchain.ocl.OclConstraint.Navigation;
-import dev.eventchain.ocl.OclConstraint.Verdict;
+import dev.eventchain.ocl.Expression.Navigation;
 import dev.eventchain.ocl.TimeBudget;
+import dev.eventchain.rules.OclConstraint;
+import dev.eventchain.rules.OclConstraint.Verdict;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;

@@ -6,7 +6,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.modeler.Requirements;
-import dev.eventchain.ocl.OclResult;
+import dev.eventchain.rules.OclResult;
 import dev.eventchain.validation.ChainChecks;
 import dev.eventchain.validation.Constraints;
 import java.nio.file.Path;

@@ -11,7 +11,7 @@ import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.LatencyConstraint;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
-import dev.eventchain.ocl.OclResult;
+import dev.eventchain.rules.OclResult;
 import dev.eventchain.simulation.FaultPlan;
 import dev.eventchain.simulation.Scenario;
 import dev.eventchain.simulation.ScenarioVerdict;

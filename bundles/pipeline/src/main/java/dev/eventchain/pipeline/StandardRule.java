@@ -2,8 +2,8 @@ package dev.eventchain.pipeline;
 
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.metamodel.XmiStore;
-import dev.eventchain.ocl.OclConstraint;
-import dev.eventchain.ocl.OclRules;
+import dev.eventchain.rules.OclConstraint;
+import dev.eventchain.rules.OclRules;
 import dev.eventchain.validation.Constraints;
 import java.util.ArrayList;
 import java.util.List;

@@ -7,7 +7,7 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import dev.eventchain.modeler.Requirements;
-import dev.eventchain.ocl.OclConstraint;
+import dev.eventchain.rules.OclConstraint;
 import dev.eventchain.validation.ProjectFolder;
 import java.util.ArrayList;
 import java.util.List;

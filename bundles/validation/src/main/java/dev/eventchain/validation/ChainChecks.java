@@ -11,7 +11,7 @@ import dev.eventchain.metamodel.EcoreChecks;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.modeler.Requirements;
 import dev.eventchain.modeler.SoftwareBase;
-import dev.eventchain.ocl.OclResult;
+import dev.eventchain.rules.OclResult;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;

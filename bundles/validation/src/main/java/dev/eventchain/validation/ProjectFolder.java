@@ -7,7 +7,7 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.modeler.Requirements;
 import dev.eventchain.modeler.SoftwareBase;
-import dev.eventchain.ocl.OclRules;
+import dev.eventchain.rules.OclRules;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.FileVisitOption;

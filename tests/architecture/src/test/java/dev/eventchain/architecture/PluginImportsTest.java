@@ -47,7 +47,7 @@ class PluginImportsTest {
             "messages",
             "metamodel",
             "modeler",
-            "ocl",
+            "rules",
             "templates",
             "validation"),
         imports("core"));

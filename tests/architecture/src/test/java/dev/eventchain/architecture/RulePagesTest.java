@@ -56,7 +56,7 @@ class RulePagesTest {
   @BeforeAll
   static void read() throws IOException {
     try (Stream<Path> files = Files.walk(BUNDLES, 4)) {
-      for (Path file : files.filter(f -> f.getParent().endsWith("rules")).sorted().toList()) {
+      for (Path file : files.filter(RulePagesTest::isPage).sorted().toList()) {
         String id = file.getFileName().toString().replaceFirst("\\.md$", "");
         String bundle = file.getParent().getParent().getFileName().toString();
         PAGES.computeIfAbsent(id, key -> new ArrayList<>()).add(bundle);
@@ -65,6 +65,11 @@ class RulePagesTest {
     }
     String folders = "/((?:eclipse/)?[a-z0-9]+/src/main|ros2-runtime/python)/";
     sources = texts(BUNDLES, Pattern.compile(".*/bundles" + folders + ".*\\.(java|py)"));
+  }
+
+  /** In the folder of a bundle; the bundle of rules is called as these folders are. */
+  private static boolean isPage(Path file) {
+    return file.getParent().endsWith("rules") && !file.getParent().getParent().equals(BUNDLES);
   }
 
   @Test

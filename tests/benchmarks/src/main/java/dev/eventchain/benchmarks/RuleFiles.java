@@ -2,7 +2,7 @@ package dev.eventchain.benchmarks;
 
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
-import dev.eventchain.ocl.OclRules;
+import dev.eventchain.rules.OclRules;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;

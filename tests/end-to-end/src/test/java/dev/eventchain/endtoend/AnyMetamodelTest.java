@@ -193,7 +193,7 @@ class AnyMetamodelTest {
 
   @Test
   void whatTheMetamodelStatesItselfIsChecked() {
-    Path files = Program.ROOT.resolve("bundles/ocl/src/test/resources/metamodels/annotated");
+    Path files = Program.ROOT.resolve("tests/fixtures/models/annotated");
     new Program()
         .run(
             "validate", "--metamodel", files.resolve("metamodel.ecore"), files.resolve("model.xmi"))

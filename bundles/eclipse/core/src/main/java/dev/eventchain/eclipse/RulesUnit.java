@@ -6,7 +6,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
-import dev.eventchain.ocl.OclRules;
+import dev.eventchain.rules.OclRules;
 import dev.eventchain.validation.Validation;
 import java.nio.file.Path;
 import java.util.ArrayList;

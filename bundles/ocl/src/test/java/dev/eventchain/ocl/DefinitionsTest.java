@@ -1,0 +1,109 @@
+package dev.eventchain.ocl;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.fixtures.TestModels;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Set;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
+import org.junit.jupiter.api.Test;
+
+/** Operations and properties that are added to the classes of a language. */
+class DefinitionsTest {
+
+  private final TestModels models = new TestModels("library");
+  private final EPackage metamodel = models.metamodel();
+  private final EObject library = models.load("library.xmi");
+  private final ExpressionLanguage language = ExpressionLanguage.of(List.of(metamodel));
+  private final List<Diagnostic> problems = new ArrayList<>();
+
+  private Expression parse(String text) {
+    return language
+        .parse(SourceText.of("", text).whole(), scope("Library"), problems)
+        .orElseThrow(() -> new AssertionError(problems));
+  }
+
+  private Scope scope(String type) {
+    return language.root().with("self", metamodel.getEClassifier(type));
+  }
+
+  private Evaluation run() {
+    Evaluation run = Evaluation.over(List.of(library));
+    run.bind("self", library);
+    return run;
+  }
+
+  @Test
+  void thoseOfASubclassTakeThePlaceOfThoseAbove() {
+    TestDefinitions.define(
+        language,
+        metamodel.getEClassifier("AudioBook"),
+        List.of("def: kind : String = 'audio'", "def: name(n : Integer) : String = 'recording'"));
+    TestDefinitions.define(
+        language,
+        metamodel.getEClassifier("Book"),
+        List.of("def: kind : String = 'book'", "def: name(n : Integer) : String = 'volume'"));
+    Expression names = parse("books->collect(b | b.kind + ' ' + b.name(2))->asSet()");
+    Set<String> expected = Set.of("audio recording", "book volume");
+    assertEquals(expected, Set.copyOf((Collection<?>) names.evaluate(run())));
+    // The evaluator for what is not lowered, which also finds out why a value is invalid.
+    Evaluation run = run();
+    Object value = language.evaluator(run, new LibraryCalls()).visitExpression(names.ast());
+    assertEquals(expected, Set.copyOf((Collection<?>) value));
+  }
+
+  @Test
+  void whatUsesOneWithAnErrorIsNotUsable() {
+    Definitions definitions = new Definitions(language, problems);
+    Scope scope = scope("Library");
+    definitions.addAll(
+        List.of(
+            TestDefinitions.definition("def: user() : Integer = wrong() + 1", scope),
+            TestDefinitions.definition("def: wrong() : Integer = 'text'", scope),
+            TestDefinitions.definition("def: right() : Integer = books->size()", scope)));
+    assertEquals(
+        List.of("'wrong' is declared as Integer, but its value is of type String."),
+        problems.stream().map(Diagnostic::message).toList());
+    assertFalse(definitions.isUsable(parse("user()")));
+    assertTrue(definitions.isUsable(parse("right()")));
+  }
+
+  @Test
+  void parsingTwoThousandLeavesNoMoreBehindThanParsingTen() {
+    assertEquals(rootsAfter(10), rootsAfter(2000));
+  }
+
+  private int rootsAfter(int expressions) {
+    ExpressionLanguage fresh = ExpressionLanguage.of(List.of(metamodel));
+    List<Diagnostic> found = new ArrayList<>();
+    Definitions definitions = new Definitions(fresh, found);
+    Scope book = scope("Book");
+    String above = "def: d0(n : Integer) : Boolean = n > 0 and pages > n";
+    definitions.addAll(List.of(TestDefinitions.definition(above, book)));
+    for (int i = 0; i < expressions; i++) {
+      String text = "let k : Integer = %d in self.pages > k implies d0(k)".formatted(i);
+      assertTrue(fresh.parse(SourceText.of("", text).whole(), book, found).isPresent());
+      text = "self.pagse > %d".formatted(i);
+      assertFalse(fresh.parse(SourceText.of("", text).whole(), book, found).isPresent());
+    }
+    assertEquals(expressions, found.size());
+    return fresh.environment().roots();
+  }
+
+  @Test
+  void selfMayHaveAnotherName() {
+    Scope scope = scope("Library").withAlias("all", "Library");
+    Expression size =
+        language
+            .parse(SourceText.of("", "all.books = books").whole(), scope, problems)
+            .orElseThrow(() -> new AssertionError(problems));
+    assertEquals(true, size.evaluate(run()));
+  }
+}
