@@ -2,6 +2,7 @@ package dev.eventchain.m2t;
 
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.m2t.Steps.FileMode;
+import dev.eventchain.output.OutputFolder;
 import dev.eventchain.output.OutputPath;
 import dev.eventchain.output.ProtectedAreas;
 import java.io.ByteArrayOutputStream;
@@ -61,7 +62,7 @@ final class GeneratedFiles {
 
   /** The complete files, and beside them what they lost; of that it is warned now. */
   SortedMap<String, byte[]> contents() {
-    SortedMap<String, byte[]> contents = new TreeMap<>();
+    SortedMap<String, byte[]> contents = new TreeMap<>(OutputFolder.WRITING_ORDER);
     for (GeneratedFile file : new TreeMap<>(files).values()) {
       if (file.content() != null) {
         contents.put(file.path(), file.content());

@@ -58,8 +58,13 @@ public final class OutputFolder implements AutoCloseable {
    * wrote in areas that are no longer generated, so that a killed run loses none; then by name.
    */
   public static final Comparator<String> WRITING_ORDER =
-      Comparator.comparing((String name) -> !name.endsWith(ProtectedAreas.LOST))
-          .thenComparing(Comparator.naturalOrder());
+      (one, other) -> {
+        boolean lost = one.endsWith(ProtectedAreas.LOST);
+        if (lost != other.endsWith(ProtectedAreas.LOST)) {
+          return lost ? -1 : 1;
+        }
+        return one.compareTo(other);
+      };
 
   private final OutputStorage storage;
   private final FileRecords records;
