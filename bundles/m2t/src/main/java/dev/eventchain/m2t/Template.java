@@ -92,12 +92,17 @@ final class Template extends Callable {
     }
   }
 
+  /**
+   * The text as a value, which is indented like the line that is being written, as if it were put
+   * there at once.
+   */
   @Override
   Object call(List<Object> arguments, GenerationRun run) {
     OutputBuffer output = run.output();
+    String indentation = output.currentIndentation();
     OutputBuffer.Part part = output.beginText();
     try {
-      write(arguments, run, "");
+      write(arguments, run, indentation);
       return output.textOf(part);
     } finally {
       output.cut(part);

@@ -46,27 +46,9 @@ final class BlockParser {
   }
 
   /** What stands between a template's tags. */
-  List<Node> templateBody(int open, int close) {
+  List<Node> templateBody(int open) {
     next = open + 1;
-    List<Node> body = body();
-    boolean overSeveralLines =
-        problems
-                .source()
-                .text()
-                .substring(tokens.get(open).end(), tokens.get(close).start())
-                .indexOf('\n')
-            >= 0;
-    return overSeveralLines ? withoutLastBreak(body) : body;
-  }
-
-  private static List<Node> withoutLastBreak(List<Node> body) {
-    if (body.isEmpty() || !(body.get(body.size() - 1) instanceof Syntax.Text last)) {
-      return body;
-    }
-    List<Node> shortened = new ArrayList<>(body);
-    String text = WhiteSpace.withoutLastBreak(last.text());
-    shortened.set(body.size() - 1, new Syntax.Text(last.start(), text));
-    return List.copyOf(shortened);
+    return body();
   }
 
   /** Reads nodes up to the next middle or closing tag. */

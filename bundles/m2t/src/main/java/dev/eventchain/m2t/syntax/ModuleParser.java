@@ -187,7 +187,7 @@ final class ModuleParser {
     for (int i = open + 1; i < close; i++) {
       main |= tokens.get(i).kind() == Kind.COMMENT && isMain(tokens.get(i));
     }
-    header(reader(token), main, blocks.templateBody(open, close));
+    header(reader(token), main, blocks.templateBody(open));
     return close;
   }
 
