@@ -78,7 +78,7 @@ final class BodyCompiler {
 
   private Step output(Syntax.Output output, Scope scope) {
     Optional<Expression> value = expressions.parse(output.value(), scope);
-    Optional<Steps.Decoration> decoration = decoration(output.decoration(), scope);
+    Optional<Steps.Decoration> decoration = decoration(output.decoration(), scope, scope);
     if (output.decoration().guard().isPresent() || !output.decoration().variables().isEmpty()) {
       expressions
           .problems()
@@ -112,13 +112,19 @@ final class BodyCompiler {
     return new Place(expressions.problems().source(), offset);
   }
 
-  /** The decoration; empty if one of its expressions is wrong. */
-  private Optional<Steps.Decoration> decoration(Syntax.Decoration decoration, Scope scope) {
-    Decorations parsed = new Decorations(expressions, scope);
-    Optional<Expression> before = parsed.parse(decoration.before());
-    Optional<Expression> separator = parsed.parse(decoration.separator());
-    Optional<Expression> after = parsed.parse(decoration.after());
-    return parsed.complete()
+  /**
+   * The decoration; empty if one of its expressions is wrong.
+   *
+   * @param inside what the text between two items sees, which may say something of the second
+   */
+  private Optional<Steps.Decoration> decoration(
+      Syntax.Decoration decoration, Scope scope, Scope inside) {
+    Decorations around = new Decorations(expressions, scope);
+    Decorations between = new Decorations(expressions, inside);
+    Optional<Expression> before = around.parse(decoration.before());
+    Optional<Expression> separator = between.parse(decoration.separator());
+    Optional<Expression> after = around.parse(decoration.after());
+    return around.complete() && between.complete()
         ? Optional.of(new Steps.Decoration(before, separator, after))
         : Optional.empty();
   }
@@ -142,7 +148,7 @@ final class BodyCompiler {
     List<Step.Variable> variables = new ArrayList<>();
     Scope withVariables = variables(loop.decoration().variables(), inside, variables);
     Step body = body(loop.body(), withVariables);
-    Optional<Steps.Decoration> decoration = decoration(loop.decoration(), scope);
+    Optional<Steps.Decoration> decoration = decoration(loop.decoration(), scope, inside);
     if (items.isEmpty() || decoration.isEmpty()) {
       return NOTHING;
     }
@@ -237,14 +243,17 @@ final class BodyCompiler {
   Scope variables(List<Syntax.Variable> declared, Scope scope, List<Step.Variable> into) {
     Scope inside = scope;
     for (Syntax.Variable variable : declared) {
-      Optional<Expression> value = expressions.parse(variable.value().orElseThrow(), inside);
+      Scope before = inside;
+      Optional<Expression> value = variable.value().flatMap(v -> expressions.parse(v, before));
       Optional<EClassifier> type =
           variable.type().isPresent()
               ? expressions.type(variable.type().get())
               : value.map(Expression::type);
       String name = variable.name().text();
       inside = inside.with(name, type.orElse(language.any()));
-      value.ifPresent(v -> into.add(new Step.Variable(name, v)));
+      if (value.isPresent() == variable.value().isPresent()) {
+        into.add(new Step.Variable(name, value));
+      }
     }
     return inside;
   }

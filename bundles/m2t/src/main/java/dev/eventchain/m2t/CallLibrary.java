@@ -7,8 +7,11 @@ import dev.eventchain.ocl.OperationLibrary;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
+import java.util.Collections;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
 import org.eclipse.emf.ecore.EClassifier;
 
 /**
@@ -82,19 +85,52 @@ final class CallLibrary implements OperationLibrary {
     Callable meant = suitable.get(0);
     List<Callable> called =
         meant instanceof Query && !loosely ? List.of(meant) : signatures.bySpeciality(candidates);
-    return Optional.of(
-        new Operation(name, meant.resultType(), new Call(name, called, source != null)));
+    List<Callable> reversed = new ArrayList<>(called);
+    Collections.reverse(reversed);
+    Call call = new Call(name, overridingFirst(called), overridingFirst(reversed), source != null);
+    return Optional.of(new Operation(name, meant.resultType(), call));
   }
 
-  /** A call of one of some callables, the most special first. */
+  /**
+   * Each template behind those that override it: where their guards refuse, it is asked. Only
+   * templates that the module sees count, so a module calls its own whatever others override.
+   */
+  private List<Callable> overridingFirst(List<Callable> callables) {
+    Set<Callable> ordered = new LinkedHashSet<>();
+    callables.forEach(callable -> addOverridingFirst(callable, ordered));
+    return List.copyOf(ordered);
+  }
+
+  private void addOverridingFirst(Callable callable, Set<Callable> into) {
+    for (Callable other : visible) {
+      if (other instanceof Template template && template.overridden().contains(callable)) {
+        addOverridingFirst(other, into);
+      }
+    }
+    into.add(callable);
+  }
+
+  /** A call of one of some callables. */
   static final class Call implements OperationLibrary.Implementation {
     private final String name;
     private final boolean hasSource;
     private final Callable[] candidates;
+    private final Callable[] fromTheMostGeneral;
 
-    private Call(String name, List<Callable> candidates, boolean hasSource) {
+    /**
+     * Makes a call.
+     *
+     * @param candidates the most special first
+     * @param fromTheMostGeneral the same ones for null
+     */
+    private Call(
+        String name,
+        List<Callable> candidates,
+        List<Callable> fromTheMostGeneral,
+        boolean hasSource) {
       this.name = name;
       this.candidates = candidates.toArray(Callable[]::new);
+      this.fromTheMostGeneral = fromTheMostGeneral.toArray(Callable[]::new);
       this.hasSource = hasSource;
     }
 
@@ -154,9 +190,8 @@ final class CallLibrary implements OperationLibrary {
 
     /** Null suits every type; it means the most general candidate that expects anything. */
     private Callable find(List<Object> arguments, GenerationRun run) {
-      boolean fromTheMostGeneral = !arguments.isEmpty() && arguments.get(0) == null;
-      for (int i = 0; i < candidates.length; i++) {
-        Callable candidate = candidates[fromTheMostGeneral ? candidates.length - 1 - i : i];
+      boolean isNull = !arguments.isEmpty() && arguments.get(0) == null;
+      for (Callable candidate : isNull ? fromTheMostGeneral : candidates) {
         if (candidate.accepts(arguments, run)) {
           return candidate;
         }

@@ -112,7 +112,7 @@ final class GeneratedFiles {
       run.error(
           "m2t.file.duplicate",
           tag.place(),
-          "The file '" + known.path() + "' was written before in this run; the first is kept.",
+          "The file '" + known.path() + "' was written before in this run.",
           "Give each file a name of its own, or append: [file (name, true)].");
       return false;
     }

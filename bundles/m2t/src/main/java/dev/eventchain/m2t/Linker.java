@@ -102,7 +102,9 @@ final class Linker {
 
   private String known() {
     List<String> uris = packages.stream().map(EPackage::getNsURI).sorted().toList();
-    return "Known are: " + String.join(", ", uris) + ".";
+    return uris.isEmpty()
+        ? "None is known: name the .ecore file of the metamodel."
+        : "Known are: " + String.join(", ", uris) + ".";
   }
 
   private void declare(Unit unit) {

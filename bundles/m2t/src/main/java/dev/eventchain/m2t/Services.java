@@ -1,5 +1,6 @@
 package dev.eventchain.m2t;
 
+import dev.eventchain.diagnostics.Coverage;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
@@ -148,7 +149,9 @@ final class Services {
     Class<?>[] parameters = method.getParameterTypes();
     if (arguments.size() != parameters.length) {
       throw new ServiceException(
-          shown + "takes " + parameters.length + " arguments and is given " + arguments.size());
+          shown
+              + ("takes " + Coverage.counted(parameters.length, "argument"))
+              + (" and is given " + arguments.size()));
     }
     List<Object> given = new ArrayList<>(arguments);
     Object[] values = new Object[parameters.length];

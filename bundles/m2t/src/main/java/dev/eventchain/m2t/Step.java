@@ -3,6 +3,7 @@ package dev.eventchain.m2t;
 import dev.eventchain.ocl.Expression;
 import dev.eventchain.ocl.Invalid;
 import java.util.List;
+import java.util.Optional;
 
 /** A piece of a compiled template. Immutable; all state is in the run. */
 @FunctionalInterface
@@ -11,8 +12,8 @@ interface Step {
   /** Writes the piece's text into the run. Problems are reported there. */
   void write(GenerationRun run);
 
-  /** A variable, the value it is given, and the type that the value is to have. */
-  record Variable(String name, Expression value) {}
+  /** A variable and the value it is given; without one it is null. */
+  record Variable(String name, Optional<Expression> value) {}
 
   /** Several pieces, one after the other. */
   static Step sequence(List<Step> steps) {
@@ -36,7 +37,7 @@ interface Step {
     int bindings = run.evaluation().bindings();
     try {
       for (Variable variable : variables) {
-        Object value = run.evaluate(variable.value());
+        Object value = variable.value().isEmpty() ? null : run.evaluate(variable.value().get());
         if (value instanceof Invalid) {
           return;
         }

@@ -101,7 +101,7 @@ final class Steps {
   record Super(Template overridden) implements Step {
     @Override
     public void write(GenerationRun run) {
-      overridden.writeExactly(run.arguments(), run, run.output().currentIndentation());
+      overridden.write(run.arguments(), run, run.output().currentIndentation());
     }
   }
 

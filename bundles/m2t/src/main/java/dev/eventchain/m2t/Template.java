@@ -23,7 +23,6 @@ final class Template extends Callable {
   private final EClassifier resultType;
   private final boolean guarded;
   private final boolean main;
-  private final List<Template> overriddenBy = new ArrayList<>();
   private final List<Template> overridden = new ArrayList<>();
   private Definition definition;
 
@@ -46,10 +45,9 @@ final class Template extends Callable {
     definition = newDefinition;
   }
 
-  /** Puts this template in the place of another one, wherever that is called. */
+  /** Puts this template in the place of another one, where calls see it. */
   void override(Template other) {
     overridden.add(other);
-    other.overriddenBy.add(this);
   }
 
   /** The templates in whose place this one stands; if it is one, {@code [super/]} means it. */
@@ -110,22 +108,11 @@ final class Template extends Callable {
   }
 
   /**
-   * Writes the text of a call, or of the call of a template that overrides this one.
+   * Writes the text of a call.
    *
    * @param indentation what goes behind each of its line breaks
    */
   void write(List<Object> arguments, GenerationRun run, String indentation) {
-    for (Template other : overriddenBy) {
-      if (other.accepts(arguments, run)) {
-        other.write(arguments, run, indentation);
-        return;
-      }
-    }
-    writeExactly(arguments, run, indentation);
-  }
-
-  /** Writes this template's text even if another one overrides it. */
-  void writeExactly(List<Object> arguments, GenerationRun run, String indentation) {
     run.enter(this, arguments);
     int bindings = bind(arguments, run.evaluation());
     OutputBuffer.Part part = run.output().beginIndented(indentation);

@@ -42,7 +42,7 @@ class RecordedWhiteSpaceTest {
     List<Body> bodies = new ArrayList<>();
     for (String line : Files.readAllLines(RECORDED)) {
       if (!line.startsWith("#")) {
-        String[] columns = line.split("\t");
+        String[] columns = line.split("\t", -1);
         String text = json.readValue(columns[1], String.class);
         bodies.add(new Body(columns[0], text, json.readValue(columns[2], String.class)));
       }

@@ -235,4 +235,16 @@ class TemplateModuleTest {
                     }));
     assertEquals("a class is missing", thrown.getMessage());
   }
+
+  @Test
+  void aModuleWithoutAnyMetamodelIsToldSo() {
+    SourceText text = SourceText.of("m.mtl", "[module m('http://nowhere')/]\n");
+    DiagnosticException refused =
+        assertThrows(
+            DiagnosticException.class,
+            () -> TemplateModule.compile(text, name -> Optional.empty(), List.of()));
+    assertEquals(
+        "None is known: name the .ecore file of the metamodel.",
+        refused.diagnostics().get(0).hint());
+  }
 }

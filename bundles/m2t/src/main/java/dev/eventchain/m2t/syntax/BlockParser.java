@@ -205,13 +205,10 @@ final class BlockParser {
 
   private Optional<Branch> branch(Token token) {
     HeaderReader reader = reader(token);
-    Optional<SourceRange> condition = reader.parentheses("a condition");
+    Optional<SourceRange> condition = reader.condition();
     List<Variable> variables = reader.variablesInBraces();
-    if (condition.isPresent() && !reader.atEnd()) {
-      problems.syntax(
-          reader.position(),
-          "The condition goes on after its closing parenthesis.",
-          "Put the whole condition in parentheses: [if ((a) or (b))].");
+    if (condition.isPresent()) {
+      reader.expectEnd("the end of the tag");
     }
     List<Node> body = body();
     return condition.map(span -> new Branch(token.start(), span, variables, body));

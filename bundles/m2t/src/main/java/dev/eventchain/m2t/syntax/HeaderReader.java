@@ -108,6 +108,22 @@ final class HeaderReader {
     return Optional.of(inside);
   }
 
+  /** A condition up to variables in braces or the end, without the parentheses around all of it. */
+  Optional<SourceRange> condition() {
+    int start = position();
+    SourceRange whole = until("{");
+    int end = position;
+    if (whole.isEmpty()) {
+      unexpected("a condition in parentheses");
+      return Optional.empty();
+    }
+    position = start;
+    Optional<SourceRange> inside = at('(') ? parentheses("a condition") : Optional.empty();
+    boolean around = inside.isPresent() && position() >= whole.end();
+    position = end;
+    return around || (inside.isEmpty() && text.charAt(start) == '(') ? inside : Optional.of(whole);
+  }
+
   /** The rest up to one of some characters outside of parentheses and quotes, or to the end. */
   SourceRange until(String stops) {
     skipSpace();
@@ -170,7 +186,7 @@ final class HeaderReader {
     return new Decoration(before, separator, after, guard, variables);
   }
 
-  /** {@code {name : type = value; ...}}; nothing if there are no braces. */
+  /** {@code {name : type = value; name : type; ...}}; nothing if there are no braces. */
   List<Variable> variablesInBraces() {
     List<Variable> variables = new ArrayList<>();
     if (!at('{')) {
@@ -184,18 +200,29 @@ final class HeaderReader {
     }
     HeaderReader inside = new HeaderReader(problems, problems.source().range(position + 1, close));
     while (!inside.atEnd()) {
-      inside.variableWithValue().ifPresent(variables::add);
+      inside.variableInBraces().ifPresent(variables::add);
       if (!inside.accept(';')) {
         break;
       }
     }
+    inside.expectEnd("';' or the end of the variables");
     position = close + 1;
     return variables;
   }
 
+  /** {@code name : type = value} or {@code name : type}, up to a semicolon or the end. */
+  private Optional<Variable> variableInBraces() {
+    Optional<Variable> declared = variable("={;");
+    boolean typed = declared.isPresent() && declared.get().type().isPresent();
+    return typed && (at(';') || atEnd()) ? declared : withValue(declared);
+  }
+
   /** {@code name : type = value}, up to a semicolon or the end. */
   Optional<Variable> variableWithValue() {
-    Optional<Variable> declared = variable("={;");
+    return withValue(variable("={;"));
+  }
+
+  private Optional<Variable> withValue(Optional<Variable> declared) {
     if (declared.isEmpty()) {
       return declared;
     }

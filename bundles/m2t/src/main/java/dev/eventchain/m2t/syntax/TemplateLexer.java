@@ -53,9 +53,19 @@ final class TemplateLexer {
         Token tag = tag(bracket);
         tokens.add(tag);
         position = tag.end();
+        if (isEmptyTemplate(tag)) {
+          tokens.add(new Token(Kind.CLOSE, "template", position, position, position, position));
+        }
       }
     }
     return List.copyOf(tokens);
+  }
+
+  /** Whether a tag is a template of its own: {@code [template public t(c : C)/]}. */
+  private boolean isEmptyTemplate(Token tag) {
+    return tag.kind() == Kind.OPEN
+        && tag.keyword().equals("template")
+        && text.charAt(tag.contentEnd()) == '/';
   }
 
   private Token tag(int start) {
@@ -99,15 +109,16 @@ final class TemplateLexer {
     if (!end.found()) {
       return unclosed(start, end);
     }
-    boolean slash = text.charAt(end.offset() - 1) == '/' && end.offset() - 1 >= contentStart;
-    int contentEnd = slash ? end.offset() - 1 : end.offset();
+    int slashAt = slash(contentStart, end);
+    boolean slash = slashAt >= 0;
+    int contentEnd = slash ? slashAt : end.offset();
     if (slash && EXPRESSION_KEYWORDS.contains(keyword)) {
       return expression(start, start + 1);
     }
     if (DECLARATIONS.contains(keyword)) {
       return token(Kind.DECLARATION, keyword, start, end, contentStart, contentEnd);
     }
-    if (slash) {
+    if (slash && !keyword.equals("template")) {
       problems.syntax(
           start,
           "A '" + keyword + "' block starts with a tag that ends with ']', not with '/]'.",
@@ -127,7 +138,8 @@ final class TemplateLexer {
     if (!end.found()) {
       return unclosed(start, end);
     }
-    if (text.charAt(end.offset() - 1) != '/' || end.offset() - 1 < contentStart) {
+    int slash = slash(contentStart, end);
+    if (slash < 0) {
       Optional<Token> meant = misspelt(start, contentStart, end);
       if (meant.isPresent()) {
         return meant.get();
@@ -135,7 +147,16 @@ final class TemplateLexer {
       problems.syntax(start, "An expression ends with '/]', this one with ']'.", BRACKET_HINT);
       return broken(start, end.offset() + 1);
     }
-    return token(Kind.EXPRESSION, "", start, end, contentStart, end.offset() - 1);
+    return token(Kind.EXPRESSION, "", start, end, contentStart, slash);
+  }
+
+  /** The slash before the end of a tag, with white space between the two or without; else -1. */
+  private int slash(int contentStart, TagEnd end) {
+    int last = end.offset() - 1;
+    while (last > contentStart && Character.isWhitespace(text.charAt(last))) {
+      last--;
+    }
+    return last >= contentStart && text.charAt(last) == '/' ? last : -1;
   }
 
   /** The tag of a block whose keyword has a mistake, which is reported. */
@@ -175,17 +196,27 @@ final class TemplateLexer {
       problems.syntax(start, message, "Did you mean [/" + meant + "]?");
       return new Token(Kind.CLOSE, meant, start, end + 1, nameEnd, end);
     }
-    problems.syntax(start, message, "A block is closed by its name alone: [/for].");
+    boolean comment = name.equals("comment");
+    problems.syntax(
+        start,
+        comment ? "There is no comment to close here." : message,
+        comment
+            ? "A comment that ends with '/]' is closed already; write [comment] to close it here."
+            : "A block is closed by its name alone: [/for].");
     return broken(start, tagged ? end + 1 : nameEnd);
   }
 
+  /** A comment in one tag, or from a tag of any text to {@code [/comment]}. */
   private Token comment(int start, int nameEnd) {
     int slashEnd = next("/]", nameEnd);
     int plainEnd = next("]", nameEnd);
     int blockEnd = next("[/comment]", nameEnd);
-    boolean block = plainEnd >= 0 && blockEnd > plainEnd && (slashEnd < 0 || plainEnd < slashEnd);
+    int nextComment = next("[comment", nameEnd);
+    boolean closed = blockEnd > plainEnd && (nextComment < 0 || blockEnd < nextComment);
+    boolean bracketed = plainEnd >= 0 && text.substring(nameEnd, plainEnd).indexOf('[') >= 0;
     boolean empty = plainEnd >= 0 && text.substring(nameEnd, plainEnd).isBlank();
-    if (block && (empty || slashEnd < 0 || blockEnd < slashEnd)) {
+    boolean open = plainEnd >= 0 && (slashEnd < 0 || plainEnd < slashEnd);
+    if (open && blockEnd > plainEnd && (empty || slashEnd < 0 || (closed && !bracketed))) {
       int end = blockEnd + "[/comment]".length();
       return new Token(Kind.COMMENT, "comment", start, end, plainEnd + 1, blockEnd);
     }
