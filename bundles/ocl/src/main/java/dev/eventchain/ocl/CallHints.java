@@ -102,7 +102,10 @@ final class CallHints {
       return "'oclAsType' is asked of each value: write a dot for the arrow, or ->selectByKind(...) for"
           + " the elements of that type.";
     } else if (operations(element).contains(name) || name.equals("allInstances")) {
-      return "'" + name + "' is asked of each value: write a dot for the arrow.";
+      // A dot gets here, too, behind a collection of collections.
+      return "'"
+          + name
+          + "' is asked of each value, not of a collection: write a dot for the arrow, or ->flatten() before the dot.";
     }
     return nearest(owner, name);
   }
