@@ -2,6 +2,7 @@ package dev.eventchain.cli;
 
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.AnyModel;
+import dev.eventchain.pipeline.AnyTemplate;
 import dev.eventchain.pipeline.Project;
 import dev.eventchain.pipeline.Stage;
 import dev.eventchain.pipeline.WrittenFiles;
@@ -49,6 +50,22 @@ final class GenerateCommand extends ProjectCommand {
       description = "Java classes that the template may call by invoke(...); may be repeated.")
   private List<Path> services = List.of();
 
+  @Option(
+      names = "--source",
+      paramLabel = "FOLDER",
+      description =
+          "A source root of the template: [import a::b] is a/b.mtl below it; may be repeated."
+              + " Folders that the template is in need not be named.")
+  private List<Path> sources = List.of();
+
+  @Option(
+      names = "--properties",
+      paramLabel = "FILE",
+      description =
+          "A properties file, which getProperty('key') reads, in the order of these options;"
+              + " may be repeated.")
+  private List<Path> properties = List.of();
+
   GenerateCommand(Console console) {
     super(console);
   }
@@ -62,8 +79,8 @@ final class GenerateCommand extends ProjectCommand {
     if (!given.metamodels.isEmpty()) {
       throw wrongUsage("a model of a metamodel needs a template: --template FILE");
     }
-    if (!services.isEmpty()) {
-      throw wrongUsage("services are for a template: --template FILE");
+    if (!services.isEmpty() || !sources.isEmpty() || !properties.isEmpty()) {
+      throw wrongUsage("--services, --source and --properties are for a template: --template FILE");
     }
     if (inputs.size() > 1) {
       throw wrongUsage("name one project, or a template for several models: --template FILE");
@@ -87,8 +104,7 @@ final class GenerateCommand extends ProjectCommand {
         AnyModel.generate(
             given.metamodels,
             given.map,
-            template,
-            services,
+            new AnyTemplate(template, sources, services, properties),
             inputs,
             folder,
             overwrite(),

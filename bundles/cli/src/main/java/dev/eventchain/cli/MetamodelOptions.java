@@ -16,10 +16,10 @@ final class MetamodelOptions {
 
   @Option(
       names = "--map",
-      paramLabel = "URI=FOLDER",
+      paramLabel = "URI=FOLDER|FILE",
       description =
           "Where files are that references name by a URI which begins so, for example"
-              + " platform:/resource/=workspace/; may be repeated. Other references are followed"
+              + " platform:/resource/=workspace/, or which file a whole URI means; may be repeated. Other references are followed"
               + " into the folders of the files that the command names, and into these.")
   Map<String, Path> map = Map.of();
 }

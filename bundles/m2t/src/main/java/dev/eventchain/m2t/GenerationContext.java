@@ -2,9 +2,12 @@ package dev.eventchain.m2t;
 
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.output.OutputFolder;
+import java.util.Collections;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EObject;
 
 /**
@@ -14,31 +17,53 @@ import org.eclipse.emf.ecore.EObject;
  * @param earlier the content of a file of the output folder, usually {@link OutputFolder#read};
  *     needed for protected areas to survive
  * @param properties what {@code getProperty('key')} gives in a template
+ * @param propertyFiles the properties of files by the files' names, which {@code
+ *     getProperty('file.properties', 'key')} tells apart, in order
  * @param traced whether the result says where each line comes from
  */
 public record GenerationContext(
     Function<EObject, SourceLocation> locator,
     Function<String, Optional<byte[]>> earlier,
     Map<String, String> properties,
+    Map<String, Map<String, String>> propertyFiles,
     boolean traced) {
 
   /** Nothing known but where elements stand: an empty output folder, no properties. */
   public static GenerationContext of(Function<EObject, SourceLocation> locator) {
-    return new GenerationContext(locator, name -> Optional.empty(), Map.of(), false);
+    return new GenerationContext(locator, name -> Optional.empty(), Map.of(), Map.of(), false);
   }
 
   /** The same with the files of an output folder. */
   public GenerationContext withEarlier(Function<String, Optional<byte[]>> newEarlier) {
-    return new GenerationContext(locator, newEarlier, properties, traced);
+    return new GenerationContext(locator, newEarlier, properties, propertyFiles, traced);
   }
 
-  /** The same with other properties. */
+  /** The same with other properties, which are in no file. */
   public GenerationContext withProperties(Map<String, String> newProperties) {
-    return new GenerationContext(locator, earlier, Map.copyOf(newProperties), traced);
+    return new GenerationContext(
+        locator, earlier, Map.copyOf(newProperties), propertyFiles, traced);
+  }
+
+  /**
+   * The same with other files of properties.
+   *
+   * @param newFiles by the files' names, in the order in which they are asked for a key
+   */
+  public GenerationContext withPropertyFiles(Map<String, Map<String, String>> newFiles) {
+    Map<String, Map<String, String>> files =
+        Collections.unmodifiableMap(new LinkedHashMap<>(newFiles));
+    return new GenerationContext(locator, earlier, properties, files, traced);
   }
 
   /** The same, and the result says which template lines and elements made which lines. */
   public GenerationContext withTrace() {
-    return new GenerationContext(locator, earlier, properties, true);
+    return new GenerationContext(locator, earlier, properties, propertyFiles, true);
+  }
+
+  /** What {@code getProperty('key')} gives: what is in no file, else the first file that has it. */
+  Optional<String> property(String key) {
+    return Stream.concat(Stream.of(properties), propertyFiles.values().stream())
+        .flatMap(each -> Optional.ofNullable(each.get(key)).stream())
+        .findFirst();
   }
 }

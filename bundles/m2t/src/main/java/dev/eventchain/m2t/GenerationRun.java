@@ -87,7 +87,7 @@ final class GenerationRun {
   }
 
   Optional<String> property(String key) {
-    return Optional.ofNullable(context.properties().get(key));
+    return context.property(key);
   }
 
   /** The walk through the tokens of a text that {@code strtok} goes on with. */

@@ -183,7 +183,7 @@ final class Linker {
     unit.callables().forEach(unit.calls()::add);
     inherit(unit, unit, new HashSet<>());
     for (Syntax.Name name : unit.loaded().syntax().imports()) {
-      Unit imported = units.get(name.text());
+      Unit imported = named(name, unit);
       if (imported != null) {
         Set<Unit> family = new HashSet<>();
         family.add(imported);
@@ -197,9 +197,14 @@ final class Linker {
     }
   }
 
+  /** The module that another one means by a name; null if there is none, which is an error. */
+  private Unit named(Syntax.Name name, Unit by) {
+    return units.get(by.loaded().names().get(name.text()));
+  }
+
   private void inherit(Unit unit, Unit from, Set<Unit> seen) {
     for (Syntax.Name name : from.loaded().syntax().extended()) {
-      Unit extended = units.get(name.text());
+      Unit extended = named(name, from);
       if (extended != null && seen.add(extended)) {
         extended
             .callables()
@@ -212,7 +217,7 @@ final class Linker {
 
   private void ancestors(Unit unit, Set<Unit> into) {
     for (Syntax.Name name : unit.loaded().syntax().extended()) {
-      Unit extended = units.get(name.text());
+      Unit extended = named(name, unit);
       if (extended != null && into.add(extended)) {
         ancestors(extended, into);
       }

@@ -49,12 +49,12 @@ final class Services {
     } catch (ServiceException e) {
       throw e;
     } catch (InvocationTargetException e) {
-      throw failed(shown, e.getCause());
+      throw failed(className, shown, e.getCause());
     } catch (IllegalAccessException e) {
       throw new ServiceException(shown + "is not accessible: its class is not public", e);
     } catch (RuntimeException | LinkageError | StackOverflowError e) {
       // A library that the class needs is absent, for one, or the text of a value cannot be had.
-      throw failed(shown, e);
+      throw failed(className, shown, e);
     }
   }
 
@@ -85,10 +85,16 @@ final class Services {
             .filter(each -> each.getDeclaringClass().getClassLoader() == loader.orElseThrow())
             .sorted(Comparator.comparing(Method::isBridge))
             .toList();
-    return named.stream()
-        .filter(each -> takes(each, types))
-        .findFirst()
-        .orElseThrow(() -> new ServiceException(shown + "is absent: " + known(named)));
+    Method found =
+        named.stream()
+            .filter(each -> takes(each, types))
+            .findFirst()
+            .orElseThrow(() -> new ServiceException(shown + "is absent: " + known(named)));
+    if (found.isVarArgs()) {
+      throw new ServiceException(
+          shown + "takes any number of arguments, which no template can give: let it take a List");
+    }
+    return found;
   }
 
   /** A signature without white space and type arguments; unchanged if its brackets do not match. */
@@ -134,7 +140,7 @@ final class Services {
       return false;
     }
     for (int i = 0; i < parameters.length; i++) {
-      String wanted = types.get(i);
+      String wanted = types.get(i).replaceFirst("\\.\\.\\.$", "[]");
       Class<?> parameter = parameters[i];
       if (!wanted.equals(parameter.getName())
           && !wanted.equals(parameter.getCanonicalName())
@@ -183,22 +189,47 @@ final class Services {
     if (instance == null) {
       try {
         instance = type.getConstructor().newInstance();
-      } catch (NoSuchMethodException | InstantiationException e) {
+      } catch (NoSuchMethodException e) {
         throw new ServiceException(
             shown + "needs a class with a public constructor without parameters", e);
+      } catch (InstantiationException e) {
+        throw new ServiceException(
+            shown + "needs an instance of its class, which is abstract: make the method static", e);
       }
       known.put(type, instance);
     }
     return instance;
   }
 
-  private static ServiceException failed(String shown, Throwable thrown) {
+  private static ServiceException failed(String className, String shown, Throwable thrown) {
     boolean wraps = thrown instanceof ExceptionInInitializerError && thrown.getCause() != null;
     Throwable cause = wraps ? thrown.getCause() : thrown;
     String message = message(cause);
+    if (cause instanceof UnsupportedClassVersionError) {
+      return new ServiceException(
+          shown + "is compiled for a newer Java than " + Runtime.version().feature(), cause);
+    } else if (cause instanceof NoClassDefFoundError && !message.contains(" initialize ")) {
+      String missing = message.replace('/', '.');
+      return new ServiceException(
+          shown + "needs the class '" + missing + "', which could not be loaded", cause);
+    }
     return new ServiceException(
-        shown + "threw " + cause.getClass().getName() + (message.isEmpty() ? "" : ": " + message),
+        shown
+            + "threw "
+            + cause.getClass().getName()
+            + (message.isEmpty() ? "" : ": " + message)
+            + line(className, cause),
         cause);
+  }
+
+  /** Where in the file of the service an exception was on its way, if it knows. */
+  private static String line(String className, Throwable cause) {
+    return Arrays.stream(cause.getStackTrace())
+        .filter(each -> each.getClassName().replaceFirst("\\$.*", "").equals(className))
+        .filter(each -> each.getFileName() != null && each.getLineNumber() > 0)
+        .map(each -> " (" + each.getFileName() + ":" + each.getLineNumber() + ")")
+        .findFirst()
+        .orElse("");
   }
 
   /** The message of an exception, whose class may be anybody's. */

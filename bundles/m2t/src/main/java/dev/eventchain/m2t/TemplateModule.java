@@ -5,6 +5,8 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.m2t.syntax.ModuleLoader;
+import dev.eventchain.m2t.syntax.ModuleSources;
+import dev.eventchain.m2t.syntax.SourceFolders;
 import dev.eventchain.ocl.DeepStack;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -13,7 +15,6 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Consumer;
 import java.util.function.Function;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
@@ -43,19 +44,21 @@ public final class TemplateModule {
    * @throws DiagnosticException reason INPUT, with every problem of every module
    */
   public static TemplateModule compile(Path file, Collection<EPackage> packages) {
-    return compile(file, packages, Optional.empty());
+    return compile(file, List.of(), packages, Optional.empty());
   }
 
   /**
-   * As {@link #compile(Path, Collection)}, with Java services.
+   * As {@link #compile(Path, Collection)}, with source roots and Java services.
    *
+   * @param roots folders in which {@code a::b} is {@code a/b.mtl}; those that a file is in need not
+   *     be named
    * @param services the public methods of its own classes, but not of its parents', can be called
    *     by {@code invoke('class', 'method(types)', Sequence{...})}; without it nothing can
    */
   public static TemplateModule compile(
-      Path file, Collection<EPackage> packages, Optional<ClassLoader> services) {
-    return compile(
-        ModuleLoader.read(file), ModuleLoader.beside(file, read -> {}), packages, services);
+      Path file, List<Path> roots, Collection<EPackage> packages, Optional<ClassLoader> services) {
+    SourceFolders sources = new SourceFolders(file, roots);
+    return compile(sources.main(), sources, packages, services);
   }
 
   /**
@@ -68,13 +71,9 @@ public final class TemplateModule {
    */
   public static TemplateModule compile(
       Path file, Function<String, Optional<SourceText>> elsewhere, Collection<EPackage> packages) {
-    return compile(ModuleLoader.read(file), around(file, elsewhere, read -> {}), packages);
-  }
-
-  private static Function<String, Optional<SourceText>> around(
-      Path file, Function<String, Optional<SourceText>> elsewhere, Consumer<Path> read) {
-    Function<String, Optional<SourceText>> beside = ModuleLoader.beside(file, read);
-    return name -> beside.apply(name).or(() -> elsewhere.apply(name));
+    SourceFolders sources = new SourceFolders(file, List.of());
+    ModuleSources all = sources.or(ModuleSources.everywhere(elsewhere));
+    return compile(sources.main(), all, packages, Optional.empty());
   }
 
   /**
@@ -86,13 +85,13 @@ public final class TemplateModule {
    * @throws DiagnosticException INPUT if one of them cannot be read
    */
   public static List<Path> files(Path file, Function<String, Optional<SourceText>> elsewhere) {
-    List<Path> files = new ArrayList<>();
-    files.add(file);
-    if (Files.exists(file)) {
-      ModuleLoader.load(
-          ModuleLoader.read(file), around(file, elsewhere, files::add), new ArrayList<>());
+    if (!Files.exists(file)) {
+      return List.of(file);
     }
-    return files;
+    SourceFolders sources = new SourceFolders(file, List.of());
+    ModuleLoader.load(
+        sources.main(), sources.or(ModuleSources.everywhere(elsewhere)), new ArrayList<>());
+    return sources.files().stream().sorted().toList();
   }
 
   /**
@@ -112,11 +111,19 @@ public final class TemplateModule {
   /**
    * As {@link #compile(SourceText, Function, Collection)}, with Java services.
    *
-   * @param services as for {@link #compile(Path, Collection, Optional)}
+   * @param services as for {@link #compile(Path, List, Collection, Optional)}
    */
   public static TemplateModule compile(
       SourceText main,
       Function<String, Optional<SourceText>> sources,
+      Collection<EPackage> packages,
+      Optional<ClassLoader> services) {
+    return compile(main, ModuleSources.everywhere(sources), packages, services);
+  }
+
+  private static TemplateModule compile(
+      SourceText main,
+      ModuleSources sources,
       Collection<EPackage> packages,
       Optional<ClassLoader> services) {
     List<Diagnostic> found = new ArrayList<>();

@@ -85,7 +85,7 @@ record TemplateCase(Path folder) {
     List<Path> linked = linked("template");
     Optional<ClassLoader> services = Optional.of(CaseServices.class.getClassLoader());
     return !linked.isEmpty()
-        ? TemplateModule.compile(linked.get(0), packages, services)
+        ? TemplateModule.compile(linked.get(0), List.of(), packages, services)
         : TemplateModule.compile(source("template"), this::find, packages, services);
   }
 
@@ -99,7 +99,8 @@ record TemplateCase(Path folder) {
     try (Reader reader = Files.newBufferedReader(links)) {
       properties.load(reader);
     }
-    return Arrays.stream(properties.getProperty(what).split(" *, *"))
+    return Arrays.stream(properties.getProperty(what, "").split(" *, *"))
+        .filter(name -> !name.isEmpty())
         .map(name -> Path.of("../..").resolve(name))
         .toList();
   }
@@ -155,8 +156,9 @@ record TemplateCase(Path folder) {
   }
 
   private Optional<SourceText> find(String module) {
-    return Files.exists(folder.resolve(module + ".mtl"))
-        ? Optional.of(source(module))
+    String path = module.replace("::", "/");
+    return Files.exists(folder.resolve(path + ".mtl"))
+        ? Optional.of(source(path))
         : Optional.empty();
   }
 

@@ -42,7 +42,14 @@ final class MappedUris {
         .filter(reference::startsWith)
         .findFirst()
         .map(prefix -> "Say where such files are: --map " + prefix + "=FOLDER/")
-        .orElse("Refer to files in the project's folder by a relative path.");
+        .orElseGet(() -> otherHint(reference));
+  }
+
+  private static String otherHint(String reference) {
+    String target = reference.replaceFirst("#.*", "");
+    return target.matches("(?!file:)[A-Za-z][A-Za-z0-9+.-]+:.*")
+        ? "Say which file that is: --map " + target + "=FILE"
+        : "Refer to files in the project's folder by a relative path.";
   }
 
   /**
@@ -70,6 +77,7 @@ final class MappedUris {
     return new Target(file, Optional.empty());
   }
 
+  /** What a beginning stands for may be a file, which the whole reference names then. */
   private static Path below(Path folder, String path) {
     String relative = URI.decode(path);
     return folder.resolve(relative.replaceFirst("^/+", "")).toAbsolutePath().normalize();

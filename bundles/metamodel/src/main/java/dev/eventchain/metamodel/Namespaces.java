@@ -20,6 +20,18 @@ final class Namespaces {
 
   private static final String LOAD = "Name its metamodel with --metamodel FILE.ecore.";
 
+  /**
+   * The namespaces of UML2. Of its classes Maven Central has those of 2010 only, for models of its
+   * version 3; and without them features that UML derives, such as {@code ownedElement}, would be
+   * empty without a word.
+   */
+  private static final String UML2 = "http://www.eclipse.org/uml2/";
+
+  private static final String UML2_HINT =
+      "It is a model of UML2, which this program cannot read: what UML derives takes UML2's own"
+          + " classes. In Eclipse, export it as Ecore, or copy what is needed into a model of"
+          + " another metamodel.";
+
   /** The key of the metamodel of models without namespace. */
   static final String NONE = "";
 
@@ -70,6 +82,9 @@ final class Namespaces {
 
   /** Names the loaded version of the same metamodel, else the nearest namespace. */
   static String hint(String unknown, Collection<String> registered) {
+    if (unknown.startsWith(UML2)) {
+      return UML2_HINT;
+    }
     List<String> known = registered.stream().filter(uri -> !OF_TYPES.contains(uri)).toList();
     String name = withoutVersion(unknown);
     List<String> versions =

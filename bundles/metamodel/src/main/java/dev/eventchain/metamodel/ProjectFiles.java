@@ -23,10 +23,13 @@ import org.eclipse.emf.ecore.xml.type.XMLTypePackage;
 /** Decides which references between files are followed: none that leave the project's folders. */
 final class ProjectFiles {
 
-  /** Where the metamodels that are always there lie in Eclipse. */
+  /**
+   * Where the metamodels that are always there lie in Eclipse, and from where the other metamodels
+   * of its plug-ins, such as {@code GenModel.ecore}, refer to them.
+   */
   private static final Pattern IN_ECLIPSE =
       Pattern.compile(
-          "platform:/(?:plugin|resource)/org\\.eclipse\\.emf\\.ecore/model/(\\w+)\\.ecore");
+          "(?:platform:/(?:plugin|resource)/|(?:\\.\\./)+)org\\.eclipse\\.emf\\.ecore/model/(\\w+)\\.ecore");
 
   private static final Map<String, String> NAMESPACES =
       Map.of(

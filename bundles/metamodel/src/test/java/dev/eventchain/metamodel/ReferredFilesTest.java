@@ -15,6 +15,7 @@ import java.util.Map;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EcorePackage;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -79,6 +80,41 @@ class ReferredFilesTest {
     assertEquals(
         "base",
         superTypeOf(loadExtending("http://example.org/files/lib/model/base.ecore", longer)));
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "http://example.org/base",
+        "platform:/plugin/org.example.base/model/base.ecore",
+        "../../org.example.base/model/base.ecore",
+      })
+  void aWholeReferenceIsMappedToAFile(String reference) throws IOException {
+    Path base = workspace.resolve("lib/model/base.ecore");
+    assertEquals("base", superTypeOf(loadExtending(reference, Map.of(reference, base))));
+    assertEquals("xmi.href.refused", refusal(reference, Map.of()).id());
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"http://example.org/base", "platform:/elsewhere/base.ecore"})
+  void aReferenceByAnyUriIsNamedWithTheOptionThatGivesItsFile(String reference) {
+    Diagnostic refused = refusal(reference, Map.of());
+    assertTrue(refused.message().contains(reference), refused.message());
+    assertEquals("Say which file that is: --map " + reference + "=FILE", refused.hint());
+  }
+
+  /** As those that the plug-ins of EMF have, where Ecore lies beside them. */
+  @Test
+  void ecoreBesideAMappedMetamodelIsTheOneThatIsAlwaysThere() throws IOException {
+    String ecore =
+        ecore("base", "")
+            .replace(
+                "#//Car", "ecore:EClass ../../org.eclipse.emf.ecore/model/Ecore.ecore#//EClass");
+    Path base = Files.writeString(workspace.resolve("lib/model/base.ecore"), ecore);
+    String uri = "platform:/plugin/org.example.base/model/base.ecore";
+    EClass car = (EClass) loadExtending(uri, Map.of(uri, base)).getEClassifier("Car");
+    EClass type = (EClass) car.getESuperTypes().get(0).getEStructuralFeature("next").getEType();
+    assertSame(EcorePackage.Literals.ECLASS, type);
   }
 
   @Test

@@ -26,8 +26,7 @@ public final class AnyModel {
    * Generates text from models.
    *
    * @param map the folders that beginnings of references stand for: {@code platform:/resource/}
-   * @param template the main module
-   * @param services JARs and folders of classes whose methods the templates may call
+   * @param template with its modules, services and properties
    * @param models the template runs on the elements of each of them, and sees those that they refer
    *     to in other files
    * @param overwrite whether files that a person has edited are replaced
@@ -41,8 +40,7 @@ public final class AnyModel {
   public static WrittenFiles generate(
       List<Path> metamodels,
       Map<String, Path> map,
-      Path template,
-      List<Path> services,
+      AnyTemplate template,
       List<Path> models,
       Path folder,
       boolean overwrite,
@@ -50,13 +48,15 @@ public final class AnyModel {
       Suppressions suppressions,
       Duration timeLimit) {
     ModelValidation any = ModelValidation.read(metamodels, map, models, timeLimit);
-    try (JavaServices classes = JavaServices.of(services)) {
+    Map<String, Map<String, String>> properties = PropertyFiles.read(template.properties());
+    try (JavaServices classes = JavaServices.of(template.services())) {
       TemplateModule module =
-          TemplateModule.compile(template, templatePackages(any), classes.loader());
+          TemplateModule.compile(
+              template.main(), template.sources(), templatePackages(any), classes.loader());
       WrittenFiles files = new WrittenFiles(folder);
       files.found(any.ecore().diagnostics());
       if (!Diagnostic.anyError(suppressions.part(files.diagnostics()).remaining())) {
-        generate(any, module, files, folder, overwrite, trace);
+        generate(any, module, properties, files, folder, overwrite, trace);
       }
       return files;
     }
@@ -77,12 +77,14 @@ public final class AnyModel {
   private static void generate(
       ModelValidation any,
       TemplateModule module,
+      Map<String, Map<String, String>> properties,
       WrittenFiles files,
       Path folder,
       boolean overwrite,
       boolean trace) {
     try (OutputFolder output = OutputFolder.open(folder)) {
-      GenerationContext context = GenerationContext.of(any::locate).withEarlier(output::read);
+      GenerationContext context =
+          GenerationContext.of(any::locate).withEarlier(output::read).withPropertyFiles(properties);
       GenerationResult result = module.generate(any.roots(), trace ? context.withTrace() : context);
       int known = files.diagnostics().size(); // what is wrong with the model, and was suppressed
       files.found(module.warnings());

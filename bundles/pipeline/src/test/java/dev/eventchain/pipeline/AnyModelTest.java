@@ -98,8 +98,7 @@ class AnyModelTest {
     return AnyModel.generate(
         List.of(folder.resolve("shop.ecore")),
         Map.of(),
-        template,
-        services,
+        new AnyTemplate(template, List.of(), services, List.of()),
         List.of(models).stream().map(folder::resolve).toList(),
         folder.resolve("out"),
         false,

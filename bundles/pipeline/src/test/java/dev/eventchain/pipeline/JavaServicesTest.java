@@ -95,7 +95,7 @@ class JavaServicesTest {
     String libraries = library(EObject.class) + File.pathSeparator + library(EList.class);
     arguments.addAll(List.of("-classpath", libraries));
     for (String source : sources) {
-      String name = source.replaceFirst("(?s).*?public class (\\w+).*", "$1");
+      String name = source.replaceFirst("(?s).*?public (?:abstract )?class (\\w+).*", "$1");
       Path file = Files.writeString(place.resolve(name + ".java"), "package demo;\n" + source);
       arguments.add(file.toString());
     }
@@ -115,8 +115,7 @@ class JavaServicesTest {
     return AnyModel.generate(
             List.of(folder.resolve("shop.ecore")),
             Map.of(),
-            template,
-            List.of(classes),
+            new AnyTemplate(template, List.of(), List.of(classes), List.of()),
             List.of(folder.resolve("model.xmi")),
             folder.resolve("out"),
             false,
@@ -207,7 +206,7 @@ class JavaServicesTest {
     compile("public class Library {}", source);
     Files.delete(classes.resolve("demo/Library.class"));
     assertEquals(
-        "'demo.User.fine()' threw java.lang.NoClassDefFoundError: demo/Library",
+        "'demo.User.fine()' needs the class 'demo.Library', which could not be loaded",
         refused(call("demo.User", "fine()")));
   }
 
@@ -222,7 +221,8 @@ class JavaServicesTest {
         """;
     compile(source);
     assertEquals(
-        "'demo.Broken.size()' threw java.lang.NumberFormatException: For input string: \"many\"",
+        "'demo.Broken.size()' threw java.lang.NumberFormatException: For input string: \"many\""
+            + " (Broken.java:3)",
         refused(call("demo.Broken", "size()")));
   }
 
@@ -236,7 +236,8 @@ class JavaServicesTest {
         }
         """;
     compile(source);
-    assertEquals("'demo.Evil.fail()' threw demo.Evil", refused(call("demo.Evil", "fail()")));
+    assertEquals(
+        "'demo.Evil.fail()' threw demo.Evil (Evil.java:4)", refused(call("demo.Evil", "fail()")));
   }
 
   @Test
@@ -256,7 +257,7 @@ class JavaServicesTest {
     compile(source);
     assertEquals("5 euros\n", output(call("demo.Money", "some()")));
     assertEquals(
-        "'demo.Money.other()' threw java.lang.IllegalStateException: no text",
+        "'demo.Money.other()' threw java.lang.IllegalStateException: no text" + " (Money.java:8)",
         refused(call("demo.Money", "other()")));
     assertEquals(
         "'demo.Money.plain()' gives a java.lang.Object, which has no text",
@@ -275,6 +276,75 @@ class JavaServicesTest {
     assertEquals(
         "'demo.Words.all()' is absent: there is only all(java.lang.String[], int[][])",
         refused(call("demo.Words", "all()")));
+  }
+
+  @Test
+  void aMethodWithAnyNumberOfArgumentsIsRefused() throws IOException {
+    compile("public class Words { public static String all(String... words) { return \"\"; } }");
+    for (String signature : List.of("all(String[])", "all(java.lang.String...)")) {
+      assertEquals(
+          "'demo.Words."
+              + signature
+              + "' takes any number of arguments, which no template can give: let it take a List",
+          refused(call("demo.Words", signature)));
+    }
+  }
+
+  @Test
+  void anAbstractClassHasNoInstanceButStaticMethods() throws IOException {
+    String source =
+        """
+        public abstract class Shape {
+          public String name() { return "shape"; }
+          public static String kind() { return "kind"; }
+        }
+        """;
+    compile(source);
+    assertEquals("kind\n", output(call("demo.Shape", "kind()")));
+    assertEquals(
+        "'demo.Shape.name()' needs an instance of its class, which is abstract: make the method"
+            + " static",
+        refused(call("demo.Shape", "name()")));
+  }
+
+  @Test
+  void aClassOfANewerJavaSaysSo() throws IOException {
+    compile("public class Words { public static String word() { return \"w\"; } }");
+    Path file = classes.resolve("demo/Words.class");
+    byte[] bytes = Files.readAllBytes(file);
+    bytes[6] = 1; // the class file's major version, far beyond any
+    Files.write(file, bytes);
+    assertEquals(
+        "'demo.Words.word()' is compiled for a newer Java than " + Runtime.version().feature(),
+        refused(call("demo.Words", "word()")));
+  }
+
+  @Test
+  void theSignatureTellsMethodsOfOneNameApart() throws IOException {
+    String source =
+        """
+        import java.util.List;
+        import org.eclipse.emf.ecore.EClass;
+        import org.eclipse.emf.ecore.EObject;
+        public class Kinds {
+          public static String kind(EObject object) { return "object "; }
+          public static String kind(EClass type) { return "class " + type.getName() + " "; }
+          public static String kind(List<EObject> all) { return "list of " + all.size() + " "; }
+          public static String kind(Object any, String text) { return any + text; }
+        }
+        """;
+    compile(source);
+    assertEquals(
+        "object class Shop list of 2 null!\n",
+        output(
+            kind("EObject", "self")
+                + kind("org.eclipse.emf.ecore.EClass", "self.eClass()")
+                + kind("java.util.List<EObject>", "self.branches")
+                + kind("Object, String", "null, '!'")));
+  }
+
+  private static String kind(String types, String arguments) {
+    return "[invoke('demo.Kinds', 'kind(" + types + ")', Sequence{" + arguments + "})/]";
   }
 
   @Test

@@ -13,65 +13,44 @@ import java.nio.charset.StandardCharsets;
 import java.nio.charset.UnsupportedCharsetException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Consumer;
-import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /** Reads a module and all those that it imports or extends. */
 public final class ModuleLoader {
-  /** A module that was read. */
-  public record Loaded(Syntax.Module syntax, Problems problems) {}
+  /**
+   * A module that was read.
+   *
+   * @param names the modules that it names, as {@link #load} has them; what is missing is an error
+   */
+  public record Loaded(Syntax.Module syntax, Problems problems, Map<String, String> names) {}
 
   private static final Pattern ENCODING =
       Pattern.compile("\\s*\\[comment\\s+encoding\\s*=\\s*([^\\s/\\]]+)");
 
   private static final int ENCODING_WITHIN = 1000;
 
-  private final Function<String, Optional<SourceText>> sources;
+  private final ModuleSources sources;
   private final List<Diagnostic> found;
   private final Map<String, Loaded> modules = new LinkedHashMap<>();
 
-  private ModuleLoader(Function<String, Optional<SourceText>> sources, List<Diagnostic> found) {
+  private ModuleLoader(ModuleSources sources, List<Diagnostic> found) {
     this.sources = sources;
     this.found = found;
   }
 
-  /** All modules by the name under which they are imported; the main one first. */
+  /** All modules by the names of their texts; the main one first. */
   public static Map<String, Loaded> load(
-      SourceText main, Function<String, Optional<SourceText>> sources, List<Diagnostic> found) {
+      SourceText main, ModuleSources sources, List<Diagnostic> found) {
     ModuleLoader loader = new ModuleLoader(sources, found);
-    loader.loadMain(main);
+    loader.load(main);
     return loader.modules;
-  }
-
-  /**
-   * Modules in the folder of a file: {@code a::b} is {@code a/b.mtl} below it, or {@code b.mtl} in
-   * it, or {@code a/b.mtl} beside the folder, where several sets of templates share modules. The
-   * file itself is no module of another name.
-   *
-   * @param read gets the file of each module that is read
-   */
-  public static Function<String, Optional<SourceText>> beside(Path file, Consumer<Path> read) {
-    Path folder = Optional.ofNullable(file.getParent()).orElse(Path.of(""));
-    return name -> {
-      String nested = name.replace("::", "/") + ".mtl";
-      Path flat = folder.resolve(name.substring(name.lastIndexOf(':') + 1) + ".mtl");
-      Path around = name.contains("::") ? folder.resolve("..").resolve(nested).normalize() : flat;
-      return Stream.of(folder.resolve(nested), flat, around)
-          .filter(found -> Files.exists(found) && !found.equals(file))
-          .findFirst()
-          .map(
-              found -> {
-                read.accept(found);
-                return read(found);
-              });
-    };
   }
 
   /**
@@ -117,39 +96,48 @@ public final class ModuleLoader {
     }
   }
 
-  private void loadMain(SourceText source) {
+  private void load(SourceText source) {
     Problems problems = new Problems(source, found);
-    Syntax.Module module = parse(problems);
-    load(module.name(), module, problems);
+    SourceLocation place = SourceLocation.of(source.name());
+    Syntax.Module module = DiagnosticException.at(place, () -> ModuleParser.parse(problems));
+    Loaded loaded = new Loaded(module, problems, new HashMap<>());
+    modules.put(source.name(), loaded);
+    module.extended().forEach(other -> load(other, loaded));
+    module.imports().forEach(other -> load(other, loaded));
   }
 
-  private static Syntax.Module parse(Problems problems) {
-    SourceLocation place = SourceLocation.of(problems.source().name());
-    return DiagnosticException.at(place, () -> ModuleParser.parse(problems));
-  }
-
-  private void load(String name, Syntax.Module module, Problems problems) {
-    modules.put(name, new Loaded(module, problems));
-    module.extended().forEach(other -> load(other, problems));
-    module.imports().forEach(other -> load(other, problems));
-  }
-
-  private void load(Syntax.Name name, Problems problems) {
-    if (modules.containsKey(name.text())) {
+  private void load(Syntax.Name name, Loaded importing) {
+    SourceText from = importing.problems().source();
+    Optional<SourceText> source = sources.find(importing.syntax(), from, name.text());
+    if (source.isPresent()) {
+      importing.names().put(name.text(), source.get().name());
+      if (!modules.containsKey(source.get().name())) {
+        load(source.get());
+      }
       return;
     }
-    Optional<SourceText> source = sources.apply(name.text());
-    if (source.isPresent()) {
-      Problems own = new Problems(source.get(), found);
-      load(name.text(), parse(own), own);
-    } else {
-      problems.error(
-          "m2t.module.missing",
-          name.start(),
-          "There is no module '" + name.text() + "'.",
-          "Put "
-              + name.text().substring(name.text().lastIndexOf(':') + 1)
-              + ".mtl beside this file.");
-    }
+    // The file of a module need not be called like it.
+    Loaded main = modules.values().iterator().next();
+    Stream.of(importing, main)
+        .filter(each -> each.syntax().name().equals(name.text()))
+        .findFirst()
+        .ifPresentOrElse(
+            each -> importing.names().put(name.text(), each.problems().source().name()),
+            () -> missing(name, importing.problems()));
+  }
+
+  private static void missing(Syntax.Name name, Problems problems) {
+    String last = name.text().substring(name.text().lastIndexOf(':') + 1);
+    String root =
+        name.text().contains("::")
+            ? ", or name the folder that has "
+                + name.text().replace("::", "/")
+                + ".mtl: --source FOLDER"
+            : "";
+    problems.error(
+        "m2t.module.missing",
+        name.start(),
+        "There is no module '" + name.text() + "'.",
+        "Put " + last + ".mtl beside this file" + root + ".");
   }
 }

@@ -1,0 +1,60 @@
+package dev.eventchain.pipeline;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Properties;
+import java.util.TreeMap;
+
+/** Files of properties as Java has them, in ISO 8859-1 with escapes. */
+final class PropertyFiles {
+
+  private PropertyFiles() {}
+
+  /**
+   * The properties of files by their names without folders, in the order of the files.
+   *
+   * @throws DiagnosticException INPUT for one that is missing, cannot be read or has a broken
+   *     escape, and for a second one of the same name, since templates could not tell them apart
+   */
+  static Map<String, Map<String, String>> read(List<Path> files) {
+    Map<String, Map<String, String>> all = new LinkedHashMap<>();
+    for (Path file : files) {
+      if (all.put(file.getFileName().toString(), read(file)) != null) {
+        throw refused("properties.duplicate", "Another file of properties has this name.", file);
+      }
+    }
+    return all;
+  }
+
+  private static Map<String, String> read(Path file) {
+    if (!Files.exists(file)) {
+      throw refused("file.missing", "There is no such file of properties.", file);
+    }
+    Properties properties = new Properties();
+    try (InputStream stream = Files.newInputStream(file)) {
+      properties.load(stream);
+    } catch (IOException e) {
+      throw refused(
+          "file.unreadable", "The file cannot be read: " + SourceText.reason(e) + ".", file);
+    } catch (IllegalArgumentException e) {
+      throw refused("file.unreadable", "The file has a broken escape: " + e.getMessage(), file);
+    }
+    Map<String, String> sorted = new TreeMap<>();
+    properties.stringPropertyNames().forEach(key -> sorted.put(key, properties.getProperty(key)));
+    return sorted;
+  }
+
+  private static DiagnosticException refused(String id, String message, Path file) {
+    return new DiagnosticException(
+        DiagnosticException.Reason.INPUT, Diagnostic.error(id, message, SourceLocation.of(file)));
+  }
+}
