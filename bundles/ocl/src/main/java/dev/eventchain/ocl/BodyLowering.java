@@ -2,6 +2,7 @@ package dev.eventchain.ocl;
 
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -10,12 +11,14 @@ import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EOperation;
 import org.eclipse.emf.ecore.EParameter;
 import org.eclipse.emf.ecore.EStructuralFeature;
+import org.eclipse.ocl.expressions.CallExp;
 import org.eclipse.ocl.expressions.CollectionItem;
 import org.eclipse.ocl.expressions.CollectionKind;
 import org.eclipse.ocl.expressions.CollectionLiteralExp;
 import org.eclipse.ocl.expressions.CollectionLiteralPart;
 import org.eclipse.ocl.expressions.CollectionRange;
 import org.eclipse.ocl.expressions.IfExp;
+import org.eclipse.ocl.expressions.InvalidLiteralExp;
 import org.eclipse.ocl.expressions.IterateExp;
 import org.eclipse.ocl.expressions.IteratorExp;
 import org.eclipse.ocl.expressions.LetExp;
@@ -46,6 +49,9 @@ final class BodyLowering {
   private final List<String> slots = new ArrayList<>();
   private boolean whole = true;
 
+  /** The nodes of all expressions so far, if those are traced; otherwise null. */
+  private final Map<OCLExpression<EClassifier>, Node> traced;
+
   /**
    * Starts.
    *
@@ -57,6 +63,7 @@ final class BodyLowering {
     this.definition = parameters != null;
     this.operations = new OperationLowering(this, lowering);
     this.loops = new LoopLowering(this);
+    this.traced = lowering.isTracing() ? new IdentityHashMap<>() : null;
     if (definition) {
       parameters.forEach(parameter -> visible.put(parameter, newSlot(null)));
     }
@@ -112,8 +119,31 @@ final class BodyLowering {
     return expressions.stream().map(this::node).toArray(Node[]::new);
   }
 
-  @SuppressWarnings("unchecked") // Eclipse OCL's own types tell the metamodel they are for
   Node node(OCLExpression<EClassifier> expression) {
+    Node node = plain(expression);
+    if (traced != null) {
+      OCLExpression<EClassifier> subject = subjectOf(expression);
+      if (subject != null || expression instanceof InvalidLiteralExp<?>) {
+        node = new TracedNode(expression, node, traced.get(subject));
+      }
+      traced.put(expression, node);
+    }
+    return node;
+  }
+
+  /** What an expression is applied to; null for one that only holds others. */
+  @SuppressWarnings("unchecked") // Eclipse OCL's own types tell the metamodel they are for
+  private static OCLExpression<EClassifier> subjectOf(OCLExpression<EClassifier> expression) {
+    if (expression instanceof CallExp<?> call) {
+      return (OCLExpression<EClassifier>) call.getSource();
+    }
+    return expression instanceof IfExp<?> choice
+        ? (OCLExpression<EClassifier>) choice.getCondition()
+        : null;
+  }
+
+  @SuppressWarnings("unchecked") // Eclipse OCL's own types tell the metamodel they are for
+  private Node plain(OCLExpression<EClassifier> expression) {
     if (expression instanceof OperationCallExp<?, ?> call) {
       return operations.node((OperationCallExp<EClassifier, EOperation>) call);
     } else if (expression instanceof PropertyCallExp<?, ?> call) {

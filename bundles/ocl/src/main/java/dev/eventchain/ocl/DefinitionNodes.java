@@ -110,10 +110,17 @@ final class DefinitionNodes {
           .orElse(this);
     }
 
+    /** What other people's code says is passed on. */
+    @Override
+    boolean tells(RuntimeException e) {
+      return true;
+    }
+
     @Override
     Object compute(Frame frame) {
       Object result = call(implementation, frame);
-      if (result instanceof Invalid) {
+      if (result instanceof Invalid invalid) {
+        frame.run.fail(invalid.reason(), invalid.cause());
         return INVALID;
       }
       return givesCollection
@@ -145,9 +152,15 @@ final class DefinitionNodes {
           return INVALID;
         }
       }
-      return called.isRepeatable()
-          ? called.call(object, Arrays.asList(values), frame.run)
-          : frame.calls().call(call, called, object, values, frame.run);
+      try {
+        return called.isRepeatable()
+            ? called.call(object, Arrays.asList(values), frame.run)
+            : frame.calls().call(call, called, object, values, frame.run);
+      } finally {
+        // What the library evaluates on the way must not pass for the reason of this result.
+        frame.run.setOrigin(null);
+        frame.run.takeFailure();
+      }
     }
   }
 }

@@ -31,7 +31,7 @@ public final class Evaluation {
   private int depth;
   private boolean outOfTime;
   private InvalidOrigin origin;
-  private String note = "";
+  private Failure failure = Failure.NONE;
 
   private Evaluation(Extents extents) {
     this.extents = extents;
@@ -190,15 +190,32 @@ public final class Evaluation {
     this.origin = origin;
   }
 
-  /** Keeps what Java said of a failure until {@link #takeNote}. */
-  void note(String text) {
-    note = text;
+  /** Keeps what was said of a failure until {@link #takeFailure}. */
+  void fail(String detail, RuntimeException cause) {
+    failure = new Failure(detail, cause);
   }
 
-  String takeNote() {
-    String taken = note;
-    note = "";
+  /** As {@link #fail(String, RuntimeException)}, in the words of an exception. */
+  void fail(RuntimeException cause) {
+    String message = cause.getMessage();
+    String words = message == null ? "it cannot be evaluated" : message;
+    fail(words.lines().findFirst().orElse(""), cause);
+  }
+
+  Failure takeFailure() {
+    Failure taken = failure;
+    failure = Failure.NONE;
     return taken;
+  }
+
+  /**
+   * Why the latest operation of Java code or of a library gave no value.
+   *
+   * @param detail what was said; empty if nothing
+   * @param cause the exception by which it was said; null if there was none
+   */
+  record Failure(String detail, RuntimeException cause) {
+    static final Failure NONE = new Failure("", null);
   }
 
   private static final class MatcherCache extends LinkedHashMap<String, Matcher> {

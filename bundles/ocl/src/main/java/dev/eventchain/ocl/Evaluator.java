@@ -112,7 +112,7 @@ final class Evaluator extends EvaluationVisitorImpl {
       run.setOrigin(before);
     } else if (run.origin() == null) {
       Object source = subject == null ? null : safeVisitExpression(subject);
-      String note = run.takeNote();
+      String note = run.takeFailure().detail();
       run.setOrigin(new InvalidOrigin(node, source, detail.isEmpty() ? note : detail, cause));
     }
     return result;

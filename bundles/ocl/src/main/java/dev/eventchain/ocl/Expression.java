@@ -39,6 +39,9 @@ public final class Expression {
   /** Made at the first evaluation; published through a volatile field, as it is not all final. */
   private volatile Lowered lowered;
 
+  /** As {@link #lowered}, to find out why there is no value; made when that is first asked. */
+  private volatile Lowered traced;
+
   /** Made when it is first asked for, as the next; threads that do so at once find the same. */
   private volatile SourceLocation location;
 
@@ -267,11 +270,18 @@ public final class Expression {
     return Explanation.whyFalse(ast, known, run);
   }
 
-  /** Evaluates again, and keeps an eye on where the value becomes invalid. */
+  /** Evaluates again with nodes that remember where a value becomes invalid. */
   private Invalid explain(Frame frame) {
-    frame.calls().replay();
+    Lowered known = traced;
+    if (known == null) {
+      known = language.trace(ast);
+      traced = known;
+    }
+    Frame again = known.frame(frame.run);
+    again.replay(frame.calls());
     frame.run.setOrigin(null);
-    language.evaluator(frame.run, frame.calls()).visitExpression(ast);
+    frame.run.takeFailure();
+    known.root().evaluate(again);
     InvalidOrigin origin = frame.run.origin();
     return origin == null ? new Invalid("it has no value", location(), false) : origin.toInvalid();
   }

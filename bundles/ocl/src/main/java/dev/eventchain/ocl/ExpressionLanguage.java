@@ -49,6 +49,9 @@ public final class ExpressionLanguage {
   private final OclEnvironment root;
   private final Lowering lowering;
 
+  /** For what has no value, to find out why. */
+  private final Lowering tracing;
+
   /** The types that were asked for by name, which parsing again would not change. */
   private final Map<String, EClassifier> types = new HashMap<>();
 
@@ -60,7 +63,8 @@ public final class ExpressionLanguage {
     factory.computeBy(this::bodyOf);
     factory.libraries().belongTo(this);
     this.root = factory.root();
-    this.lowering = new Lowering(this);
+    this.lowering = new Lowering(this, false);
+    this.tracing = new Lowering(this, true);
   }
 
   /** Standard OCL over these packages. */
@@ -381,5 +385,10 @@ public final class ExpressionLanguage {
   /** Compiles an expression; not while another one is parsed, which may add definitions. */
   synchronized Lowered lower(OCLExpression<EClassifier> expression) {
     return lowering.lower(expression);
+  }
+
+  /** As {@link #lower}, into nodes that remember why a value is invalid. */
+  synchronized Lowered trace(OCLExpression<EClassifier> expression) {
+    return tracing.lower(expression);
   }
 }

@@ -27,6 +27,12 @@ final class Frame {
     this.outermost = caller.outermost;
   }
 
+  /** Gives the answers that libraries gave before to the same questions. */
+  void replay(LibraryCalls before) {
+    before.replay();
+    calls = before;
+  }
+
   /** What libraries answered, kept for the case that the reason of an invalid value is wanted. */
   LibraryCalls calls() {
     if (outermost.calls == null) {

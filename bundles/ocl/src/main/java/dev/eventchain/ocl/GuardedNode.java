@@ -12,8 +12,19 @@ abstract class GuardedNode extends Node {
     } catch (EvaluationHaltedException e) {
       throw e;
     } catch (RuntimeException e) {
+      if (tells(e)) {
+        frame.run.fail(e);
+      }
       return INVALID;
     }
+  }
+
+  /**
+   * Whether an exception says more than the value does that the work was done on. That a text is no
+   * number can be seen; which classes of Java do not fit is of no use to anybody.
+   */
+  boolean tells(RuntimeException e) {
+    return !(e instanceof ClassCastException || e instanceof NumberFormatException);
   }
 
   abstract Object compute(Frame frame);

@@ -74,7 +74,7 @@ final class Lowered {
   /** The value without a frame, for what most tags of templates hold: {@code x.name}, or a text. */
   Object quick(Evaluation run, boolean read) {
     if (feature != null) {
-      return feature.valueOf(run.values().get(variables[0]), read);
+      return feature.valueOf(run.values().get(variables[0]), read, run);
     }
     return variables.length == 1 ? run.values().get(variables[0]) : root.evaluate(null);
   }

@@ -21,6 +21,7 @@ final class Lowering {
   private final Evaluator evaluator;
   private final ValueEnvironment environment;
   private final Overriding overriding;
+  private final boolean tracing;
 
   /** By the body. Only complete ones, except while one is being made. */
   private final Map<OCLExpression<EClassifier>, Lowered> definitions = new HashMap<>();
@@ -28,8 +29,14 @@ final class Lowering {
   /** The definitions that the expression at work has added. */
   private final List<OCLExpression<EClassifier>> added = new ArrayList<>();
 
-  Lowering(ExpressionLanguage language) {
+  /**
+   * Starts.
+   *
+   * @param tracing whether the nodes are to remember why a value is invalid
+   */
+  Lowering(ExpressionLanguage language, boolean tracing) {
     this.language = language;
+    this.tracing = tracing;
     Evaluation nowhere = Evaluation.over(List.of());
     this.overriding = new Overriding(language.environment());
     this.evaluator = language.evaluator(nowhere, new LibraryCalls());
@@ -95,6 +102,10 @@ final class Lowering {
   /** The value of a literal of a primitive type or an enumeration, of null or of invalid. */
   Object constant(OCLExpression<EClassifier> literal) {
     return evaluator.visitExpression(literal);
+  }
+
+  boolean isTracing() {
+    return tracing;
   }
 
   ExpressionLanguage language() {

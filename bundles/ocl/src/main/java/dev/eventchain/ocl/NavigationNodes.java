@@ -49,7 +49,7 @@ final class NavigationNodes {
      *
      * @param read whether for a caller of {@link #read}
      */
-    abstract Object valueOf(Object object, boolean read);
+    abstract Object valueOf(Object object, boolean read, Evaluation run);
 
     final Node source() {
       return source;
@@ -57,16 +57,16 @@ final class NavigationNodes {
 
     @Override
     final Object evaluate(Frame frame) {
-      return valueOf(source.evaluate(frame), false);
+      return valueOf(source.evaluate(frame), false, frame.run);
     }
 
     @Override
     final Object read(Frame frame) {
-      return valueOf(source.evaluate(frame), true);
+      return valueOf(source.evaluate(frame), true, frame.run);
     }
 
     /** What EMF gives; invalid also if the object has no such feature. */
-    final Object get(Object object) {
+    final Object get(Object object, Evaluation run) {
       try {
         // A class is faster to ask for, and to call, than an interface.
         if (object instanceof BasicEObjectImpl usual) {
@@ -80,6 +80,7 @@ final class NavigationNodes {
       } catch (EvaluationHaltedException e) {
         throw e;
       } catch (RuntimeException e) {
+        run.fail(e);
         return INVALID;
       }
     }
@@ -103,8 +104,8 @@ final class NavigationNodes {
     }
 
     @Override
-    Object valueOf(Object object, boolean read) {
-      Object value = get(object);
+    Object valueOf(Object object, boolean read, Evaluation run) {
+      Object value = get(object, run);
       if (isCollection(value) && !(value instanceof Iterator<?>)) {
         value = first((Collection<?>) value);
       }
@@ -147,8 +148,8 @@ final class NavigationNodes {
 
     /** EMF's lists of a unique feature hold no element twice. */
     @Override
-    Object valueOf(Object object, boolean read) {
-      Object value = get(object);
+    Object valueOf(Object object, boolean read, Evaluation run) {
+      Object value = get(object, run);
       if (!read || !direct) {
         return collect(value);
       }
@@ -211,6 +212,12 @@ final class NavigationNodes {
       this.source = source;
       this.arguments = arguments;
       this.environment = environment;
+    }
+
+    /** What other people's code says is passed on. */
+    @Override
+    boolean tells(RuntimeException e) {
+      return true;
     }
 
     @Override

@@ -172,7 +172,7 @@ final class ValueEnvironment extends EcoreEvaluationEnvironment {
     try {
       return super.callOperation(operation, opcode, source, args);
     } catch (IllegalArgumentException e) {
-      run.note("it cannot be called");
+      run.fail("it cannot be called", null);
       throw e;
     }
   }
