@@ -152,7 +152,8 @@ final class CallLibrary implements OperationLibrary {
       }
       return callsTemplates()
           ? ""
-          : new Invalid("no query '" + name + "' takes these arguments", run.place(), false);
+          : new Invalid(
+              "no query '" + name + "' takes these arguments", run.place(), Invalid.Kind.OTHER);
     }
 
     /**

@@ -78,7 +78,7 @@ final class Query extends Callable {
   private Invalid located(Invalid invalid) {
     boolean known = invalid.location().line() > 0;
     SourceLocation place = known ? invalid.location() : value.location();
-    return new Invalid(invalid.reason() + ", at " + place, place, false, invalid.cause());
+    return new Invalid(invalid.reason() + ", at " + place, place, invalid.kind(), invalid.cause());
   }
 
   private Object evaluate(List<Object> arguments, GenerationRun run) {
@@ -113,6 +113,6 @@ final class Query extends Callable {
                 + ServiceValues.shown(result)
                 + ", which is no "
                 + resultType.getName());
-    return new Invalid(cause.getMessage(), value.location(), false, cause);
+    return new Invalid(cause.getMessage(), value.location(), Invalid.Kind.OTHER, cause);
   }
 }

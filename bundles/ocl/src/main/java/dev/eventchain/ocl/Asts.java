@@ -1,6 +1,8 @@
 package dev.eventchain.ocl;
 
+import org.eclipse.emf.ecore.EAnnotation;
 import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EModelElement;
 import org.eclipse.emf.ecore.EOperation;
 import org.eclipse.ocl.expressions.CollectionItem;
 import org.eclipse.ocl.expressions.CollectionLiteralExp;
@@ -11,6 +13,7 @@ import org.eclipse.ocl.expressions.OperationCallExp;
 import org.eclipse.ocl.expressions.TupleLiteralExp;
 import org.eclipse.ocl.expressions.TypeExp;
 import org.eclipse.ocl.expressions.VariableExp;
+import org.eclipse.ocl.parser.AbstractOCLAnalyzer;
 import org.eclipse.ocl.types.CollectionType;
 import org.eclipse.ocl.utilities.PredefinedType;
 
@@ -61,7 +64,7 @@ final class Asts {
     if (node instanceof CollectionLiteralExp<EClassifier> set
         && set.getPart().size() == 1
         && set.getPart().get(0) instanceof CollectionItem<EClassifier> item
-        && Evaluator.isImplicit(set)) {
+        && isImplicit(set)) {
       return item.getItem();
     } else if (node instanceof OperationCallExp<EClassifier, ?> call
         && call.getOperationCode() == PredefinedType.OCL_AS_SET
@@ -69,5 +72,16 @@ final class Asts {
       return call.getSource();
     }
     return node;
+  }
+
+  /** Whether a set was made because an arrow follows a single value. */
+  static boolean isImplicit(CollectionLiteralExp<EClassifier> literal) {
+    EAnnotation annotation =
+        literal instanceof EModelElement element
+            ? element.getEAnnotation(AbstractOCLAnalyzer.OCL_ANNOTATIONS_URI)
+            : null;
+    return annotation != null
+        && Boolean.parseBoolean(
+            annotation.getDetails().get(AbstractOCLAnalyzer.IMPLICIT_SET_CONVERSION));
   }
 }

@@ -8,27 +8,34 @@ import java.util.List;
 import java.util.Map;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EEnumLiteral;
 import org.eclipse.emf.ecore.EOperation;
 import org.eclipse.emf.ecore.EParameter;
 import org.eclipse.emf.ecore.EStructuralFeature;
+import org.eclipse.ocl.expressions.BooleanLiteralExp;
 import org.eclipse.ocl.expressions.CallExp;
 import org.eclipse.ocl.expressions.CollectionItem;
 import org.eclipse.ocl.expressions.CollectionKind;
 import org.eclipse.ocl.expressions.CollectionLiteralExp;
 import org.eclipse.ocl.expressions.CollectionLiteralPart;
 import org.eclipse.ocl.expressions.CollectionRange;
+import org.eclipse.ocl.expressions.EnumLiteralExp;
 import org.eclipse.ocl.expressions.IfExp;
+import org.eclipse.ocl.expressions.IntegerLiteralExp;
 import org.eclipse.ocl.expressions.InvalidLiteralExp;
 import org.eclipse.ocl.expressions.IterateExp;
 import org.eclipse.ocl.expressions.IteratorExp;
 import org.eclipse.ocl.expressions.LetExp;
-import org.eclipse.ocl.expressions.LiteralExp;
+import org.eclipse.ocl.expressions.NullLiteralExp;
 import org.eclipse.ocl.expressions.OCLExpression;
 import org.eclipse.ocl.expressions.OperationCallExp;
 import org.eclipse.ocl.expressions.PropertyCallExp;
+import org.eclipse.ocl.expressions.RealLiteralExp;
+import org.eclipse.ocl.expressions.StringLiteralExp;
 import org.eclipse.ocl.expressions.TupleLiteralExp;
 import org.eclipse.ocl.expressions.TupleLiteralPart;
 import org.eclipse.ocl.expressions.TypeExp;
+import org.eclipse.ocl.expressions.UnlimitedNaturalLiteralExp;
 import org.eclipse.ocl.expressions.Variable;
 import org.eclipse.ocl.expressions.VariableExp;
 import org.eclipse.ocl.types.CollectionType;
@@ -41,13 +48,11 @@ final class BodyLowering {
   private final boolean definition;
   private final OperationLowering operations;
   private final LoopLowering loops;
-  private final List<Lowered> called = new ArrayList<>();
 
   /** The variables that can be seen, and their slots. */
   private Map<String, Integer> visible = new LinkedHashMap<>();
 
   private final List<String> slots = new ArrayList<>();
-  private boolean whole = true;
 
   /** The nodes of all expressions so far, if those are traced; otherwise null. */
   private final Map<OCLExpression<EClassifier>, Node> traced;
@@ -71,7 +76,7 @@ final class BodyLowering {
 
   void lower(OCLExpression<EClassifier> expression, Lowered result) {
     Node root = node(expression);
-    result.complete(root, slots, whole, called);
+    result.complete(root, slots);
   }
 
   private int newSlot(String freeVariable) {
@@ -103,16 +108,6 @@ final class BodyLowering {
 
   int newSlot() {
     return newSlot(null);
-  }
-
-  Lowered calls(Lowered other) {
-    called.add(other);
-    return other;
-  }
-
-  /** Notes that a part is left to Eclipse OCL. */
-  void notWhole() {
-    whole = false;
   }
 
   Node[] nodes(List<OCLExpression<EClassifier>> expressions) {
@@ -164,20 +159,26 @@ final class BodyLowering {
       return tuple((TupleLiteralExp<EClassifier, EStructuralFeature>) literal);
     } else if (expression instanceof TypeExp<?> type) {
       return new ValueNodes.Constant(type.getReferredType());
-    } else if (expression instanceof LiteralExp<?>) {
-      return new ValueNodes.Constant(lowering.constant(expression));
     }
-    return left(expression);
+    return new ValueNodes.Constant(literal(expression));
   }
 
-  /** A part that is left to Eclipse OCL. */
-  Node left(OCLExpression<EClassifier> expression) {
-    notWhole();
-    return new StockExpression(
-        lowering.language(),
-        expression,
-        visible.keySet().toArray(String[]::new),
-        visible.values().stream().mapToInt(slot -> slot).toArray());
+  /** What a literal stands for; invalid for what the grammar has and nothing evaluates. */
+  private Object literal(OCLExpression<EClassifier> expression) {
+    if (expression instanceof IntegerLiteralExp<EClassifier> integer) {
+      return BigLiterals.valueOf(integer);
+    } else if (expression instanceof RealLiteralExp<?> real) {
+      return real.getRealSymbol();
+    } else if (expression instanceof StringLiteralExp<?> string) {
+      return string.getStringSymbol();
+    } else if (expression instanceof BooleanLiteralExp<?> truth) {
+      return truth.getBooleanSymbol();
+    } else if (expression instanceof EnumLiteralExp<?, ?> enumeration) {
+      return ((EEnumLiteral) enumeration.getReferredEnumLiteral()).getInstance();
+    } else if (expression instanceof UnlimitedNaturalLiteralExp<?>) {
+      return Unlimited.UNLIMITED;
+    }
+    return expression instanceof NullLiteralExp<?> ? null : Node.INVALID;
   }
 
   private Node variable(String name) {
@@ -213,9 +214,6 @@ final class BodyLowering {
   }
 
   private Node property(PropertyCallExp<EClassifier, EStructuralFeature> call) {
-    if (!call.getQualifier().isEmpty()) {
-      return left(call);
-    }
     EStructuralFeature feature = call.getReferredProperty();
     Node source = node(call.getSource());
     Lowered body = lowering.definition(feature);
@@ -236,10 +234,9 @@ final class BodyLowering {
       EClassifier sourceType, EStructuralFeature feature, Node source, Lowered body) {
     List<VirtualCall.Implementation> all = new ArrayList<>(lowering.overrides(sourceType, feature));
     if (all.isEmpty()) {
-      return new DefinitionNodes.Call(source, new Node[0], calls(body));
+      return new DefinitionNodes.Call(source, new Node[0], body);
     }
     all.add(new VirtualCall.Implementation((EClass) sourceType, body));
-    all.forEach(each -> calls(each.definition()));
     return new VirtualCall(source, new Node[0], all, (object, values) -> Node.INVALID);
   }
 
@@ -254,7 +251,7 @@ final class BodyLowering {
       return new ValueNodes.SequenceRange(node(range.getFirst()), node(range.getLast()));
     } else if (parts.size() == 1
         && parts.get(0) instanceof CollectionItem<EClassifier> item
-        && Evaluator.isImplicit(literal)) {
+        && Asts.isImplicit(literal)) {
       return new ValueNodes.ImplicitSet(node(item.getItem()));
     }
     return new ValueNodes.CollectionLiteral(

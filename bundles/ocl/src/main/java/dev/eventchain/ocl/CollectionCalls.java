@@ -4,43 +4,10 @@ import java.util.Collection;
 import java.util.List;
 import org.eclipse.ocl.utilities.PredefinedType;
 
-/** Which calls of the standard library make a set or a bag, and what they make. */
+/** What calls of the standard library make of collections. */
 final class CollectionCalls {
 
   private CollectionCalls() {}
-
-  /** Whether this operation on a collection may make a set or a bag. */
-  static boolean makesCollection(int code) {
-    return switch (code) {
-      case PredefinedType.AS_SET,
-          PredefinedType.AS_BAG,
-          PredefinedType.FLATTEN,
-          PredefinedType.UNION,
-          PredefinedType.INTERSECTION,
-          PredefinedType.MINUS,
-          PredefinedType.SYMMETRIC_DIFFERENCE,
-          PredefinedType.INCLUDING,
-          PredefinedType.EXCLUDING,
-          PredefinedType.PRODUCT,
-          PredefinedType.SELECT_BY_KIND,
-          PredefinedType.SELECT_BY_TYPE ->
-          true;
-      default -> false;
-    };
-  }
-
-  /** Whether this iterator may make a set or a bag. */
-  static boolean makesCollectionByIterating(int code) {
-    return switch (code) {
-      case PredefinedType.SELECT,
-          PredefinedType.REJECT,
-          PredefinedType.COLLECT,
-          PredefinedType.COLLECT_NESTED,
-          PredefinedType.CLOSURE ->
-          true;
-      default -> false;
-    };
-  }
 
   static Collection<?> unary(int code, Collection<?> source) {
     return switch (code) {

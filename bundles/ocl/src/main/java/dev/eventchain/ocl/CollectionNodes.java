@@ -348,9 +348,9 @@ final class CollectionNodes {
     private final Node source;
     private final Node argument;
     private final Product product;
-    private final ValueEnvironment environment;
+    private final ModelAccess environment;
 
-    ProductNode(Node source, Node argument, Product product, ValueEnvironment environment) {
+    ProductNode(Node source, Node argument, Product product, ModelAccess environment) {
       this.source = source;
       this.argument = argument;
       this.product = product;

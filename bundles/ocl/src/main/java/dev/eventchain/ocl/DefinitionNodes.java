@@ -2,7 +2,6 @@ package dev.eventchain.ocl;
 
 import java.util.Arrays;
 import org.eclipse.emf.ecore.EClassifier;
-import org.eclipse.ocl.EvaluationHaltedException;
 import org.eclipse.ocl.types.AnyType;
 import org.eclipse.ocl.types.CollectionType;
 
@@ -133,7 +132,7 @@ final class DefinitionNodes {
       try {
         Object result = call(receiver, frame);
         return result == INVALID || result instanceof Invalid ? INVALID : null;
-      } catch (EvaluationHaltedException e) {
+      } catch (Halted e) {
         throw e;
       } catch (RuntimeException e) {
         return INVALID;

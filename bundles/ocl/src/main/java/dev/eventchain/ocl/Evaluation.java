@@ -7,7 +7,6 @@ import java.util.Set;
 import java.util.regex.Matcher;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
-import org.eclipse.ocl.EvaluationHaltedException;
 
 /**
  * The state of a run that evaluates expressions on a model: the values of the variables, the
@@ -113,10 +112,6 @@ public final class Evaluation {
     return extents.get(type);
   }
 
-  Extents extents() {
-    return extents;
-  }
-
   ValueStack values() {
     return values;
   }
@@ -148,7 +143,7 @@ public final class Evaluation {
       String shortage = shortage();
       if (!shortage.isEmpty()) {
         outOfTime = true;
-        throw new EvaluationHaltedException(shortage);
+        throw new Halted(shortage, Invalid.Kind.COST);
       }
     }
   }
@@ -173,8 +168,9 @@ public final class Evaluation {
   /** Notes that a definition is about to be evaluated. */
   void enterDefinition() {
     if (++depth > DEEPEST_RECURSION) {
-      throw new EvaluationHaltedException(
-          "it recurses without end, or more than " + DEEPEST_RECURSION + " calls deep");
+      throw new Halted(
+          "it recurses without end, or more than " + DEEPEST_RECURSION + " calls deep",
+          Invalid.Kind.RECURSION);
     }
   }
 

@@ -14,7 +14,6 @@ import org.eclipse.emf.ecore.ENamedElement;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.util.EcoreUtil;
-import org.eclipse.ocl.EvaluationHaltedException;
 import org.eclipse.ocl.expressions.CollectionItem;
 import org.eclipse.ocl.expressions.CollectionLiteralExp;
 import org.eclipse.ocl.expressions.IteratorExp;
@@ -241,13 +240,14 @@ public final class Expression {
         value = read ? code.root().read(frame) : code.root().evaluate(frame);
       }
       return value == Node.INVALID ? explain(frame) : value;
-    } catch (EvaluationHaltedException e) {
-      return new Invalid(e.getMessage(), location(), true);
+    } catch (Halted e) {
+      return new Invalid(e.getMessage(), location(), e.kind());
     } catch (StackOverflowError e) {
       if (!outermost) {
         throw e;
       }
-      return new Invalid("it recurses without end, or too deeply", location(), true);
+      return new Invalid(
+          "it recurses without end, or too deeply", location(), Invalid.Kind.RECURSION);
     } finally {
       run.values().truncate(height);
       run.end();
@@ -283,7 +283,9 @@ public final class Expression {
     frame.run.takeFailure();
     known.root().evaluate(again);
     InvalidOrigin origin = frame.run.origin();
-    return origin == null ? new Invalid("it has no value", location(), false) : origin.toInvalid();
+    return origin == null
+        ? new Invalid("it has no value", location(), Invalid.Kind.OTHER)
+        : origin.toInvalid();
   }
 
   private Lowered lowered() {
@@ -293,14 +295,6 @@ public final class Expression {
       lowered = known;
     }
     return known;
-  }
-
-  /**
-   * Whether the expression runs compiled as a whole; otherwise parts of it, or of the definitions
-   * it calls, are left to Eclipse OCL's evaluator.
-   */
-  public boolean isLowered() {
-    return lowered().isWhole();
   }
 
   OCLExpression<EClassifier> ast() {

@@ -47,6 +47,7 @@ public final class ExpressionLanguage {
 
   private final OclEnvironmentFactory factory;
   private final OclEnvironment root;
+  private final ModelAccess model;
   private final Lowering lowering;
 
   /** For what has no value, to find out why. */
@@ -63,6 +64,7 @@ public final class ExpressionLanguage {
     factory.computeBy(this::bodyOf);
     factory.libraries().belongTo(this);
     this.root = factory.root();
+    this.model = new ModelAccess(factory);
     this.lowering = new Lowering(this, false);
     this.tracing = new Lowering(this, true);
   }
@@ -356,7 +358,7 @@ public final class ExpressionLanguage {
 
   /** Whether a value is an instance of a type. */
   public boolean isInstance(Object value, EClassifier type) {
-    return lowering.environment().isKindOf(value, type);
+    return model.isKindOf(value, type);
   }
 
   /** The type of everything but collections. */
@@ -378,8 +380,9 @@ public final class ExpressionLanguage {
     return factory.packages();
   }
 
-  Evaluator evaluator(Evaluation run, LibraryCalls calls) {
-    return new Evaluator(root, new ValueEnvironment(factory, run, calls), run.extents());
+  /** Access to models, which does not depend on a run. */
+  ModelAccess model() {
+    return model;
   }
 
   /** Compiles an expression; not while another one is parsed, which may add definitions. */

@@ -1,6 +1,5 @@
 package dev.eventchain.ocl;
 
-import java.util.AbstractMap;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashMap;
@@ -20,10 +19,8 @@ import org.eclipse.emf.ecore.util.EcoreUtil;
  * The instances of each class: those of the whole resource set of a model, in the order of its
  * resources and then of containment. Found when first asked for and kept. Safe for threads, as long
  * as the model does not change.
- *
- * <p>It is the map that Eclipse OCL asks for; only {@link #get} is used.
  */
-final class Extents extends AbstractMap<EClass, Set<EObject>> {
+final class Extents {
 
   /** Objects that are instances of the same classes, as far as Java is concerned, too. */
   private record Likeness(EClass type, Class<?> implementation) {
@@ -43,13 +40,10 @@ final class Extents extends AbstractMap<EClass, Set<EObject>> {
     this.roots = List.copyOf(roots);
   }
 
-  @Override
-  public Set<EObject> get(Object type) {
-    if (!(type instanceof EClass eClass)) {
-      return Set.of();
-    }
-    Set<EObject> known = instances.get(eClass);
-    return known != null ? known : instances.computeIfAbsent(eClass, this::findInstances);
+  /** All instances of a class. */
+  Set<EObject> get(EClass type) {
+    Set<EObject> known = instances.get(type);
+    return known != null ? known : instances.computeIfAbsent(type, this::findInstances);
   }
 
   private Set<EObject> findInstances(EClass type) {
@@ -118,10 +112,5 @@ final class Extents extends AbstractMap<EClass, Set<EObject>> {
     while (objects.hasNext()) {
       found.add(objects.next());
     }
-  }
-
-  @Override
-  public Set<Entry<EClass, Set<EObject>>> entrySet() {
-    throw new UnsupportedOperationException("extents are found when asked for");
   }
 }

@@ -1,7 +1,5 @@
 package dev.eventchain.ocl;
 
-import org.eclipse.ocl.EvaluationHaltedException;
-
 /** A node whose work may throw, which makes the value invalid. */
 abstract class GuardedNode extends Node {
 
@@ -9,7 +7,7 @@ abstract class GuardedNode extends Node {
   final Object evaluate(Frame frame) {
     try {
       return compute(frame);
-    } catch (EvaluationHaltedException e) {
+    } catch (Halted e) {
       throw e;
     } catch (RuntimeException e) {
       if (tells(e)) {

@@ -56,7 +56,20 @@ record InvalidOrigin(
   }
 
   Invalid toInvalid() {
-    return new Invalid(reason(), locationOf(node), false, cause);
+    return new Invalid(reason(), locationOf(node), kind(), cause);
+  }
+
+  private Invalid.Kind kind() {
+    if (node instanceof InvalidLiteralExp<?>) {
+      return Invalid.Kind.OTHER;
+    } else if (source == null || node instanceof LoopExp<?, ?>) {
+      return Invalid.Kind.NULL;
+    }
+    return isEmpty() ? Invalid.Kind.EMPTY : Invalid.Kind.OTHER;
+  }
+
+  private boolean isEmpty() {
+    return source instanceof Collection<?> collection && collection.isEmpty();
   }
 
   static SourceLocation locationOf(OCLExpression<EClassifier> node) {
@@ -112,8 +125,7 @@ record InvalidOrigin(
     } else if (source instanceof Number && detail.isEmpty() && DIVISIONS.contains(name)) {
       return "'" + name + "' divides " + source + " by zero or by nothing";
     }
-    boolean empty = source instanceof Collection<?> collection && collection.isEmpty();
-    String subject = empty ? "an empty collection" : described(source);
+    String subject = isEmpty() ? "an empty collection" : described(source);
     return "'" + name + "' has no result for " + subject + suffix();
   }
 

@@ -66,7 +66,7 @@ final class LibraryCalls {
       Object value = implementation.call(source, Arrays.asList(arguments), run);
       add(call, source, arguments, value);
       return value;
-    } catch (org.eclipse.ocl.EvaluationHaltedException e) {
+    } catch (Halted e) {
       throw e;
     } catch (RuntimeException e) {
       add(call, source, arguments, new Answer(null, e));

@@ -1,7 +1,6 @@
 package dev.eventchain.ocl;
 
 import java.util.Collection;
-import org.eclipse.ocl.EvaluationHaltedException;
 
 /**
  * How large a value may become. An evaluation that goes beyond is halted: it would end in a want of
@@ -21,24 +20,26 @@ final class Limits {
   /** Halts what makes a collection that is too large. */
   static void requireElements(long elements) {
     if (elements > MOST_ELEMENTS) {
-      throw new EvaluationHaltedException(
-          "it makes a collection of more than " + MOST_ELEMENTS + " elements");
+      throw tooLarge("a collection of more than " + MOST_ELEMENTS + " elements");
     }
   }
 
   /** Halts what makes an Integer that is too large. */
   static void requireBits(long bits) {
     if (bits > MOST_BITS) {
-      throw new EvaluationHaltedException("it makes a number of more than " + MOST_BITS + " bits");
+      throw tooLarge("a number of more than " + MOST_BITS + " bits");
     }
   }
 
   /** Halts what makes a text that is too long. */
   static void requireCharacters(long characters) {
     if (characters > MOST_CHARACTERS) {
-      throw new EvaluationHaltedException(
-          "it makes a text of more than " + MOST_CHARACTERS + " characters");
+      throw tooLarge("a text of more than " + MOST_CHARACTERS + " characters");
     }
+  }
+
+  private static Halted tooLarge(String what) {
+    return new Halted("it makes " + what, Invalid.Kind.COST);
   }
 
   /** Halts what made a value that is too large, and gives the value otherwise. */

@@ -1,7 +1,6 @@
 package dev.eventchain.ocl;
 
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EParameter;
@@ -10,7 +9,6 @@ import org.eclipse.ocl.expressions.IterateExp;
 import org.eclipse.ocl.expressions.IteratorExp;
 import org.eclipse.ocl.expressions.LoopExp;
 import org.eclipse.ocl.expressions.Variable;
-import org.eclipse.ocl.types.CollectionType;
 import org.eclipse.ocl.types.OrderedSetType;
 import org.eclipse.ocl.types.SetType;
 import org.eclipse.ocl.util.OCLStandardLibraryUtil;
@@ -27,12 +25,6 @@ final class LoopLowering {
 
   Node iterator(IteratorExp<EClassifier, EParameter> loop) {
     int code = OCLStandardLibraryUtil.getOperationCode(loop.getName());
-    boolean quantifier = code == PredefinedType.FOR_ALL || code == PredefinedType.EXISTS;
-    if (!(loop.getSource().getType() instanceof CollectionType<?, ?>)
-        || (loop.getIterator().size() != 1 && !quantifier)
-        || (code == PredefinedType.SORTED_BY && !isSortable(loop))) {
-      return body.left(loop);
-    }
     Node source = body.node(loop.getSource());
     Map<String, Integer> variables = variables(loop);
     Node inner = body.within(variables, loop.getBody());
@@ -40,13 +32,7 @@ final class LoopLowering {
     if (slots.length > 1) {
       return new LoopNodes.MultiQuantifier(source, slots, inner, code == PredefinedType.EXISTS);
     }
-    Node node = loop(loop, code, source, slots[0], inner);
-    return node == null ? body.left(loop) : node;
-  }
-
-  /** Eclipse OCL sorts unlimited naturals differently. */
-  private static boolean isSortable(IteratorExp<EClassifier, EParameter> loop) {
-    return !StandardOperations.isUnlimited(loop.getBody().getType());
+    return loop(loop, code, source, slots[0], inner);
   }
 
   private Map<String, Integer> variables(LoopExp<EClassifier, EParameter> loop) {
@@ -78,19 +64,15 @@ final class LoopLowering {
       case PredefinedType.CLOSURE ->
           new LoopNodes.Closure(
               source, slot, inner, loop.getType() instanceof OrderedSetType<?, ?>);
-      default -> null;
+      default -> throw new IllegalArgumentException(loop.getName());
     };
   }
 
   Node iterate(IterateExp<EClassifier, EParameter> loop) {
-    List<Variable<EClassifier, EParameter>> iterators = loop.getIterator();
-    if (iterators.size() != 1) {
-      return body.left(loop);
-    }
     Node start = body.start(loop.getResult());
     Node source = body.node(loop.getSource());
     Map<String, Integer> variables = variables(loop);
-    int slot = variables.get(iterators.get(0).getName());
+    int slot = variables.get(loop.getIterator().get(0).getName());
     int result = body.newSlot();
     variables.put(loop.getResult().getName(), result);
     Node inner = body.within(variables, loop.getBody());

@@ -313,7 +313,7 @@ final class LoopNodes {
     @Override
     Object loop(Collection<?> elements, Frame frame) {
       Collection<Object> reached =
-          LoopEvaluator.closure(elements, ordered, element -> body(element, frame));
+          Reachable.from(elements, ordered, element -> body(element, frame));
       return reached == null ? INVALID : reached;
     }
   }

@@ -18,8 +18,7 @@ import org.eclipse.ocl.expressions.OCLExpression;
 final class Lowering {
 
   private final ExpressionLanguage language;
-  private final Evaluator evaluator;
-  private final ValueEnvironment environment;
+  private final ModelAccess environment;
   private final Overriding overriding;
   private final boolean tracing;
 
@@ -37,10 +36,8 @@ final class Lowering {
   Lowering(ExpressionLanguage language, boolean tracing) {
     this.language = language;
     this.tracing = tracing;
-    Evaluation nowhere = Evaluation.over(List.of());
     this.overriding = new Overriding(language.environment());
-    this.evaluator = language.evaluator(nowhere, new LibraryCalls());
-    this.environment = (ValueEnvironment) evaluator.getEvaluationEnvironment();
+    this.environment = language.model();
   }
 
   /** Lowers an expression. */
@@ -99,11 +96,6 @@ final class Lowering {
     return known;
   }
 
-  /** The value of a literal of a primitive type or an enumeration, of null or of invalid. */
-  Object constant(OCLExpression<EClassifier> literal) {
-    return evaluator.visitExpression(literal);
-  }
-
   boolean isTracing() {
     return tracing;
   }
@@ -113,7 +105,7 @@ final class Lowering {
   }
 
   /** Access to the model that does not depend on a run. */
-  ValueEnvironment environment() {
+  ModelAccess environment() {
     return environment;
   }
 }

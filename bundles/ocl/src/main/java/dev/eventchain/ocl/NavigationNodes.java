@@ -13,7 +13,6 @@ import org.eclipse.emf.ecore.EOperation;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.InternalEObject;
 import org.eclipse.emf.ecore.impl.BasicEObjectImpl;
-import org.eclipse.ocl.EvaluationHaltedException;
 import org.eclipse.ocl.expressions.CollectionKind;
 
 /** Access to the model: features, operations, extents and types. */
@@ -77,7 +76,7 @@ final class NavigationNodes {
           return index < 0 ? INVALID : other.eGet(index, true, true);
         }
         return INVALID;
-      } catch (EvaluationHaltedException e) {
+      } catch (Halted e) {
         throw e;
       } catch (RuntimeException e) {
         run.fail(e);
@@ -164,13 +163,9 @@ final class NavigationNodes {
     private final Node source;
     private final EStructuralFeature property;
     private final CollectionKind kind;
-    private final ValueEnvironment environment;
+    private final ModelAccess environment;
 
-    Part(
-        Node source,
-        EStructuralFeature property,
-        CollectionKind kind,
-        ValueEnvironment environment) {
+    Part(Node source, EStructuralFeature property, CollectionKind kind, ModelAccess environment) {
       this.source = source;
       this.property = property;
       this.kind = kind;
@@ -199,14 +194,10 @@ final class NavigationNodes {
     private final int code;
     private final Node source;
     private final Node[] arguments;
-    private final ValueEnvironment environment;
+    private final ModelAccess environment;
 
     Operation(
-        EOperation operation,
-        int code,
-        Node source,
-        Node[] arguments,
-        ValueEnvironment environment) {
+        EOperation operation, int code, Node source, Node[] arguments, ModelAccess environment) {
       this.operation = operation;
       this.code = code;
       this.source = source;
@@ -265,7 +256,7 @@ final class NavigationNodes {
     private final Node source;
     private final TypeTest test;
 
-    AsType(Node source, EClassifier type, ValueEnvironment environment) {
+    AsType(Node source, EClassifier type, ModelAccess environment) {
       this.source = source;
       this.test = new TypeTest(type, false, environment);
     }

@@ -9,7 +9,7 @@ import org.eclipse.ocl.expressions.CollectionKind;
 /**
  * A part of a lowered expression. Immutable and safe for threads.
  *
- * <p>The values are those of {@link Evaluator}: null is OCL's null, {@link #INVALID} its invalid.
+ * <p>Of the values, null is OCL's null, {@link #INVALID} its invalid.
  */
 abstract class Node {
 
@@ -20,8 +20,7 @@ abstract class Node {
   /**
    * The value.
    *
-   * @throws org.eclipse.ocl.EvaluationHaltedException if a limit is reached; no other exception
-   *     gets out
+   * @throws Halted if a limit is reached; no other exception gets out
    */
   abstract Object evaluate(Frame frame);
 

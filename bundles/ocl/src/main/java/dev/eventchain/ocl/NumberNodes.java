@@ -20,6 +20,21 @@ final class NumberNodes {
     return ExactNumbers.binary(code, first, second);
   }
 
+  /** {@code oclAsType(Real)} of an Integer, which is written as a Real from then on. */
+  static final class AsReal extends Node {
+    private final Node source;
+
+    AsReal(Node source) {
+      this.source = source;
+    }
+
+    @Override
+    Object evaluate(Frame frame) {
+      Object value = source.evaluate(frame);
+      return value instanceof Number number ? (Object) number.doubleValue() : value;
+    }
+  }
+
   /** An operation with two operands. */
   private abstract static class Operation extends LogicNodes.Binary {
 
@@ -154,9 +169,16 @@ final class NumberNodes {
 
     @Override
     final Object other(Object first, Object second) {
+      if (first == Unlimited.UNLIMITED || second == Unlimited.UNLIMITED) {
+        return second == null ? INVALID : integers(rank(first), rank(second));
+      }
       return first instanceof String one && second instanceof String other
           ? integers(one.compareTo(other), 0)
           : INVALID;
+    }
+
+    private static int rank(Object number) {
+      return number == Unlimited.UNLIMITED ? 1 : 0;
     }
   }
 

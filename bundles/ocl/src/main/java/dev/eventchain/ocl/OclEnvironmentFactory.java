@@ -1,7 +1,6 @@
 package dev.eventchain.ocl;
 
 import java.util.HashSet;
-import java.util.Map;
 import java.util.Set;
 import java.util.function.Function;
 import org.eclipse.emf.ecore.EClass;
@@ -14,8 +13,6 @@ import org.eclipse.emf.ecore.EParameter;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.ETypedElement;
 import org.eclipse.ocl.Environment;
-import org.eclipse.ocl.EvaluationEnvironment;
-import org.eclipse.ocl.EvaluationVisitor;
 import org.eclipse.ocl.ecore.CallOperationAction;
 import org.eclipse.ocl.ecore.Constraint;
 import org.eclipse.ocl.ecore.EcoreEnvironmentFactory;
@@ -30,7 +27,7 @@ final class OclEnvironmentFactory extends EcoreEnvironmentFactory {
   private final Dialect dialect;
   private final Libraries libraries;
   private final OclEnvironment root;
-  private final ValueEnvironment.Kinds kinds;
+  private final ModelAccess.Kinds kinds;
   private final ProblemTexts texts;
   private final Set<String> failedNames = new HashSet<>();
   private final Set<Object> statics = new HashSet<>();
@@ -44,7 +41,7 @@ final class OclEnvironmentFactory extends EcoreEnvironmentFactory {
     this.libraries = new Libraries(dialect);
     this.root = new OclEnvironment(this);
     this.texts = new ProblemTexts(root, packages);
-    this.kinds = new ValueEnvironment.Kinds(element -> root.getUMLReflection().getOCLType(element));
+    this.kinds = new ModelAccess.Kinds(element -> root.getUMLReflection().getOCLType(element));
   }
 
   /** While a definition is declared, an operation of a superclass is one that it may override. */
@@ -146,46 +143,5 @@ final class OclEnvironmentFactory extends EcoreEnvironmentFactory {
           environment,
       String input) {
     return new OclAnalyzer((OclEnvironment) environment, input);
-  }
-
-  @Override
-  public ValueEnvironment createEvaluationEnvironment(
-      EvaluationEnvironment<EClassifier, EOperation, EStructuralFeature, EClass, EObject> parent) {
-    return new ValueEnvironment(parent);
-  }
-
-  @Override
-  public EvaluationVisitor<
-          EPackage,
-          EClassifier,
-          EOperation,
-          EStructuralFeature,
-          EEnumLiteral,
-          EParameter,
-          EObject,
-          CallOperationAction,
-          SendSignalAction,
-          Constraint,
-          EClass,
-          EObject>
-      createEvaluationVisitor(
-          Environment<
-                  EPackage,
-                  EClassifier,
-                  EOperation,
-                  EStructuralFeature,
-                  EEnumLiteral,
-                  EParameter,
-                  EObject,
-                  CallOperationAction,
-                  SendSignalAction,
-                  Constraint,
-                  EClass,
-                  EObject>
-              environment,
-          EvaluationEnvironment<EClassifier, EOperation, EStructuralFeature, EClass, EObject>
-              values,
-          Map<? extends EClass, ? extends Set<? extends EObject>> extents) {
-    return new Evaluator((OclEnvironment) environment, (ValueEnvironment) values, extents);
   }
 }

@@ -36,17 +36,12 @@ final class OperationLowering {
     if (!overrides.isEmpty()) {
       return virtual(call, overrides, source, arguments);
     } else if (definition != null) {
-      return new DefinitionNodes.Call(source, arguments, body.calls(definition));
+      return new DefinitionNodes.Call(source, arguments, definition);
     } else if (call.getOperationCode() <= 0) {
       return new NavigationNodes.Operation(
           operation, codeOf(operation), source, arguments, lowering.environment());
     }
-    Node node = standard.node(call, source, arguments);
-    if (node == null) {
-      body.notWhole();
-      return new StockOperation.Apply(stock(call), prepend(source, arguments));
-    }
-    return node;
+    return standard.node(call, source, arguments);
   }
 
   private Node virtual(
@@ -60,8 +55,7 @@ final class OperationLowering {
     if (definition != null) {
       all.add(new VirtualCall.Implementation((EClass) call.getSource().getType(), definition));
     }
-    all.forEach(each -> body.calls(each.definition()));
-    ValueEnvironment environment = lowering.environment();
+    ModelAccess environment = lowering.environment();
     int code = codeOf(operation);
     return new VirtualCall(
         source,
@@ -74,16 +68,5 @@ final class OperationLowering {
   private static int codeOf(EOperation operation) {
     int code = OCLStandardLibraryUtil.getOperationCode(String.valueOf(operation.getName()));
     return NumberNodes.Comparison.has(code) ? code : 0;
-  }
-
-  private static Node[] prepend(Node first, Node[] rest) {
-    Node[] all = new Node[rest.length + 1];
-    all[0] = first;
-    System.arraycopy(rest, 0, all, 1, rest.length);
-    return all;
-  }
-
-  private StockOperation stock(OperationCallExp<EClassifier, EOperation> call) {
-    return new StockOperation(lowering.language(), call);
   }
 }

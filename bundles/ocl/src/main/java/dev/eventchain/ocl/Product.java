@@ -26,7 +26,7 @@ record Product(EClassifier type, EStructuralFeature first, EStructuralFeature se
   }
 
   Collection<Object> make(
-      Collection<?> left, Collection<?> right, ValueEnvironment environment, Evaluation run) {
+      Collection<?> left, Collection<?> right, ModelAccess environment, Evaluation run) {
     Limits.requireElements((long) left.size() * right.size());
     Collection<Object> result = new InsertionOrderedSet<>();
     for (Object one : left) {

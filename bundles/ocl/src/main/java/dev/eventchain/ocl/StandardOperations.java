@@ -1,5 +1,6 @@
 package dev.eventchain.ocl;
 
+import java.util.Collections;
 import java.util.Set;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
@@ -8,90 +9,52 @@ import org.eclipse.emf.ecore.EOperation;
 import org.eclipse.ocl.expressions.OCLExpression;
 import org.eclipse.ocl.expressions.OperationCallExp;
 import org.eclipse.ocl.expressions.TypeExp;
-import org.eclipse.ocl.types.AnyType;
 import org.eclipse.ocl.types.CollectionType;
 import org.eclipse.ocl.types.OCLStandardLibrary;
-import org.eclipse.ocl.types.PrimitiveType;
 import org.eclipse.ocl.types.VoidType;
 import org.eclipse.ocl.utilities.PredefinedType;
 
 /** Makes the nodes of the operations of the standard library. */
 final class StandardOperations {
 
-  private static final Set<Integer> DIFFERENT =
-      Set.of(
-          PredefinedType.EQUAL,
-          PredefinedType.NOT_EQUAL,
-          PredefinedType.LESS_THAN,
-          PredefinedType.LESS_THAN_EQUAL,
-          PredefinedType.GREATER_THAN,
-          PredefinedType.GREATER_THAN_EQUAL,
-          PredefinedType.PLUS,
-          PredefinedType.MINUS,
-          PredefinedType.TIMES,
-          PredefinedType.DIVIDE,
-          PredefinedType.DIV,
-          PredefinedType.MOD,
-          PredefinedType.MAX,
-          PredefinedType.MIN,
-          PredefinedType.ABS,
-          PredefinedType.FLOOR,
-          PredefinedType.ROUND,
-          PredefinedType.SUM,
-          PredefinedType.COUNT,
-          PredefinedType.INCLUDES,
-          PredefinedType.EXCLUDES,
-          PredefinedType.INCLUDES_ALL,
-          PredefinedType.EXCLUDES_ALL,
-          PredefinedType.INDEX_OF,
-          PredefinedType.TO_INTEGER,
-          PredefinedType.TO_REAL,
-          PredefinedType.AS_ORDERED_SET,
-          PredefinedType.OCL_IS_KIND_OF,
-          PredefinedType.OCL_IS_TYPE_OF,
-          PredefinedType.OCL_AS_TYPE);
-
   private final OclEnvironment environment;
-  private final ValueEnvironment values;
+  private final ModelAccess values;
   private final OCLStandardLibrary<EClassifier> types;
 
-  StandardOperations(OclEnvironment environment, ValueEnvironment values) {
+  StandardOperations(OclEnvironment environment, ModelAccess values) {
     this.environment = environment;
     this.values = values;
     this.types = environment.getOCLStandardLibrary();
   }
 
-  static boolean isUnlimited(EClassifier type) {
-    return type instanceof PrimitiveType<?> primitive
-        && primitive.getName().equals(PrimitiveType.UNLIMITED_NATURAL_NAME);
-  }
-
-  /** Whether Eclipse OCL has another value for an operation than the standard, for some values. */
-  static boolean differs(int code) {
-    return DIFFERENT.contains(code);
-  }
-
-  /** An operation of the standard library; null if it has no node. */
+  /** An operation of the standard library. */
   Node node(OperationCallExp<EClassifier, EOperation> call, Node source, Node[] arguments) {
-    EClassifier type = call.getSource().getType();
-    Node node = ofAnything(call, source, arguments);
-    if (node != null) {
-      return node;
-    } else if (isUnlimited(type)
-        || call.getArgument().stream().anyMatch(argument -> isUnlimited(argument.getType()))) {
-      return null;
-    } else if (type instanceof CollectionType<?, ?> collection) {
-      return ofCollection(call, collection, source, arguments);
-    } else if (type == types.getString()) {
-      return ofString(call, source, arguments);
-    } else if (type == types.getInteger() || type == types.getReal()) {
-      return ofNumber(call, source, arguments);
+    EClassifier type = environment.getUMLReflection().asOCLType(call.getSource().getType());
+    Node node = ofAnything(call, type, source, arguments);
+    if (node == null && type instanceof CollectionType<?, ?> collection) {
+      node = ofCollection(call, collection, source, arguments);
+    } else if (node == null && NumberNodes.Comparison.has(call.getOperationCode())) {
+      node = NumberNodes.Comparison.of(call.getOperationCode(), source, arguments[0]);
+    } else if (node == null && type == types.getString()) {
+      node = ofString(call.getOperationCode(), source, arguments);
+    } else if (node == null && isNumeric(type)) {
+      node = ofNumber(call.getOperationCode(), source, arguments);
     }
-    return null;
+    // What is left has no value for any source, such as the sum of invalid and one.
+    return node == null ? new ValueNodes.Undefined(source) : node;
+  }
+
+  private boolean isNumeric(EClassifier type) {
+    return type == types.getInteger()
+        || type == types.getReal()
+        || type == types.getUnlimitedNatural();
   }
 
   private Node ofAnything(
-      OperationCallExp<EClassifier, EOperation> call, Node source, Node[] arguments) {
+      OperationCallExp<EClassifier, EOperation> call,
+      EClassifier type,
+      Node source,
+      Node[] arguments) {
     int code = call.getOperationCode();
     return switch (code) {
       case PredefinedType.AND -> new LogicNodes.And(source, arguments[0]);
@@ -104,25 +67,33 @@ final class StandardOperations {
       case PredefinedType.OCL_IS_UNDEFINED -> new LogicNodes.IsUndefined(source, true);
       case PredefinedType.OCL_IS_INVALID -> new LogicNodes.IsUndefined(source, false);
       case PredefinedType.OCL_AS_SET -> new ValueNodes.ImplicitSet(source);
-      case PredefinedType.TO_STRING ->
-          isUnlimited(call.getSource().getType()) ? null : new TextNodes.ToString(source);
+      case PredefinedType.TO_STRING -> new TextNodes.ToString(source);
       case PredefinedType.ALL_INSTANCES -> allInstances(call.getSource());
-      case PredefinedType.OCL_IS_KIND_OF, PredefinedType.OCL_IS_TYPE_OF -> isOfType(call, source);
-      case PredefinedType.OCL_AS_TYPE -> asType(call, source);
+      case PredefinedType.OCL_IS_KIND_OF ->
+          new NavigationNodes.IsOfType(source, new TypeTest(argumentType(call), false, values));
+      case PredefinedType.OCL_IS_TYPE_OF ->
+          new NavigationNodes.IsOfType(source, new TypeTest(argumentType(call), true, values));
+      case PredefinedType.OCL_AS_TYPE -> asType(type, argumentType(call), source);
       default -> null;
     };
   }
 
+  /** The type that an argument names: the grammar allows no other argument there. */
+  private static EClassifier argumentType(OperationCallExp<EClassifier, EOperation> call) {
+    return ((TypeExp<EClassifier>) call.getArgument().get(0)).getReferredType();
+  }
+
+  /** Types without an extent, such as Integer, have no instances, as in Eclipse OCL. */
   private static Node allInstances(OCLExpression<EClassifier> source) {
-    if (!(source instanceof TypeExp<EClassifier> type)) {
-      return null;
-    } else if (type.getReferredType() instanceof EEnum enumeration) {
+    EClassifier type = ((TypeExp<EClassifier>) source).getReferredType();
+    if (type instanceof EEnum enumeration) {
       return new ValueNodes.Constant(literals(enumeration));
+    } else if (type instanceof VoidType<?>) {
+      return new ValueNodes.Constant(new InsertionOrderedSet<>(Collections.singleton(null)));
     }
-    return type.getReferredType() instanceof EClass found
-            && !(type.getReferredType() instanceof VoidType<?>)
+    return type instanceof EClass found
         ? new NavigationNodes.AllInstances(found)
-        : null;
+        : new ValueNodes.Constant(new InsertionOrderedSet<>(Set.of()));
   }
 
   /** The values of an enumeration, as features have them. */
@@ -132,23 +103,9 @@ final class StandardOperations {
     return values;
   }
 
-  private Node isOfType(OperationCallExp<EClassifier, EOperation> call, Node source) {
-    boolean exactly = call.getOperationCode() == PredefinedType.OCL_IS_TYPE_OF;
-    return call.getArgument().get(0) instanceof TypeExp<EClassifier> type
-            && !isUnlimited(call.getSource().getType())
-        ? new NavigationNodes.IsOfType(
-            source, new TypeTest(type.getReferredType(), exactly, values))
-        : null;
-  }
-
-  /** Conversions of numbers, strings and collections have rules of their own. */
-  private Node asType(OperationCallExp<EClassifier, EOperation> call, Node source) {
-    EClassifier from = call.getSource().getType();
-    return call.getArgument().get(0) instanceof TypeExp<EClassifier> type
-            && (from instanceof AnyType<?>
-                || (from instanceof EClass && !(from instanceof PredefinedType<?>)))
-        ? new NavigationNodes.AsType(source, type.getReferredType(), values)
-        : null;
+  private Node asType(EClassifier from, EClassifier to, Node source) {
+    boolean toReal = from == types.getInteger() && to == types.getReal();
+    return toReal ? new NumberNodes.AsReal(source) : new NavigationNodes.AsType(source, to, values);
   }
 
   private Node ofCollection(
@@ -213,21 +170,14 @@ final class StandardOperations {
       return new CollectionNodes.ProductNode(
           source, argument, Product.of(call, environment), values);
     } else if (code == PredefinedType.SELECT_BY_KIND || code == PredefinedType.SELECT_BY_TYPE) {
-      return call.getArgument().get(0) instanceof TypeExp<EClassifier> type
-          ? new CollectionNodes.SelectByType(
-              source,
-              new TypeTest(type.getReferredType(), code == PredefinedType.SELECT_BY_TYPE, values))
-          : null;
+      boolean exactly = code == PredefinedType.SELECT_BY_TYPE;
+      return new CollectionNodes.SelectByType(
+          source, new TypeTest(argumentType(call), exactly, values));
     }
     return null;
   }
 
-  private Node ofString(
-      OperationCallExp<EClassifier, EOperation> call, Node source, Node[] arguments) {
-    int code = call.getOperationCode();
-    if (arguments.length == 1 && NumberNodes.Comparison.has(code)) {
-      return NumberNodes.Comparison.of(code, source, arguments[0]);
-    }
+  private static Node ofString(int code, Node source, Node[] arguments) {
     return switch (arguments.length) {
       case 0 -> TextNodes.Unary.has(code) ? new TextNodes.Unary(code, source) : null;
       case 1 ->
@@ -239,13 +189,9 @@ final class StandardOperations {
     };
   }
 
-  private Node ofNumber(
-      OperationCallExp<EClassifier, EOperation> call, Node source, Node[] arguments) {
-    int code = call.getOperationCode();
+  private static Node ofNumber(int code, Node source, Node[] arguments) {
     if (arguments.length == 0) {
       return NumberNodes.Unary.has(code) ? new NumberNodes.Unary(code, source) : null;
-    } else if (NumberNodes.Comparison.has(code)) {
-      return NumberNodes.Comparison.of(code, source, arguments[0]);
     }
     return NumberNodes.Arithmetic.has(code)
         ? new NumberNodes.Arithmetic(code, source, arguments[0])

@@ -8,7 +8,7 @@ import org.eclipse.ocl.types.VoidType;
  *
  * @param exactly whether instances of subtypes are left out
  */
-record TypeTest(EClassifier type, boolean exactly, ValueEnvironment environment) {
+record TypeTest(EClassifier type, boolean exactly, ModelAccess environment) {
 
   /** What {@code oclIsKindOf} or {@code oclIsTypeOf} says of a value that is not undefined. */
   boolean holds(Object value) {

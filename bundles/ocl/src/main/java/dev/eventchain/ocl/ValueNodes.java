@@ -30,6 +30,21 @@ final class ValueNodes {
     }
   }
 
+  /** What has no value whatever it is applied to, but finds out first whether that has one. */
+  static final class Undefined extends Node {
+    private final Node source;
+
+    Undefined(Node source) {
+      this.source = source;
+    }
+
+    @Override
+    Object evaluate(Frame frame) {
+      source.evaluate(frame);
+      return INVALID;
+    }
+  }
+
   /** A variable. */
   static final class Slot extends Node {
     private final int index;
@@ -271,13 +286,13 @@ final class ValueNodes {
 
   /** A literal of a tuple. */
   static final class TupleLiteral extends GuardedNode {
-    private final ValueEnvironment environment;
+    private final ModelAccess environment;
     private final EClassifier type;
     private final EStructuralFeature[] names;
     private final Node[] values;
 
     TupleLiteral(
-        ValueEnvironment environment, EClassifier type, EStructuralFeature[] names, Node[] values) {
+        ModelAccess environment, EClassifier type, EStructuralFeature[] names, Node[] values) {
       this.environment = environment;
       this.type = type;
       this.names = names;

@@ -28,16 +28,6 @@ final class ValueStack {
     return index < 0 ? null : values[index];
   }
 
-  /** Replaces the latest value of a name, or gives it its first one. */
-  void replace(String name, Object value) {
-    int index = find(name);
-    if (index < 0) {
-      push(name, value);
-    } else {
-      values[index] = value;
-    }
-  }
-
   /** Replaces the value that was pushed at a height. */
   void set(int height, Object value) {
     values[height] = value;

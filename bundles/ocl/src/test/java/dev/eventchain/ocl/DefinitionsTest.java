@@ -53,10 +53,9 @@ class DefinitionsTest {
     Expression names = parse("books->collect(b | b.kind + ' ' + b.name(2))->asSet()");
     Set<String> expected = Set.of("audio recording", "book volume");
     assertEquals(expected, Set.copyOf((Collection<?>) names.evaluate(run())));
-    // The evaluator for what is not lowered, which also finds out why a value is invalid.
-    Evaluation run = run();
-    Object value = language.evaluator(run, new LibraryCalls()).visitExpression(names.ast());
-    assertEquals(expected, Set.copyOf((Collection<?>) value));
+    Lowered traced = language.trace(names.ast());
+    Object explained = traced.root().evaluate(traced.frame(run()));
+    assertEquals(expected, Set.copyOf((Collection<?>) explained));
   }
 
   @Test

@@ -70,7 +70,8 @@ class ExpressionLanguageTest {
                 new Operation(
                     name,
                     language.type("String"),
-                    (value, arguments, run) -> new Invalid("no such shelf", null, false)));
+                    (value, arguments, run) ->
+                        new Invalid("no such shelf", null, Invalid.Kind.OTHER)));
           }
           return Optional.empty();
         }

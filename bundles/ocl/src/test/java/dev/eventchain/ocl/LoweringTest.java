@@ -28,8 +28,8 @@ import org.eclipse.ocl.util.Bag;
 import org.eclipse.ocl.util.Tuple;
 
 /**
- * Lowered expressions have the values that {@link Evaluator} gives, in the same order, and that
- * Eclipse OCL gives. Takes about 25 s.
+ * Lowered expressions have the values that Eclipse OCL gives, and so have the traced ones that
+ * explain why there is none, in the same order. Takes about 25 s.
  *
  * <p>Left out of the comparison with Eclipse OCL, which it cannot answer in one way only or answers
  * otherwise on purpose: expressions whose value depends on the order of a set or a bag, and those
@@ -108,7 +108,8 @@ class LoweringTest {
     Evaluation run = Evaluation.over(List.of(self));
     run.begin();
     run.bind("self", self);
-    return language.evaluator(run, new LibraryCalls()).visitExpression(expression.ast());
+    Lowered traced = language.trace(expression.ast());
+    return traced.root().evaluate(traced.frame(run));
   }
 
   /** Values that are equal only if they are the same in OCL, in type and order, too. */
@@ -143,13 +144,12 @@ class LoweringTest {
   }
 
   @Example
-  void everyConstructIsGeneratedAndLoweredAndMostValuesAreDefined() {
+  void everyConstructIsGeneratedAndMostValuesAreDefined() {
     Random random = new Random(1);
     Map<String, Integer> used = new TreeMap<>();
     int defined = 0;
     int comparable = 0;
     Map<String, Integer> differences = new TreeMap<>();
-    int lowered = 0;
     int count = 2000;
     for (int i = 0; i < count; i++) {
       OclGenerator generator = new OclGenerator(random.ints(40, 0, 5040).boxed().toList());
@@ -160,12 +160,10 @@ class LoweringTest {
       stock.evaluate(expression.ast(), self);
       stock.differences().forEach(each -> differences.merge(each, 1, Integer::sum));
       comparable += generator.doesOrderMatter() || !stock.differences().isEmpty() ? 0 : 1;
-      lowered += expression.isLowered() ? 1 : 0;
       generator.used().forEach((name, times) -> used.merge(name, times, Integer::sum));
     }
     assertEquals(CONSTRUCTS, used.size(), used::toString);
     assertTrue(used.values().stream().allMatch(times -> times >= 5), used::toString);
-    assertEquals(count, lowered);
     assertTrue(defined > count / 3, defined + " values are defined");
     assertTrue(comparable > count / 3, comparable + " values are comparable, " + differences);
     assertTrue(

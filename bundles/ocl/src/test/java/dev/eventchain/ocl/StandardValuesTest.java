@@ -75,11 +75,8 @@ class StandardValuesTest {
     Expression expression = parse(text);
     assertEquals(expected, text(expression.evaluate(run())));
     // What explains an undefined value must not come to another one.
-    Evaluation run = run();
-    run.begin();
-    Object explained =
-        language.evaluator(run, new LibraryCalls()).visitExpression(expression.ast());
-    assertEquals(expected, text(explained));
+    Lowered traced = language.trace(expression.ast());
+    assertEquals(expected, text(traced.root().evaluate(traced.frame(run()))));
   }
 
   private Evaluation run() {

@@ -62,8 +62,7 @@ final class ConstraintRun {
     evaluation.withBudget(budget);
     if (evaluation.isOutOfTime() && !Thread.currentThread().isInterrupted()) {
       // What was to be evaluated before this part, or beside it, took all the time there is.
-      String reason = budget.shortage();
-      give(from, from, findings.limit(constraint, elements, from, reason));
+      give(from, from, findings.limit(constraint, elements, from, limit(budget.shortage())));
       return;
     }
     for (int i = from; i < to && i < givenUpAt.get(); i++) {
@@ -82,8 +81,12 @@ final class ConstraintRun {
     try {
       return constraint.evaluate(element, evaluation);
     } catch (OutOfMemoryError e) {
-      return new Invalid("it needs more memory than there is", constraint.location(), true);
+      return limit("it needs more memory than there is");
     }
+  }
+
+  private Invalid limit(String reason) {
+    return new Invalid(reason, constraint.location(), Invalid.Kind.COST);
   }
 
   private void add(int index, Object value, Evaluation evaluation) {
@@ -96,7 +99,7 @@ final class ConstraintRun {
     if (Boolean.TRUE.equals(known)) {
       return;
     } else if (known instanceof Invalid invalid && invalid.limit()) {
-      give(index, index + 1L, findings.limit(constraint, elements, index, invalid.reason()));
+      give(index, index + 1L, findings.limit(constraint, elements, index, invalid));
     } else if (known instanceof Boolean) {
       note(index, findings.violated(constraint, element, evaluation));
     } else {

@@ -13,7 +13,8 @@ import org.eclipse.emf.ecore.EObject;
 /** Puts into words what the evaluation of invariants found. */
 final class Findings {
 
-  private static final Invalid IS_NULL = new Invalid("it is null", SourceLocation.NONE, false);
+  private static final Invalid IS_NULL =
+      new Invalid("it is null", SourceLocation.NONE, Invalid.Kind.NULL);
 
   private final Function<EObject, SourceLocation> locator;
 
@@ -63,26 +64,26 @@ final class Findings {
             + invalid.reason()
             + ".",
         locate(subject),
-        guard(invalid.reason()),
+        guard(invalid.kind()),
         constraint.qualifiedName(),
         List.of(placed ? invalid.location() : constraint.location()));
   }
 
-  private static String guard(String reason) {
-    if (reason.contains("null")) {
-      return "Guard it: x <> null implies ...";
-    }
-    return reason.contains("empty collection")
-        ? "Guard it: x->notEmpty() implies ..."
-        : "Say what holds then: if ... then ... else ... endif.";
+  private static String guard(Invalid.Kind kind) {
+    return switch (kind) {
+      case NULL -> "Guard it: x <> null implies ...";
+      case EMPTY -> "Guard it: x->notEmpty() implies ...";
+      default -> "Say what holds then: if ... then ... else ... endif.";
+    };
   }
 
   /**
    * An invariant that was given up at an element.
    *
    * @param index of the element: those before it were checked
+   * @param limit what it went beyond
    */
-  Diagnostic limit(OclConstraint constraint, List<?> elements, int index, String reason) {
+  Diagnostic limit(OclConstraint constraint, List<?> elements, int index, Invalid limit) {
     return new Diagnostic(
         "ocl.limit",
         Severity.ERROR,
@@ -90,11 +91,11 @@ final class Findings {
             .formatted(
                 constraint.name(),
                 HeldValue.label(elements.get(index)),
-                reason,
+                limit.reason(),
                 elements.size() - index,
                 Coverage.counted(elements.size(), "element")),
         constraint.location(),
-        reason.contains("recurses")
+        limit.kind() == Invalid.Kind.RECURSION
             ? "Mend the recursion: closure() follows references and ends by itself."
             : "Make it cheaper, or allow more: --time-limit SECONDS, EVENTCHAIN_MEMORY=4g.",
         constraint.qualifiedName(),

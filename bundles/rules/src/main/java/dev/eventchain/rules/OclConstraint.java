@@ -122,11 +122,6 @@ public final class OclConstraint {
     }
   }
 
-  /** Whether no part of it is left to Eclipse OCL's evaluator. */
-  boolean isLowered() {
-    return condition.isLowered();
-  }
-
   /** What to say of an object or a value that violates it. */
   String messageFor(Object subject, Evaluation run) {
     run.bind("self", HeldValue.self(subject));

@@ -37,9 +37,4 @@ public record OclResult(int elements, List<Check> checks, List<Diagnostic> diagn
   public long evaluations() {
     return checks.stream().mapToLong(Check::evaluations).sum();
   }
-
-  /** How many invariants ran compiled as a whole; Eclipse OCL evaluated parts of the others. */
-  public int lowered() {
-    return (int) checks.stream().filter(check -> check.constraint().isLowered()).count();
-  }
 }

@@ -4,18 +4,15 @@ import java.lang.reflect.InvocationTargetException;
 import java.util.Collection;
 import java.util.Iterator;
 import java.util.Map;
-import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import org.eclipse.emf.common.util.ECollections;
 import org.eclipse.emf.common.util.Enumerator;
-import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EEnum;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EOperation;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.ETypedElement;
-import org.eclipse.ocl.EvaluationEnvironment;
 import org.eclipse.ocl.ecore.AnyType;
 import org.eclipse.ocl.ecore.CollectionType;
 import org.eclipse.ocl.ecore.EcoreEvaluationEnvironment;
@@ -23,83 +20,22 @@ import org.eclipse.ocl.ecore.PrimitiveType;
 import org.eclipse.ocl.expressions.CollectionKind;
 
 /**
- * The variables and the access to the model while an expression is evaluated. Differs from what it
- * extends in that a variable may hide another of the same name, that collections keep their order,
- * that the kind of each feature is found out once, and that operations of objects without generated
- * code are called, too.
+ * Access to models: features, operations, types of values, tuples. Differs from what it extends in
+ * that collections keep their order, that the kind of each feature is found out once, and that
+ * operations of objects without generated code are called, too. Safe for threads.
  */
-final class ValueEnvironment extends EcoreEvaluationEnvironment {
+final class ModelAccess extends EcoreEvaluationEnvironment {
 
   private final OclEnvironmentFactory factory;
-  private final Evaluation run;
-  private final LibraryCalls calls;
-  private final ValueStack values;
 
-  ValueEnvironment(OclEnvironmentFactory factory, Evaluation run, LibraryCalls calls) {
+  ModelAccess(OclEnvironmentFactory factory) {
     super(factory);
     this.factory = factory;
-    this.run = run;
-    this.calls = calls;
-    this.values = run.values();
-  }
-
-  /** The variables of a definition's body, which sees none of its caller's. */
-  ValueEnvironment(
-      EvaluationEnvironment<EClassifier, EOperation, EStructuralFeature, EClass, EObject> parent) {
-    super(parent);
-    ValueEnvironment caller = (ValueEnvironment) parent;
-    this.factory = caller.factory;
-    this.run = caller.run;
-    this.calls = caller.calls;
-    this.values = new ValueStack();
-  }
-
-  Evaluation run() {
-    return run;
-  }
-
-  LibraryCalls calls() {
-    return calls;
   }
 
   /** The kind of collection that a feature holds; null for a single value. */
   CollectionKind kindOf(EStructuralFeature feature) {
     return factory.kindOf(feature);
-  }
-
-  @Override
-  public Object getValueOf(String name) {
-    return values.get(name);
-  }
-
-  @Override
-  public void replace(String name, Object value) {
-    values.replace(name, value);
-  }
-
-  @Override
-  public void add(String name, Object value) {
-    values.push(name, value);
-  }
-
-  @Override
-  public Object remove(String name) {
-    return values.remove(name);
-  }
-
-  @Override
-  public void clear() {
-    values.truncate(0);
-  }
-
-  @Override
-  public String toString() {
-    return "values of " + values.size() + " variables";
-  }
-
-  @Override
-  public Map<EClass, Set<EObject>> createExtentMap(Object object) {
-    return run.extents();
   }
 
   @Override
@@ -140,19 +76,25 @@ final class ValueEnvironment extends EcoreEvaluationEnvironment {
   /** Eclipse OCL goes by the Java class, which one type of OCL has several of. */
   private boolean isInstance(Object value, EClassifier type, boolean exactly) {
     Object number = Numbers.normal(value);
-    if (Numbers.isNumber(number)) {
-      EClassifier known = factory.oclType(type);
-      String name = known instanceof PrimitiveType primitive ? primitive.getName() : "";
-      return switch (name) {
-        case PrimitiveType.INTEGER_NAME -> Numbers.isInteger(number);
-        case PrimitiveType.REAL_NAME -> !exactly || !Numbers.isInteger(number);
-        default -> !exactly && known instanceof AnyType;
-      };
+    if (number == Unlimited.UNLIMITED || Numbers.isNumber(number)) {
+      return isNumberOf(number, factory.oclType(type), exactly);
     } else if (value instanceof Enumerator && type instanceof EEnum enumeration) {
       return enumeration.getELiterals().stream()
           .anyMatch(literal -> literal == value || literal.getInstance() == value);
     }
     return exactly ? super.isTypeOf(value, type) : super.isKindOf(value, type);
+  }
+
+  private static boolean isNumberOf(Object number, EClassifier type, boolean exactly) {
+    boolean unlimited = number == Unlimited.UNLIMITED;
+    boolean integer = Numbers.isInteger(number);
+    String name = type instanceof PrimitiveType primitive ? primitive.getName() : "";
+    return switch (name) {
+      case PrimitiveType.UNLIMITED_NATURAL_NAME -> unlimited;
+      case PrimitiveType.INTEGER_NAME -> integer || (unlimited && !exactly);
+      case PrimitiveType.REAL_NAME -> !exactly || !(integer || unlimited);
+      default -> !exactly && type instanceof AnyType;
+    };
   }
 
   /** Calls an operation of the metamodel. */
@@ -172,8 +114,7 @@ final class ValueEnvironment extends EcoreEvaluationEnvironment {
     try {
       return super.callOperation(operation, opcode, source, args);
     } catch (IllegalArgumentException e) {
-      run.fail("it cannot be called", null);
-      throw e;
+      throw new IllegalArgumentException("it cannot be called", e);
     }
   }
 
