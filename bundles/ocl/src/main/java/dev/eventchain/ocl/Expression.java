@@ -241,13 +241,12 @@ public final class Expression {
       }
       return value == Node.INVALID ? explain(frame) : value;
     } catch (Halted e) {
-      return new Invalid(e.getMessage(), location(), e.kind());
+      return invalid(e.getMessage(), e.kind());
     } catch (StackOverflowError e) {
       if (!outermost) {
         throw e;
       }
-      return new Invalid(
-          "it recurses without end, or too deeply", location(), Invalid.Kind.RECURSION);
+      return invalid("it recurses without end, or too deeply", Invalid.Kind.RECURSION);
     } finally {
       run.values().truncate(height);
       run.end();
@@ -283,9 +282,11 @@ public final class Expression {
     frame.run.takeFailure();
     known.root().evaluate(again);
     InvalidOrigin origin = frame.run.origin();
-    return origin == null
-        ? new Invalid("it has no value", location(), Invalid.Kind.OTHER)
-        : origin.toInvalid();
+    return origin == null ? invalid("it has no value", Invalid.Kind.OTHER) : origin.toInvalid();
+  }
+
+  private Invalid invalid(String reason, Invalid.Kind kind) {
+    return new Invalid(reason, location(), kind);
   }
 
   private Lowered lowered() {
