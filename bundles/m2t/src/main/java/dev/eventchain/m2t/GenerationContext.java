@@ -66,4 +66,16 @@ public record GenerationContext(
         .flatMap(each -> Optional.ofNullable(each.get(key)).stream())
         .findFirst();
   }
+
+  /**
+   * What {@code getProperty('file', 'key')} gives.
+   *
+   * @param file the name of a file, which may leave its ending out
+   */
+  Optional<String> property(String file, String key) {
+    return Stream.of(file, file + ".properties")
+        .flatMap(name -> Optional.ofNullable(propertyFiles.get(name)).stream())
+        .flatMap(each -> Optional.ofNullable(each.get(key)).stream())
+        .findFirst();
+  }
 }

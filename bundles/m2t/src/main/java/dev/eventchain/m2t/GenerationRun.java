@@ -90,6 +90,10 @@ final class GenerationRun {
     return context.property(key);
   }
 
+  Optional<String> property(String file, String key) {
+    return context.property(file, key);
+  }
+
   /** The walk through the tokens of a text that {@code strtok} goes on with. */
   TokenWalk tokenWalk(String text, boolean restart) {
     if (restart) {

@@ -1,16 +1,21 @@
 package dev.eventchain.m2t;
 
 import static dev.eventchain.m2t.OperationTable.Kind.ANY;
+import static dev.eventchain.m2t.OperationTable.Kind.COLLECTION;
 import static dev.eventchain.m2t.OperationTable.Kind.INTEGER;
 import static dev.eventchain.m2t.OperationTable.Kind.TEXT;
 import static dev.eventchain.m2t.OperationTable.Kind.TYPE;
 
 import dev.eventchain.m2t.OperationTable.Call;
+import dev.eventchain.m2t.OperationTable.Kind;
 import dev.eventchain.m2t.OperationTable.Row;
 import dev.eventchain.m2t.OperationTable.Types;
+import java.text.MessageFormat;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
 import java.util.function.BiFunction;
 import java.util.function.Function;
 import org.eclipse.emf.ecore.EObject;
@@ -53,14 +58,50 @@ final class ObjectOperations {
 
   private static void addContext(List<Row> rows) {
     rows.add(new Row("lineSeparator", ANY, List.of(), Types::text, true, (s, a, c) -> "\n"));
+    addProperties(rows);
+    addSelves(rows);
+  }
+
+  /** Of one file or of all, and with a value for each {@code {0}}, {@code {1}} of its text. */
+  private static void addProperties(List<Row> rows) {
+    addProperty(rows, (a, run) -> run.property((String) a.get(0)), TEXT);
+    addProperty(rows, (a, run) -> run.property((String) a.get(0), (String) a.get(1)), TEXT, TEXT);
+  }
+
+  private static void addProperty(
+      List<Row> rows,
+      BiFunction<List<Object>, GenerationRun, Optional<String>> value,
+      Kind... arguments) {
+    List<Kind> withValues = new ArrayList<>(List.of(arguments));
+    withValues.add(COLLECTION);
     rows.add(
         new Row(
             "getProperty",
             ANY,
-            List.of(TEXT),
+            List.of(arguments),
             Types::text,
             true,
-            (s, a, c) -> c.run().property((String) a.get(0)).orElse(null)));
+            (s, a, c) -> value.apply(a, c.run()).orElse(null)));
+    rows.add(
+        new Row(
+            "getProperty",
+            ANY,
+            withValues,
+            Types::text,
+            true,
+            (s, a, c) ->
+                value
+                    .apply(a, c.run())
+                    .map(text -> filled(text, (Collection<?>) a.get(a.size() - 1)))
+                    .orElse(null)));
+  }
+
+  private static String filled(String text, Collection<?> values) {
+    return new MessageFormat(text, Locale.ROOT).format(values.stream().map(Texts::of).toArray());
+  }
+
+  /** The values of self around an expression. */
+  private static void addSelves(List<Row> rows) {
     rows.add(
         new Row(
             "current",

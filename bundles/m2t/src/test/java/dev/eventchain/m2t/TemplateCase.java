@@ -34,9 +34,11 @@ import org.eclipse.emf.ecore.xmi.impl.XMIResourceFactoryImpl;
  * lacks of the last two is looked for in the folders around it. Instead of a template there may be
  * a {@code links.properties} that says where in the repository the {@code template} and the {@code
  * metamodel}s are, with commas between them. Files of an earlier run may stand in {@code earlier/}.
- * The templates may call {@link CaseServices}.
+ * The templates may call {@link CaseServices}, and ask for what is in {@code texts.properties}.
  */
 record TemplateCase(Path folder) {
+  private static final String TEXTS = "texts.properties";
+
   /** What came of it: files, and findings one a line. */
   record Outcome(SortedMap<String, byte[]> files, String findings) {}
 
@@ -112,7 +114,25 @@ record TemplateCase(Path folder) {
         .withEarlier(this::earlier)
         .withProperties(
             Map.of(
-                "greeting", "hello", "provenance.version", "1.0", "provenance.model", "model.xmi"));
+                "greeting", "hello", "provenance.version", "1.0", "provenance.model", "model.xmi"))
+        .withPropertyFiles(propertyFiles());
+  }
+
+  /** The file {@code texts.properties} of the case, if it has one. */
+  private Map<String, Map<String, String>> propertyFiles() {
+    Path file = folder.resolve(TEXTS);
+    if (!Files.exists(file)) {
+      return Map.of();
+    }
+    Properties read = new Properties();
+    try (Reader reader = Files.newBufferedReader(file)) {
+      read.load(reader);
+    } catch (IOException e) {
+      throw new java.io.UncheckedIOException(e);
+    }
+    Map<String, String> texts = new TreeMap<>();
+    read.forEach((key, value) -> texts.put((String) key, (String) value));
+    return Map.of(TEXTS, texts);
   }
 
   private Optional<byte[]> earlier(String name) {

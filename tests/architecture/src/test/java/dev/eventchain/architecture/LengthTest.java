@@ -45,7 +45,6 @@ class LengthTest {
           Map.entry("FileCharsets.bytes", 31L),
           Map.entry("Linker.declare", 34L),
           Map.entry("ModelComparison.compareContents", 31L),
-          Map.entry("ObjectOperations.rows", 31L),
           Map.entry("OclAnalyzer.ERROR", 35L),
           Map.entry("QosContracts.compare", 39L),
           Map.entry("ReportPage.render", 38L),
