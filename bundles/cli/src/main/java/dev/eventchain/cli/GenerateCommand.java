@@ -2,7 +2,6 @@ package dev.eventchain.cli;
 
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.AnyModel;
-import dev.eventchain.pipeline.AnyTemplate;
 import dev.eventchain.pipeline.Project;
 import dev.eventchain.pipeline.Stage;
 import dev.eventchain.pipeline.WrittenFiles;
@@ -104,7 +103,7 @@ final class GenerateCommand extends ProjectCommand {
         AnyModel.generate(
             given.metamodels,
             given.map,
-            new AnyTemplate(template, sources, services, properties),
+            new AnyModel.Template(template, sources, services, properties),
             inputs,
             folder,
             overwrite(),

@@ -18,7 +18,7 @@ import org.eclipse.emf.ecore.EObject;
  *     needed for protected areas to survive
  * @param properties what {@code getProperty('key')} gives in a template
  * @param propertyFiles the properties of files by the files' names, which {@code
- *     getProperty('file.properties', 'key')} tells apart, in order
+ *     getProperty('name', 'key')} tells apart, in order
  * @param traced whether the result says where each line comes from
  */
 public record GenerationContext(

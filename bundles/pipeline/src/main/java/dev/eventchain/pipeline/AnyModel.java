@@ -20,6 +20,25 @@ import org.eclipse.emf.ecore.EPackage;
 /** Generation from models of any Ecore metamodel, without a project. */
 public final class AnyModel {
 
+  /**
+   * A template that stands in no project, and what it needs.
+   *
+   * @param main the main module
+   * @param sources the source roots of its modules; folders that it is in need not be named
+   * @param services JARs and folders of classes whose methods the templates may call
+   * @param properties files of properties; where several have a key, the first one counts
+   */
+  public record Template(
+      Path main, List<Path> sources, List<Path> services, List<Path> properties) {
+
+    /** Keeps the lists from changing. */
+    public Template {
+      sources = List.copyOf(sources);
+      services = List.copyOf(services);
+      properties = List.copyOf(properties);
+    }
+  }
+
   private AnyModel() {}
 
   /**
@@ -40,7 +59,7 @@ public final class AnyModel {
   public static WrittenFiles generate(
       List<Path> metamodels,
       Map<String, Path> map,
-      AnyTemplate template,
+      Template template,
       List<Path> models,
       Path folder,
       boolean overwrite,

@@ -98,7 +98,7 @@ class AnyModelTest {
     return AnyModel.generate(
         List.of(folder.resolve("shop.ecore")),
         Map.of(),
-        new AnyTemplate(template, List.of(), services, List.of()),
+        new AnyModel.Template(template, List.of(), services, List.of()),
         List.of(models).stream().map(folder::resolve).toList(),
         folder.resolve("out"),
         false,

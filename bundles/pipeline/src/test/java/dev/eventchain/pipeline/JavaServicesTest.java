@@ -115,7 +115,7 @@ class JavaServicesTest {
     return AnyModel.generate(
             List.of(folder.resolve("shop.ecore")),
             Map.of(),
-            new AnyTemplate(template, List.of(), List.of(classes), List.of()),
+            new AnyModel.Template(template, List.of(), List.of(classes), List.of()),
             List.of(folder.resolve("model.xmi")),
             folder.resolve("out"),
             false,
