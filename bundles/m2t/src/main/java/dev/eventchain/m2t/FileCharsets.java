@@ -30,7 +30,7 @@ final class FileCharsets {
     } catch (IllegalCharsetNameException | UnsupportedCharsetException e) {
       problem = "There is no charset '" + name + "'.";
     }
-    run.error(ID, place, problem, "Write 'UTF-8'.");
+    run.report().error(ID, place, problem, "Write 'UTF-8'.");
     return Optional.empty();
   }
 
@@ -71,7 +71,7 @@ final class FileCharsets {
       bytes = new byte[encoded.remaining()];
       encoded.get(bytes);
     } catch (CharacterCodingException e) {
-      run.error(
+      run.report().error(
           ID,
           place,
           "The text of '"

@@ -130,7 +130,7 @@ final class GeneratedFile {
   String merged(String text, Optional<OriginMarks> marks, SourceLocation place, GenerationRun run) {
     List<Area> areas = ProtectedAreas.in(text);
     if (areas.isEmpty()) {
-      marks.ifPresent(origins -> run.tracing().file(path, text, origins));
+      marks.ifPresent(origins -> run.writer().tracing().file(path, text, origins));
       return text;
     }
     OutputBuffer merged = new OutputBuffer(marks.isPresent());
@@ -148,7 +148,7 @@ final class GeneratedFile {
     }
     append(text, from, text.length(), marks, merged);
     String whole = merged.textOf(all);
-    merged.marksOf(all).ifPresent(origins -> run.tracing().file(path, whole, origins));
+    merged.marksOf(all).ifPresent(origins -> run.writer().tracing().file(path, whole, origins));
     return whole;
   }
 
@@ -179,7 +179,7 @@ final class GeneratedFile {
   }
 
   static void refuse(String id, String problem, SourceLocation place, GenerationRun run) {
-    run.error(
+    run.report().error(
         "m2t.protected.id",
         place,
         "The protected area '" + OutputPath.shown(id) + "' " + problem + ".",
@@ -216,7 +216,7 @@ final class GeneratedFile {
     for (Earlier area : earlier) {
       if (!area.taken) {
         area.loss =
-            run.warning(
+            run.report().warning(
                 "m2t.protected.lost",
                 SourceLocation.of(path),
                 "The protected area '"

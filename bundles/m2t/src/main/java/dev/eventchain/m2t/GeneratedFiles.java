@@ -90,7 +90,7 @@ final class GeneratedFiles {
             : FileCharsets.named(tag.charset().get(), tag.charsetPlace(), run);
     if (path.refused()) {
       var refused = path.refusal(tag.name());
-      run.error(refused.id(), tag.place(), refused.message(), refused.hint());
+      run.report().error(refused.id(), tag.place(), refused.message(), refused.hint());
       return;
     }
     GeneratedFile known = files.get(path.value());
@@ -109,7 +109,7 @@ final class GeneratedFiles {
   /** Whether a file that a block wrote or writes goes on with another one. */
   private boolean goesOn(GeneratedFile known, Optional<Charset> charset, Tag tag) {
     if (tag.mode() == FileMode.OVERWRITE) {
-      run.error(
+      run.report().error(
           "m2t.file.duplicate",
           tag.place(),
           "The file '" + known.path() + "' was written before in this run.",
@@ -122,7 +122,7 @@ final class GeneratedFiles {
     if (tag.charset().isPresent()
         && charset.isPresent()
         && !charset.get().equals(known.charset())) {
-      run.error(
+      run.report().error(
           FileCharsets.ID,
           tag.charsetPlace(),
           "The file '"
@@ -157,7 +157,7 @@ final class GeneratedFiles {
       }
     }
     if (!problem.isEmpty()) {
-      run.error(
+      run.report().error(
           "m2t.file.duplicate", tag.place(), problem, "Give files and folders different names.");
     }
     return problem.isEmpty();
@@ -169,7 +169,7 @@ final class GeneratedFiles {
     boolean unreadable = before.isPresent() && text.isEmpty() && ProtectedAreas.anyIn(before.get());
     boolean stays = before.isPresent() && tag.mode() == FileMode.CREATE;
     if (unreadable && !stays) {
-      run.error(
+      run.report().error(
           FileCharsets.ID,
           tag.charsetPlace(),
           "The earlier file '"
@@ -227,7 +227,7 @@ final class GeneratedFiles {
 
   /** The areas that were lost before and those that are lost now. */
   private byte[] lost(GeneratedFile file) {
-    file.losses().forEach(run::add);
+    file.losses().forEach(run.report()::add);
     byte[] before = earlier.apply(lostPath(file)).orElse(new byte[0]);
     String known = new String(before, file.charset());
     ByteArrayOutputStream lost = new ByteArrayOutputStream();
@@ -251,7 +251,7 @@ final class GeneratedFiles {
     if (block != null
         && block.area == null
         && !FileCharsets.agreesWithAscii(block.file.charset())) {
-      run.error(
+      run.report().error(
           FileCharsets.ID,
           block.tag.charsetPlace(),
           "Protected areas cannot be found again in "

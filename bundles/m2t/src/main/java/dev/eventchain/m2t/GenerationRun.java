@@ -1,39 +1,25 @@
 package dev.eventchain.m2t;
 
-import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.m2t.syntax.Place;
 import dev.eventchain.ocl.Evaluation;
 import dev.eventchain.ocl.Expression;
 import dev.eventchain.ocl.Invalid;
 import dev.eventchain.ocl.OperationLibrary;
-import java.util.ArrayDeque;
-import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collection;
-import java.util.Collections;
-import java.util.Deque;
 import java.util.HashMap;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.regex.Pattern;
 import org.eclipse.emf.ecore.EObject;
 
-/** The state of one generation: variables, output, the stack of calls, findings. One thread. */
+/** The state of one generation: values, files, and what it is in. One thread. */
 final class GenerationRun {
   /** Deep enough for a template that follows a chain of some hundred elements. */
   static final int DEEPEST_CALL = 500;
 
-  private static final int CALLS_SHOWN = 8;
-
   /** More than that come from the model, and from there any number can come. */
   private static final int MOST_PATTERNS = 256;
-
-  /** A call, and the expression it was made by; null for the first. */
-  private record Frame(Callable callable, List<Object> arguments, Expression caller) {}
 
   /** Generation cannot go on; the reason has been reported. */
   static final class StoppedException extends RuntimeException {
@@ -46,36 +32,51 @@ final class GenerationRun {
 
   private final Evaluation evaluation;
   private final GenerationContext context;
-  private final Findings findings;
+  private final CallStack calls;
+  private final RunWriter writer;
+  private final RunReport report;
   private final GeneratedFiles files;
   private final ObjectQueries objects;
-  private final Deque<Frame> frames = new ArrayDeque<>();
-  private Object[] selves = new Object[32];
-  private int selfCount;
   private final Map<Query, Map<Object, Object>> cache = new HashMap<>();
   private final Map<String, TokenWalk> tokenWalks = new HashMap<>();
   private final Map<String, Pattern> patterns = new HashMap<>();
   private final Map<Class<?>, Object> serviceInstances = new HashMap<>();
-  private final OutputBuffer output;
-  private final Tracing tracing;
+  private final boolean modelChanges;
   private Expression current;
   private boolean stopped;
-  private final boolean modelChanges;
 
   GenerationRun(
       Collection<? extends EObject> roots, GenerationContext context, boolean modelChanges) {
     this.modelChanges = modelChanges;
     this.evaluation = Evaluation.over(roots).attach(this);
     this.context = context;
-    this.tracing = context.traced() ? new Tracing(context.locator()) : null;
-    this.output = new OutputBuffer(context.traced());
-    this.findings = new Findings();
+    this.calls = new CallStack(evaluation);
+    Tracing tracing = context.traced() ? new Tracing(context.locator()) : null;
+    this.writer = new RunWriter(tracing, calls::element);
+    this.report = new RunReport(calls, context.locator());
     this.files = new GeneratedFiles(this, context.earlier());
     this.objects = new ObjectQueries(evaluation);
   }
 
   Evaluation evaluation() {
     return evaluation;
+  }
+
+  /** The calls and loops at work. */
+  CallStack calls() {
+    return calls;
+  }
+
+  RunWriter writer() {
+    return writer;
+  }
+
+  OutputBuffer output() {
+    return writer.output();
+  }
+
+  RunReport report() {
+    return report;
   }
 
   GeneratedFiles files() {
@@ -121,16 +122,10 @@ final class GenerationRun {
   }
 
   GenerationResult result() {
+    Tracing tracing = writer.tracing();
     GenerationTrace trace = tracing == null ? GenerationTrace.NONE : tracing.result();
-    return new GenerationResult(files.contents(), findings.all(), trace);
+    return new GenerationResult(files.contents(), report.all(), trace);
   }
-
-  /** Where the lines of files are noted; nowhere (null) if nobody wants to know. */
-  Tracing tracing() {
-    return tracing;
-  }
-
-  // --- evaluation
 
   /** The value of an expression; an invalid one has been reported. */
   Object evaluate(Expression expression) {
@@ -165,7 +160,7 @@ final class GenerationRun {
         if (invalid.limit()) {
           throw stop(invalid.reason(), invalid.location());
         }
-        undefined(expression, invalid);
+        report.undefined(expression, invalid);
       }
       return value;
     } finally {
@@ -194,11 +189,12 @@ final class GenerationRun {
     cache.computeIfAbsent(query, any -> new HashMap<>()).put(call, value);
   }
 
+  /** Begins a call, unless there are too many already. */
   void enter(Callable callable, List<Object> arguments) {
     if (stopped) {
       throw new StoppedException();
     }
-    if (frames.size() >= DEEPEST_CALL) {
+    if (calls.depth() >= DEEPEST_CALL) {
       throw stop(
           "'"
               + callable.name()
@@ -207,193 +203,28 @@ final class GenerationRun {
               + " calls deep",
           callable.place().location());
     }
-    frames.push(new Frame(callable, arguments, current));
-    pushSelf(arguments.isEmpty() || arguments.get(0) == null ? "" : arguments.get(0));
+    calls.enter(callable, arguments, current);
   }
 
   void leave() {
-    frames.pop();
-    selfCount--;
-  }
-
-  /** The arguments of the call at work. */
-  List<Object> arguments() {
-    return frames.element().arguments();
-  }
-
-  /**
-   * Makes room for the variables of a loop, and says where; {@link #nextItem} gives them values.
-   */
-  int enterLoop(Optional<String> variable) {
-    int place = evaluation.bindings();
-    evaluation.bind("self", null);
-    evaluation.bind("i", null);
-    if (variable.isPresent()) {
-      evaluation.bind(variable.get(), null);
-    }
-    pushSelf("");
-    return place;
-  }
-
-  /** Goes on with another item of a loop. */
-  void nextItem(int place, Object item, int index, Optional<String> variable) {
-    evaluation.rebind(place, item);
-    evaluation.rebind(place + 1, index);
-    if (variable.isPresent()) {
-      evaluation.rebind(place + 2, item);
-    }
-    selves[selfCount - 1] = item == null ? "" : item;
-  }
-
-  /** Passes over an item of a loop, of which no expression knows. */
-  void skipItem() {
-    selves[selfCount - 1] = "";
-  }
-
-  void leaveLoop(int place) {
-    selfCount--;
-    evaluation.unbindTo(place);
-  }
-
-  private void pushSelf(Object self) {
-    if (selfCount == selves.length) {
-      selves = Arrays.copyOf(selves, selfCount * 2);
-    }
-    selves[selfCount++] = self;
-  }
-
-  /** The values of self around the expression at work, from the innermost. */
-  List<Object> selves() {
-    List<Object> found = new ArrayList<>(Arrays.asList(selves).subList(0, selfCount));
-    Collections.reverse(found);
-    return found;
-  }
-
-  // --- output
-
-  OutputBuffer output() {
-    return output;
-  }
-
-  /** Appends what the expression of a tag gives. */
-  void append(String text, Place tag) {
-    if (tracing == null) {
-      output.append(text);
-    } else if (!text.isEmpty()) {
-      output.append(text, tracing.origin(tag, 0, origin()));
-    }
-  }
-
-  /** Appends what an expression gives. */
-  void append(String text, Expression expression) {
-    if (tracing == null) {
-      output.append(text);
-    } else if (!text.isEmpty()) {
-      output.append(text, tracing.origin(expression, origin()));
-    }
+    calls.leave();
   }
 
   /** Appends what the expression at work gives, with some indentation behind each line break. */
   void appendIndented(String text, String indentation) {
-    OutputBuffer.Part part = output.beginIndented(indentation);
-    append(text, current);
-    output.end(part);
-  }
-
-  /** Appends text as a template has it. */
-  void appendLiteral(String text, boolean hasBreak, Place start) {
-    if (tracing == null) {
-      output.append(text, hasBreak);
-      return;
-    }
-    EObject element = origin();
-    int line = 0;
-    for (int from = 0; from < text.length(); line++) {
-      int lineBreak = text.indexOf('\n', from);
-      int end = lineBreak < 0 ? text.length() : lineBreak + 1;
-      output.append(text.substring(from, end), tracing.origin(start, line, element));
-      from = end;
-    }
-  }
-
-  /** The innermost self that is a model element; null if there is none. */
-  private EObject origin() {
-    for (int i = selfCount - 1; i >= 0; i--) {
-      if (selves[i] instanceof EObject element) {
-        return element;
-      }
-    }
-    return null;
-  }
-
-  // --- findings
-
-  /** A warning for the element at work that may be added later. */
-  Diagnostic warning(String id, SourceLocation location, String message, String hint) {
-    return Diagnostic.warning(id, message, inModel(location)).withHint(withCalls(hint));
-  }
-
-  void add(Diagnostic finding) {
-    findings.add(finding);
-  }
-
-  void warn(String id, SourceLocation location, String message, String hint) {
-    add(warning(id, location, message, hint));
-  }
-
-  void error(String id, SourceLocation location, String message, String hint) {
-    findings.add(Diagnostic.error(id, message, inModel(location)).withHint(withCalls(hint)));
+    writer.appendIndented(text, indentation, current);
   }
 
   /** Reports why generation cannot go on; to be thrown. */
   StoppedException stop(String reason, SourceLocation location) {
     if (!stopped) {
       stopped = true;
-      error(
+      report.error(
           "m2t.recursion",
           location,
           "Generation was stopped: " + reason + ".",
           "Give the recursion an end, such as a guard.");
     }
     return new StoppedException();
-  }
-
-  private void undefined(Expression expression, Invalid invalid) {
-    boolean placed = invalid.location().line() > 0;
-    boolean service = invalid.cause() instanceof ServiceException;
-    error(
-        service ? "m2t.service" : "m2t.undefined",
-        placed ? invalid.location() : expression.location(),
-        "The value is undefined" + modelElement() + ": " + invalid.reason() + ".",
-        service
-            ? "Mend the service, or what it is given."
-            : "Guard the expression with [if], or mend the model.");
-  }
-
-  private String modelElement() {
-    EObject element = origin();
-    if (element == null) {
-      return "";
-    }
-    SourceLocation place = context.locator().apply(element);
-    String shown = place.toString().isEmpty() ? place.element() : place.toString();
-    return " for " + Texts.label(element) + (shown.isEmpty() ? "" : " (" + shown + ")");
-  }
-
-  private SourceLocation inModel(SourceLocation location) {
-    EObject element = origin();
-    return element == null
-        ? location
-        : location.withElement(context.locator().apply(element).element());
-  }
-
-  private String withCalls(String hint) {
-    Set<String> calls = new LinkedHashSet<>();
-    for (Frame frame : frames) {
-      if (frame.caller() != null && calls.size() < CALLS_SHOWN) {
-        calls.add("'" + frame.callable().name() + "' called at " + frame.caller().location());
-      }
-    }
-    return calls.isEmpty() ? hint : (hint + " In " + String.join(", ", calls) + ".").strip();
   }
 }

@@ -110,7 +110,7 @@ final class ObjectOperations {
             Types::named,
             true,
             (s, a, c) ->
-                c.run().selves().stream()
+                c.run().calls().selves().stream()
                     .filter(each -> c.isInstance(each, a.get(0)))
                     .findFirst()
                     .orElse(null)));
@@ -121,7 +121,7 @@ final class ObjectOperations {
             List.of(INTEGER),
             types -> types.language().any(),
             true,
-            (s, a, c) -> c.run().selves().get(((Number) a.get(0)).intValue())));
+            (s, a, c) -> c.run().calls().selves().get(((Number) a.get(0)).intValue())));
   }
 
   /** A way from an object to others: all of them, or those of a type. */

@@ -23,7 +23,7 @@ final class Steps {
 
     @Override
     public void write(GenerationRun run) {
-      run.appendLiteral(text, hasBreak, place);
+      run.writer().appendLiteral(text, hasBreak, place);
     }
   }
 
@@ -33,7 +33,7 @@ final class Steps {
     public void write(GenerationRun run) {
       Object result = run.evaluate(value);
       if (!(result instanceof Invalid)) {
-        run.append(Texts.of(result), place);
+        run.writer().append(Texts.of(result), place);
       }
     }
   }
@@ -49,7 +49,7 @@ final class Steps {
       boolean first = true;
       for (Object item : elements(result)) {
         decoration.writeAhead(first, run);
-        run.append(Texts.of(item), place);
+        run.writer().append(Texts.of(item), place);
         first = false;
       }
       decoration.writeBehind(first, run);
@@ -101,7 +101,7 @@ final class Steps {
   record Super(Template overridden) implements Step {
     @Override
     public void write(GenerationRun run) {
-      overridden.write(run.arguments(), run, run.output().currentIndentation());
+      overridden.write(run.calls().arguments(), run, run.output().currentIndentation());
     }
   }
 
@@ -125,7 +125,7 @@ final class Steps {
       if (text.isPresent()) {
         Object value = run.evaluate(text.get());
         if (!(value instanceof Invalid)) {
-          run.append(Texts.of(value), text.get());
+          run.writer().append(Texts.of(value), text.get());
         }
       }
     }
@@ -153,7 +153,7 @@ final class Steps {
         return;
       }
       Decoration.writeText(decoration.before(), run);
-      int place = run.enterLoop(variable);
+      int place = run.calls().enterLoop(variable);
       try {
         int index = 0;
         boolean first = true;
@@ -163,15 +163,15 @@ final class Steps {
           }
         }
       } finally {
-        run.leaveLoop(place);
+        run.calls().leaveLoop(place);
       }
       Decoration.writeText(decoration.after(), run);
     }
 
     private boolean item(int place, Object item, int index, boolean separator, GenerationRun run) {
       if (item != null && !accepts.test(item)) {
-        run.skipItem();
-        run.warn(
+        run.calls().skipItem();
+        run.report().warn(
             "m2t.for.type",
             items.location(),
             "The loop skips "
@@ -184,7 +184,7 @@ final class Steps {
             "Filter the collection: ->filter(" + typeName + ").");
         return false;
       }
-      run.nextItem(place, item, index, variable);
+      run.calls().nextItem(place, item, index, variable);
       if (guard.isPresent() && !run.holds(guard.get())) {
         return false;
       }
@@ -302,10 +302,10 @@ final class Steps {
       try {
         Decoration.writeText(startPrefix, run);
         run.files().startArea();
-        run.append(ProtectedAreas.START + marker, id);
+        run.writer().append(ProtectedAreas.START + marker, id);
         body.write(run);
         Decoration.writeText(endPrefix, run);
-        run.append(ProtectedAreas.END, id);
+        run.writer().append(ProtectedAreas.END, id);
       } finally {
         run.files().endArea();
       }

@@ -150,7 +150,7 @@ final class Template extends Callable {
     String changed = Texts.of(result);
     int from = origins.isPresent() ? text.indexOf(changed) : -1;
     if (from < 0) {
-      run.append(changed, post);
+      run.writer().append(changed, post);
     } else {
       output.append(changed, origins.get().between(from, from + changed.length()));
     }

@@ -186,7 +186,7 @@ public final class TemplateModule {
   private static void generate(
       Template main, Collection<? extends EObject> roots, GenerationRun run) {
     if (main.parameters().size() != 1) {
-      run.error(
+      run.report().error(
           "m2t.main.parameters",
           main.place().location(),
           "The main template '" + main.name() + "' needs exactly one parameter.",
@@ -206,7 +206,7 @@ public final class TemplateModule {
 
   private void nothingGenerated(GenerationRun run) {
     boolean noMain = mains.isEmpty();
-    run.error(
+    run.report().error(
         noMain ? "m2t.main.missing" : "m2t.nothing-generated",
         source.at(0),
         noMain

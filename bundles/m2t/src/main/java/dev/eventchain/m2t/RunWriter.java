@@ -1,0 +1,84 @@
+package dev.eventchain.m2t;
+
+import dev.eventchain.m2t.syntax.Place;
+import dev.eventchain.ocl.Expression;
+import java.util.function.Supplier;
+import org.eclipse.emf.ecore.EObject;
+
+/** Writes the text of a run, and notes where it comes from if somebody wants to know. */
+final class RunWriter {
+  private final OutputBuffer output;
+  private final Tracing tracing;
+  private final Supplier<EObject> element;
+
+  /**
+   * Starts with an empty text.
+   *
+   * @param tracing where the lines of files are noted; null if nobody wants to know
+   * @param element the model element at work
+   */
+  RunWriter(Tracing tracing, Supplier<EObject> element) {
+    this.output = new OutputBuffer(tracing != null);
+    this.tracing = tracing;
+    this.element = element;
+  }
+
+  OutputBuffer output() {
+    return output;
+  }
+
+  /** Where the lines of files are noted; nowhere (null) if nobody wants to know. */
+  Tracing tracing() {
+    return tracing;
+  }
+
+  /** Appends what the expression of a tag gives. */
+  void append(String text, Place tag) {
+    if (tracing == null) {
+      output.append(text);
+    } else if (!text.isEmpty()) {
+      output.append(text, tracing.origin(tag, 0, element.get()));
+    }
+  }
+
+  /** Appends what an expression gives. */
+  void append(String text, Expression expression) {
+    if (tracing == null) {
+      output.append(text);
+    } else if (!text.isEmpty()) {
+      output.append(text, tracing.origin(expression, element.get()));
+    }
+  }
+
+  /** Appends what an expression gives, with some indentation behind each line break. */
+  void appendIndented(String text, String indentation, Expression expression) {
+    OutputBuffer.Part part = output.beginIndented(indentation);
+    append(text, expression);
+    output.end(part);
+  }
+
+  /** Appends text that nobody wrote. */
+  void appendOwn(String text) {
+    if (tracing == null) {
+      output.append(text);
+    } else {
+      output.append(text, OriginMarks.NONE);
+    }
+  }
+
+  /** Appends text as a template has it. */
+  void appendLiteral(String text, boolean hasBreak, Place start) {
+    if (tracing == null) {
+      output.append(text, hasBreak);
+      return;
+    }
+    EObject origin = element.get();
+    int line = 0;
+    for (int from = 0; from < text.length(); line++) {
+      int lineBreak = text.indexOf('\n', from);
+      int end = lineBreak < 0 ? text.length() : lineBreak + 1;
+      output.append(text.substring(from, end), tracing.origin(start, line, origin));
+      from = end;
+    }
+  }
+}
