@@ -72,6 +72,11 @@ public record Diagnostic(
     return diagnostics.stream().anyMatch(diagnostic -> diagnostic.severity == Severity.ERROR);
   }
 
+  /** The same finding with another severity. */
+  public Diagnostic withSeverity(Severity newSeverity) {
+    return new Diagnostic(id, newSeverity, message, location, hint, rule, related);
+  }
+
   /** The same finding with another hint. */
   public Diagnostic withHint(String newHint) {
     return new Diagnostic(id, severity, message, location, newHint, rule, related);

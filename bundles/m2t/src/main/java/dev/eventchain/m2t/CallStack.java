@@ -18,6 +18,9 @@ final class CallStack {
 
   private static final int CALLS_SHOWN = 8;
 
+  /** Enough to name all that call each other in turn. */
+  private static final int CALLS_KEPT = 64;
+
   /** A call, and the expression it was made by; null for the first. */
   private record Frame(Callable callable, List<Object> arguments, Expression caller) {}
 
@@ -25,6 +28,12 @@ final class CallStack {
   private final Deque<Frame> frames = new ArrayDeque<>();
   private Object[] selves = new Object[32];
   private int selfCount;
+
+  /** The calls at work, and the element, when there was no more room; empty until then. */
+  private List<Frame> kept = List.of();
+
+  private EObject keptElement;
+  private int keptDepth;
 
   CallStack(Evaluation evaluation) {
     this.evaluation = evaluation;
@@ -48,6 +57,36 @@ final class CallStack {
   void leave() {
     frames.pop();
     selfCount--;
+  }
+
+  /**
+   * Remembers the calls at work, because there is no room to say here that they are too many. Only
+   * the first time counts: the calls that are left on the way out are those that led there.
+   */
+  void keep() {
+    if (!kept.isEmpty()) {
+      return;
+    }
+    List<Frame> latest = new ArrayList<>(CALLS_KEPT);
+    for (Frame frame : frames) {
+      if (latest.size() == CALLS_KEPT) {
+        break;
+      }
+      latest.add(frame);
+    }
+    keptElement = element();
+    keptDepth = frames.size();
+    kept = latest;
+  }
+
+  /** How many calls there were when there was no more room; 0 if there always was. */
+  int keptDepth() {
+    return keptDepth;
+  }
+
+  /** The innermost of the calls for which there was no more room; empty if there always was. */
+  Optional<Callable> tooDeep() {
+    return kept.stream().map(Frame::callable).findFirst();
   }
 
   /** The arguments of the call at work. */
@@ -103,8 +142,11 @@ final class CallStack {
     return found;
   }
 
-  /** The innermost self that is a model element; null if there is none. */
+  /** The innermost self that is a model element, when there was room; null if there is none. */
   EObject element() {
+    if (!kept.isEmpty()) {
+      return keptElement;
+    }
     for (int i = selfCount - 1; i >= 0; i--) {
       if (selves[i] instanceof EObject element) {
         return element;
@@ -116,7 +158,7 @@ final class CallStack {
   /** The latest calls for people, each once, from the innermost; empty if there are none. */
   String shown() {
     Set<String> calls = new LinkedHashSet<>();
-    for (Frame frame : frames) {
+    for (Frame frame : kept.isEmpty() ? frames : kept) {
       if (frame.caller() != null && calls.size() < CALLS_SHOWN) {
         calls.add("'" + frame.callable().name() + "' called at " + frame.caller().location());
       }

@@ -18,7 +18,7 @@ final class FileCharsets {
 
   private FileCharsets() {}
 
-  /** The charset of a name; nothing if no file can be written in it, which has been reported. */
+  /** The charset of a name; nothing if no file can be written in it, of which is warned. */
   static Optional<Charset> named(String name, SourceLocation place, GenerationRun run) {
     String problem;
     try {
@@ -30,7 +30,7 @@ final class FileCharsets {
     } catch (IllegalCharsetNameException | UnsupportedCharsetException e) {
       problem = "There is no charset '" + name + "'.";
     }
-    run.report().error(ID, place, problem, "Write 'UTF-8'.");
+    run.report().warn(ID, place, problem + " UTF-8 stands in for it.", "Write 'UTF-8'.");
     return Optional.empty();
   }
 

@@ -18,6 +18,7 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Function;
+import java.util.regex.Pattern;
 
 /** The files that a run makes, with the protected areas of the earlier ones kept in them. */
 final class GeneratedFiles {
@@ -44,6 +45,14 @@ final class GeneratedFiles {
     }
   }
 
+  /** What a block wrote, and where it comes from if that is noted. */
+  private record Written(String text, Optional<OriginMarks> marks) {}
+
+  /** The name of no file: what a block of this name writes is printed. */
+  private static final String CONSOLE = "stdout";
+
+  private static final Pattern LEADING_SLASHES = Pattern.compile("^/+");
+
   private final GenerationRun run;
   private final Function<String, Optional<byte[]>> earlier;
   private final Map<String, GeneratedFile> files = new HashMap<>();
@@ -53,6 +62,7 @@ final class GeneratedFiles {
   private final Set<String> losers = new HashSet<>();
 
   private final Deque<Block> open = new ArrayDeque<>();
+  private final StringBuilder printed = new StringBuilder();
   private int begun;
 
   GeneratedFiles(GenerationRun run, Function<String, Optional<byte[]>> earlier) {
@@ -75,6 +85,11 @@ final class GeneratedFiles {
     return contents;
   }
 
+  /** What is to be printed. */
+  String printed() {
+    return printed.toString();
+  }
+
   /** How many files and areas were begun, which says whether an evaluation began any. */
   int begun() {
     return begun;
@@ -83,11 +98,13 @@ final class GeneratedFiles {
   /** Makes a file of what something writes. */
   void write(Tag tag, Step body) {
     begun++;
-    OutputPath path = OutputPath.of(tag.name());
     Optional<Charset> charset =
-        tag.charset().isEmpty()
-            ? Optional.of(StandardCharsets.UTF_8)
-            : FileCharsets.named(tag.charset().get(), tag.charsetPlace(), run);
+        tag.charset().flatMap(name -> FileCharsets.named(name, tag.charsetPlace(), run));
+    if (tag.name().equals(CONSOLE)) {
+      print(tag, body);
+      return;
+    }
+    OutputPath path = pathOf(tag.name());
     if (path.refused()) {
       var refused = path.refusal(tag.name());
       run.report().error(refused.id(), tag.place(), refused.message(), refused.hint());
@@ -97,13 +114,23 @@ final class GeneratedFiles {
     if (known == null ? !hasRoom(path.value(), tag) : !goesOn(known, charset, tag)) {
       return;
     }
-    if (charset.isEmpty()) {
-      return;
-    }
-    GeneratedFile file = known == null ? begin(path.value(), charset.get(), tag) : known;
+    GeneratedFile file =
+        known == null ? begin(path.value(), charset.orElse(StandardCharsets.UTF_8), tag) : known;
     if (!file.isLeft()) {
       write(new Block(file, tag), body);
     }
+  }
+
+  /** What Acceleo takes for absolute stands below the output folder, too. */
+  private static OutputPath pathOf(String name) {
+    String relative = LEADING_SLASHES.matcher(name).replaceFirst("");
+    return OutputPath.of(relative.isEmpty() ? name : relative);
+  }
+
+  /** Adds what something writes to what is printed. */
+  private void print(Tag tag, Step body) {
+    GeneratedFile file = GeneratedFile.of(CONSOLE, StandardCharsets.UTF_8, Optional.empty());
+    printed.append(textOf(new Block(file, tag), body).text());
   }
 
   /** Whether a file that a block wrote or writes goes on with another one. */
@@ -119,9 +146,7 @@ final class GeneratedFiles {
     if (tag.mode() == FileMode.CREATE || known.isLeft()) {
       return false;
     }
-    if (tag.charset().isPresent()
-        && charset.isPresent()
-        && !charset.get().equals(known.charset())) {
+    if (charset.isPresent() && !charset.get().equals(known.charset())) {
       run.report().error(
           FileCharsets.ID,
           tag.charsetPlace(),
@@ -201,23 +226,28 @@ final class GeneratedFiles {
 
   private void write(Block block, Step body) {
     GeneratedFile file = block.file;
+    Written written = textOf(block, body);
+    String merged = file.merged(written.text(), written.marks(), block.tag.place(), run);
+    boolean starts = file.content() == null;
+    file.add(FileCharsets.bytes(merged, starts, file, block.tag.charsetPlace(), run));
+    file.noteLosses(lostPath(file), run);
+  }
+
+  private Written textOf(Block block, Step body) {
     OutputBuffer output = run.output();
     OutputBuffer.Part part = output.beginText();
-    String text;
-    Optional<OriginMarks> marks;
     open.push(block);
     try {
+      byte[] before = block.file.content();
+      if (before != null && before.length > 0) {
+        run.writer().appendOwn("\n");
+      }
       body.write(run);
-      text = output.textOf(part);
-      marks = output.marksOf(part);
+      return new Written(output.textOf(part), output.marksOf(part));
     } finally {
       output.cut(part);
       open.pop();
     }
-    String merged = file.merged(text, marks, block.tag.place(), run);
-    boolean starts = file.content() == null;
-    file.add(FileCharsets.bytes(merged, starts, file, block.tag.charsetPlace(), run));
-    file.noteLosses(lostPath(file), run);
   }
 
   /** Where the areas that a file has no longer are saved. */

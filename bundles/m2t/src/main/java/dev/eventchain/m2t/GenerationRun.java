@@ -15,8 +15,11 @@ import org.eclipse.emf.ecore.EObject;
 
 /** The state of one generation: values, files, and what it is in. One thread. */
 final class GenerationRun {
-  /** Deep enough for a template that follows a chain of some hundred elements. */
-  static final int DEEPEST_CALL = 500;
+  /** Calls that are fewer need no look at what they hold. */
+  private static final int MANY_CALLS = 1000;
+
+  /** The part of the memory that the text of many calls may take, copies of it left out. */
+  private static final int PART_OF_MEMORY = 16;
 
   /** More than that come from the model, and from there any number can come. */
   private static final int MOST_PATTERNS = 256;
@@ -124,26 +127,29 @@ final class GenerationRun {
   GenerationResult result() {
     Tracing tracing = writer.tracing();
     GenerationTrace trace = tracing == null ? GenerationTrace.NONE : tracing.result();
-    return new GenerationResult(files.contents(), report.all(), trace);
+    return new GenerationResult(files.contents(), files.printed(), report.all(), trace);
   }
 
-  /** The value of an expression; an invalid one has been reported. */
-  Object evaluate(Expression expression) {
-    return evaluate(expression, null, false);
+  /** The value of an expression for some use; an invalid one has been reported. */
+  Object evaluate(Expression expression, Undefined use) {
+    return evaluate(expression, use, null, false);
   }
 
   /** {@link Expression#read}; where Java services may change the model, {@link #evaluate}. */
-  Object read(Expression expression) {
-    return evaluate(expression, null, !modelChanges);
+  Object read(Expression expression, Undefined use) {
+    return evaluate(expression, use, null, !modelChanges);
   }
 
   /** {@link Expression#evaluateCalls}; an invalid value has been reported. */
   Object evaluateCalls(Expression expression, OperationLibrary.Implementation receiver) {
-    return evaluate(expression, receiver, false);
+    return evaluate(expression, Undefined.TEXT, receiver, false);
   }
 
   private Object evaluate(
-      Expression expression, OperationLibrary.Implementation receiver, boolean read) {
+      Expression expression,
+      Undefined use,
+      OperationLibrary.Implementation receiver,
+      boolean read) {
     Expression outer = current;
     current = expression;
     try {
@@ -158,9 +164,9 @@ final class GenerationRun {
           throw new StoppedException();
         }
         if (invalid.limit()) {
-          throw stop(invalid.reason(), invalid.location());
+          throw stop(invalid);
         }
-        report.undefined(expression, invalid);
+        report.undefined(expression, invalid, use);
       }
       return value;
     } finally {
@@ -175,7 +181,7 @@ final class GenerationRun {
 
   /** Whether a condition is true. */
   boolean holds(Expression condition) {
-    return Boolean.TRUE.equals(evaluate(condition));
+    return Boolean.TRUE.equals(evaluate(condition, Undefined.GUARD));
   }
 
   /** The value that a call of a query had before; null if there was none. */
@@ -189,21 +195,18 @@ final class GenerationRun {
     cache.computeIfAbsent(query, any -> new HashMap<>()).put(call, value);
   }
 
-  /** Begins a call, unless there are too many already. */
+  /** Begins a call, unless generation was stopped or the text of many calls grows too large. */
   void enter(Callable callable, List<Object> arguments) {
     if (stopped) {
       throw new StoppedException();
     }
-    if (calls.depth() >= DEEPEST_CALL) {
-      throw stop(
-          "'"
-              + callable.name()
-              + "' recurses without end, or more than "
-              + DEEPEST_CALL
-              + " calls deep",
-          callable.place().location());
-    }
     calls.enter(callable, arguments, current);
+    if (calls.depth() >= MANY_CALLS
+        && output().weight(calls.depth()) > Runtime.getRuntime().maxMemory() / PART_OF_MEMORY) {
+      calls.keep();
+      leave();
+      throw stopTooDeep();
+    }
   }
 
   void leave() {
@@ -216,7 +219,29 @@ final class GenerationRun {
   }
 
   /** Reports why generation cannot go on; to be thrown. */
-  StoppedException stop(String reason, SourceLocation location) {
+  StoppedException stop(Invalid invalid) {
+    return calls.tooDeep().isPresent()
+        ? stopTooDeep()
+        : stop(invalid.reason(), invalid.location());
+  }
+
+  /**
+   * Reports that calls have been {@linkplain CallStack#keep kept}, so that generation cannot go on;
+   * to be thrown.
+   */
+  StoppedException stopTooDeep() {
+    Callable callable = calls.tooDeep().orElseThrow();
+    return stop(
+        "'" + callable.name() + "' recurses without end, or deeper than there is memory for",
+        callable.place().location());
+  }
+
+  /** Whether calls are so many that a lack of memory is due to them. */
+  boolean isTooDeep() {
+    return calls.keptDepth() >= MANY_CALLS;
+  }
+
+  private StoppedException stop(String reason, SourceLocation location) {
     if (!stopped) {
       stopped = true;
       report.error(

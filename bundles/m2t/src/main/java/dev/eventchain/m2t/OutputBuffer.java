@@ -89,6 +89,11 @@ final class OutputBuffer {
     text.append(more, from, more.length());
   }
 
+  /** About how many characters the text holds, and the indentations of so many calls. */
+  long weight(int calls) {
+    return text.length() + (long) indentation.length() * calls / 2;
+  }
+
   /** The white space that the current line starts with. */
   String currentIndentation() {
     int end = lineStart;

@@ -91,13 +91,16 @@ final class Query extends Callable {
       }
       Object result = value.evaluate(evaluation);
       if (result instanceof Invalid invalid && invalid.limit()) {
-        throw run.stop(invalid.reason(), invalid.location());
+        throw run.stop(invalid);
       }
       if (result instanceof Invalid invalid) {
         return located(invalid);
       }
       boolean fits = result == null || accepts.isEmpty() || accepts.get().test(result);
       return fits ? result : misfit(result);
+    } catch (VirtualMachineError e) {
+      run.calls().keep();
+      throw e;
     } finally {
       evaluation.unbindTo(bindings);
       run.leave();

@@ -40,14 +40,23 @@ final class RunReport {
     add(Diagnostic.error(id, message, inModel(location)).withHint(withCalls(hint)));
   }
 
-  /** Reports that an expression has no value. */
-  void undefined(Expression expression, Invalid invalid) {
+  /**
+   * Reports that an expression has no value.
+   *
+   * @param use what it was wanted for
+   */
+  void undefined(Expression expression, Invalid invalid, Undefined use) {
     boolean placed = invalid.location().line() > 0;
     boolean service = invalid.cause() instanceof ServiceException;
     error(
         service ? "m2t.service" : "m2t.undefined",
         placed ? invalid.location() : expression.location(),
-        "The value is undefined" + element() + ": " + invalid.reason() + ".",
+        "The value is undefined"
+            + element()
+            + ": "
+            + invalid.reason()
+            + ". "
+            + use.consequence(),
         service
             ? "Mend the service, or what it is given."
             : "Guard the expression with [if], or mend the model.");

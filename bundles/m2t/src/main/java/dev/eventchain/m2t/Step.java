@@ -37,7 +37,8 @@ interface Step {
     int bindings = run.evaluation().bindings();
     try {
       for (Variable variable : variables) {
-        Object value = variable.value().isEmpty() ? null : run.evaluate(variable.value().get());
+        Optional<Expression> given = variable.value();
+        Object value = given.isEmpty() ? null : run.evaluate(given.get(), Undefined.BLOCK);
         if (value instanceof Invalid) {
           return;
         }

@@ -31,10 +31,7 @@ final class Steps {
   record Output(Expression value, Place place) implements Step {
     @Override
     public void write(GenerationRun run) {
-      Object result = run.evaluate(value);
-      if (!(result instanceof Invalid)) {
-        run.writer().append(Texts.of(result), place);
-      }
+      run.writer().append(Undefined.textOf(run.evaluate(value, Undefined.TEXT)), place);
     }
   }
 
@@ -42,8 +39,9 @@ final class Steps {
   record DecoratedOutput(Expression value, Decoration decoration, Place place) implements Step {
     @Override
     public void write(GenerationRun run) {
-      Object result = run.evaluate(value);
+      Object result = run.evaluate(value, Undefined.TEXT);
       if (result instanceof Invalid) {
+        run.writer().append(Undefined.textOf(result), place);
         return;
       }
       boolean first = true;
@@ -69,6 +67,7 @@ final class Steps {
               (source, arguments, evaluation) -> call.write(source, arguments, run, indentation));
       if (result instanceof Invalid) {
         output.cut(before);
+        run.writer().append(Undefined.textOf(result), value);
       }
     }
   }
@@ -91,6 +90,7 @@ final class Steps {
               });
       if (result instanceof Invalid) {
         output.cut(before);
+        run.writer().append(Undefined.textOf(result), value);
       } else {
         decoration.writeBehind(first[0], run);
       }
@@ -123,10 +123,8 @@ final class Steps {
 
     private static void writeText(Optional<Expression> text, GenerationRun run) {
       if (text.isPresent()) {
-        Object value = run.evaluate(text.get());
-        if (!(value instanceof Invalid)) {
-          run.writer().append(Texts.of(value), text.get());
-        }
+        Object value = run.evaluate(text.get(), Undefined.TEXT);
+        run.writer().append(Undefined.textOf(value), text.get());
       }
     }
   }
@@ -144,7 +142,7 @@ final class Steps {
       implements Step {
     @Override
     public void write(GenerationRun run) {
-      Object value = run.read(items);
+      Object value = run.read(items, Undefined.BLOCK);
       if (value instanceof Invalid) {
         return;
       }
@@ -196,14 +194,14 @@ final class Steps {
     }
   }
 
-  /** A choice by conditions, of which null is false; an invalid one ends the choice. */
+  /** A choice by conditions, of which null is false; an undefined one ends the choice. */
   record If(List<Branch> branches, Step otherwise) implements Step {
     record Branch(Expression condition, List<Step.Variable> variables, Step body) {}
 
     @Override
     public void write(GenerationRun run) {
       for (Branch branch : branches) {
-        Object value = run.evaluate(branch.condition());
+        Object value = run.evaluate(branch.condition(), Undefined.BLOCK);
         if (value instanceof Invalid) {
           return;
         }
@@ -228,7 +226,7 @@ final class Steps {
     @Override
     public void write(GenerationRun run) {
       for (Binding binding : bindings) {
-        Object value = run.evaluate(binding.value());
+        Object value = run.evaluate(binding.value(), Undefined.BLOCK);
         if (value instanceof Invalid) {
           return;
         }
@@ -257,9 +255,9 @@ final class Steps {
       implements Step {
     @Override
     public void write(GenerationRun run) {
-      Object fileName = run.evaluate(name);
-      Object append = modeExpression.isPresent() ? run.evaluate(modeExpression.get()) : null;
-      Object charsetName = charset.isPresent() ? run.evaluate(charset.get()) : null;
+      Object fileName = run.evaluate(name, Undefined.FILE);
+      Object append = value(modeExpression, run);
+      Object charsetName = value(charset, run);
       if (fileName instanceof Invalid
           || append instanceof Invalid
           || charsetName instanceof Invalid) {
@@ -272,6 +270,10 @@ final class Steps {
       SourceLocation charsetPlace = charset.map(Expression::location).orElse(place);
       var tag = new GeneratedFiles.Tag(place, Texts.of(fileName), actual, charsetPlace, named);
       run.files().write(tag, body);
+    }
+
+    private static Object value(Optional<Expression> part, GenerationRun run) {
+      return part.isPresent() ? run.evaluate(part.get(), Undefined.FILE) : null;
     }
   }
 
@@ -291,7 +293,7 @@ final class Steps {
       implements Step {
     @Override
     public void write(GenerationRun run) {
-      Object value = run.evaluate(id);
+      Object value = run.evaluate(id, Undefined.AREA);
       if (value instanceof Invalid) {
         return;
       }

@@ -4,7 +4,6 @@ import dev.eventchain.m2t.syntax.Place;
 import dev.eventchain.m2t.syntax.Syntax.Visibility;
 import dev.eventchain.ocl.Evaluation;
 import dev.eventchain.ocl.Expression;
-import dev.eventchain.ocl.Invalid;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -84,6 +83,9 @@ final class Template extends Callable {
     int bindings = bind(arguments, run.evaluation());
     try {
       return run.holds(definition.guard().get());
+    } catch (VirtualMachineError e) {
+      run.calls().keep();
+      throw e;
     } finally {
       run.evaluation().unbindTo(bindings);
       run.leave();
@@ -122,6 +124,9 @@ final class Template extends Callable {
       } else {
         writePost(definition.post().get(), run);
       }
+    } catch (VirtualMachineError e) {
+      run.calls().keep();
+      throw e;
     } finally {
       run.output().end(part);
       run.evaluation().unbindTo(bindings);
@@ -142,12 +147,9 @@ final class Template extends Callable {
       output.cut(part);
     }
     run.evaluation().bind("self", text);
-    Object result = run.evaluate(post);
+    Object result = run.evaluate(post, Undefined.TEXT);
     run.evaluation().unbind("self");
-    if (result instanceof Invalid) {
-      return;
-    }
-    String changed = Texts.of(result);
+    String changed = Undefined.textOf(result);
     int from = origins.isPresent() ? text.indexOf(changed) : -1;
     if (from < 0) {
       run.writer().append(changed, post);

@@ -150,8 +150,8 @@ public final class TemplateModule {
    * takes, roots and what they contain, in the order of the model. Text outside of file blocks goes
    * nowhere.
    *
-   * @return the files, and a finding for all that went wrong; an undefined value leaves out its
-   *     part of the text and is an error. Nothing to run, or no file at the end, is an error, too
+   * @return the files, and a finding for all that went wrong; an undefined value is an error that
+   *     says what it counts as. Nothing to run, or no file and nothing printed, is an error, too
    * @throws IllegalStateException if the thread is interrupted meanwhile
    */
   public GenerationResult generate(Collection<? extends EObject> roots, GenerationContext context) {
@@ -168,9 +168,17 @@ public final class TemplateModule {
     } catch (GenerationRun.StoppedException e) {
       // The reason is among the findings; files that were complete stay.
       return run.result();
+    } catch (VirtualMachineError e) {
+      if (!run.isTooDeep()) {
+        throw e;
+      }
+      run.stopTooDeep();
+      return run.result();
     }
     GenerationResult result = run.result();
-    if (result.files().isEmpty() && !Diagnostic.anyError(result.diagnostics())) {
+    if (result.files().isEmpty()
+        && result.printed().isEmpty()
+        && !Diagnostic.anyError(result.diagnostics())) {
       nothingGenerated(run);
       return run.result();
     }

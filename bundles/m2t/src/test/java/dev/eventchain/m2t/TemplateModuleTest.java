@@ -216,7 +216,7 @@ class TemplateModuleTest {
   void whatPeopleWroteIsSavedBeforeTheFileThatLosesIt() {
     SortedMap<String, byte[]> files = new TreeMap<>();
     List.of("a", "b", "b.lost", "c").forEach(name -> files.put(name, name.getBytes(UTF_8)));
-    GenerationResult result = new GenerationResult(files, List.of(), GenerationTrace.NONE);
+    GenerationResult result = new GenerationResult(files, "", List.of(), GenerationTrace.NONE);
     assertEquals(List.of("b.lost", "a", "b", "c"), List.copyOf(result.files().keySet()));
   }
 
