@@ -5,6 +5,7 @@ import dev.eventchain.ocl.Expression;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collection;
 import java.util.Collections;
 import java.util.Deque;
 import java.util.LinkedHashSet;
@@ -12,6 +13,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.impl.BasicEObjectImpl;
 
 /** The calls and loops that a run is in, and the values of self around them. */
 final class CallStack {
@@ -21,11 +23,16 @@ final class CallStack {
   /** Enough to name all that call each other in turn. */
   private static final int CALLS_KEPT = 64;
 
+  /** How many characters take about as much memory as an element of a collection. */
+  private static final int ELEMENT_WEIGHT = 8;
+
   /** A call, and the expression it was made by; null for the first. */
-  private record Frame(Callable callable, List<Object> arguments, Expression caller) {}
+  private record Frame(
+      Callable callable, List<Object> arguments, Expression caller, long weight) {}
 
   private final Evaluation evaluation;
   private final Deque<Frame> frames = new ArrayDeque<>();
+  private long weight;
   private Object[] selves = new Object[32];
   private int selfCount;
 
@@ -50,13 +57,33 @@ final class CallStack {
    * @param caller the expression that makes it; null if there is none
    */
   void enter(Callable callable, List<Object> arguments, Expression caller) {
-    frames.push(new Frame(callable, arguments, caller));
+    Frame frame = new Frame(callable, arguments, caller, weightOf(arguments));
+    frames.push(frame);
+    weight += frame.weight();
     pushSelf(arguments.isEmpty() || arguments.get(0) == null ? "" : arguments.get(0));
   }
 
   void leave() {
-    frames.pop();
+    weight -= frames.pop().weight();
     selfCount--;
+  }
+
+  /** About how much memory the arguments of all calls take, in characters. */
+  long weight() {
+    return weight;
+  }
+
+  private static long weightOf(List<Object> arguments) {
+    long sum = 0;
+    for (Object argument : arguments) {
+      if (argument instanceof String text) {
+        sum += text.length();
+      } else if (!(argument instanceof BasicEObjectImpl)
+          && argument instanceof Collection<?> elements) {
+        sum += (long) elements.size() * ELEMENT_WEIGHT;
+      }
+    }
+    return sum;
   }
 
   /**

@@ -18,7 +18,7 @@ final class GenerationRun {
   /** Calls that are fewer need no look at what they hold. */
   private static final int MANY_CALLS = 1000;
 
-  /** The part of the memory that the text of many calls may take, copies of it left out. */
+  /** The part of the memory that text and arguments of many calls may take, copies left out. */
   private static final int PART_OF_MEMORY = 16;
 
   /** More than that come from the model, and from there any number can come. */
@@ -195,14 +195,16 @@ final class GenerationRun {
     cache.computeIfAbsent(query, any -> new HashMap<>()).put(call, value);
   }
 
-  /** Begins a call, unless generation was stopped or the text of many calls grows too large. */
+  /** Begins a call, unless generation was stopped or what many calls hold grows too large. */
   void enter(Callable callable, List<Object> arguments) {
     if (stopped) {
       throw new StoppedException();
     }
     calls.enter(callable, arguments, current);
-    if (calls.depth() >= MANY_CALLS
-        && output().weight(calls.depth()) > Runtime.getRuntime().maxMemory() / PART_OF_MEMORY) {
+    int depth = calls.depth();
+    if (depth >= MANY_CALLS
+        && output().weight(depth) + calls.weight()
+            > Runtime.getRuntime().maxMemory() / PART_OF_MEMORY) {
       calls.keep();
       leave();
       throw stopTooDeep();

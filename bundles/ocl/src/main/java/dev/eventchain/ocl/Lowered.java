@@ -27,7 +27,7 @@ final class Lowered {
   void complete(Node body, List<String> slots) {
     root = body;
     size = slots.size();
-    variableSlots = IntStream.range(0, size).filter(i -> slots.get(i) != null).toArray();
+    variableSlots = IntStream.range(0, size).filter(i -> isGiven(slots.get(i))).toArray();
     variables = IntStream.of(variableSlots).mapToObj(slots::get).toArray(String[]::new);
     if (size == 1 && variables.length == 1) {
       boolean ofVariable =
@@ -38,6 +38,11 @@ final class Lowered {
     } else {
       quick = body instanceof ValueNodes.Constant;
     }
+  }
+
+  /** What stands for no source never has a value, so a deep stack need not be searched for it. */
+  private static boolean isGiven(String variable) {
+    return variable != null && !variable.equals(Libraries.NO_SOURCE);
   }
 
   Node root() {
