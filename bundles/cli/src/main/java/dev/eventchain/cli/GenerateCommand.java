@@ -44,6 +44,13 @@ final class GenerateCommand extends ProjectCommand {
   private boolean trace;
 
   @Option(
+      names = "--lenient",
+      description =
+          "With --template: undefined values are warnings, as for those who come from Acceleo;"
+              + " what is written is the same.")
+  private boolean lenient;
+
+  @Option(
       names = "--services",
       paramLabel = "JAR|FOLDER",
       description = "Java classes that the template may call by invoke(...); may be repeated.")
@@ -78,6 +85,9 @@ final class GenerateCommand extends ProjectCommand {
     if (!given.metamodels.isEmpty()) {
       throw wrongUsage("a model of a metamodel needs a template: --template FILE");
     }
+    if (lenient) {
+      throw wrongUsage("undefined values stop a project: --lenient is for a template");
+    }
     if (!services.isEmpty() || !sources.isEmpty() || !properties.isEmpty()) {
       throw wrongUsage("--services, --source and --properties are for a template: --template FILE");
     }
@@ -108,8 +118,10 @@ final class GenerateCommand extends ProjectCommand {
             folder,
             overwrite(),
             trace,
+            lenient,
             suppressions,
             timeLimit());
+    print(files.printed());
     return Outcome.of(files, suppressions);
   }
 }

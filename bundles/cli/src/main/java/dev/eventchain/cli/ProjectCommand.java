@@ -99,6 +99,12 @@ abstract class ProjectCommand implements Callable<Integer> {
     }
   }
 
+  /** Prints text that is no finding, beside those. */
+  final void print(String text) {
+    console.err().print(text);
+    console.err().flush();
+  }
+
   final Path output() {
     return output;
   }

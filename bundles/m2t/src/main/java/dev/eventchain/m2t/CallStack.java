@@ -27,8 +27,7 @@ final class CallStack {
   private static final int ELEMENT_WEIGHT = 8;
 
   /** A call, and the expression it was made by; null for the first. */
-  private record Frame(
-      Callable callable, List<Object> arguments, Expression caller, long weight) {}
+  private record Frame(Callable callable, List<Object> arguments, Expression caller, long weight) {}
 
   private final Evaluation evaluation;
   private final Deque<Frame> frames = new ArrayDeque<>();

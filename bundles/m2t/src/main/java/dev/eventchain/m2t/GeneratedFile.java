@@ -179,11 +179,12 @@ final class GeneratedFile {
   }
 
   static void refuse(String id, String problem, SourceLocation place, GenerationRun run) {
-    run.report().error(
-        "m2t.protected.id",
-        place,
-        "The protected area '" + OutputPath.shown(id) + "' " + problem + ".",
-        "Give each area of a file an id of its own.");
+    run.report()
+        .error(
+            "m2t.protected.id",
+            place,
+            "The protected area '" + OutputPath.shown(id) + "' " + problem + ".",
+            "Give each area of a file an id of its own.");
   }
 
   /** The id that a line starts with, the longest there is; templates may write more behind it. */
@@ -216,15 +217,16 @@ final class GeneratedFile {
     for (Earlier area : earlier) {
       if (!area.taken) {
         area.loss =
-            run.report().warning(
-                "m2t.protected.lost",
-                SourceLocation.of(path),
-                "The protected area '"
-                    + OutputPath.shown(area.id())
-                    + "' is no longer generated; its content was saved in '"
-                    + lostPath
-                    + "'.",
-                "Move the content to where it belongs now, and delete the file.");
+            run.report()
+                .warning(
+                    "m2t.protected.lost",
+                    SourceLocation.of(path),
+                    "The protected area '"
+                        + OutputPath.shown(area.id())
+                        + "' is no longer generated; its content was saved in '"
+                        + lostPath
+                        + "'.",
+                    "Move the content to where it belongs now, and delete the file.");
       }
     }
   }

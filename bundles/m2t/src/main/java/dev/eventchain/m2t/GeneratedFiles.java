@@ -136,28 +136,30 @@ final class GeneratedFiles {
   /** Whether a file that a block wrote or writes goes on with another one. */
   private boolean goesOn(GeneratedFile known, Optional<Charset> charset, Tag tag) {
     if (tag.mode() == FileMode.OVERWRITE) {
-      run.report().error(
-          "m2t.file.duplicate",
-          tag.place(),
-          "The file '" + known.path() + "' was written before in this run.",
-          "Give each file a name of its own, or append: [file (name, true)].");
+      run.report()
+          .error(
+              "m2t.file.duplicate",
+              tag.place(),
+              "The file '" + known.path() + "' was written before in this run.",
+              "Give each file a name of its own, or append: [file (name, true)].");
       return false;
     }
     if (tag.mode() == FileMode.CREATE || known.isLeft()) {
       return false;
     }
     if (charset.isPresent() && !charset.get().equals(known.charset())) {
-      run.report().error(
-          FileCharsets.ID,
-          tag.charsetPlace(),
-          "The file '"
-              + known.path()
-              + "' was begun in "
-              + known.charset()
-              + " and cannot go on in "
-              + charset.get()
-              + ".",
-          "Write '" + known.charset() + "', or leave the charset out.");
+      run.report()
+          .error(
+              FileCharsets.ID,
+              tag.charsetPlace(),
+              "The file '"
+                  + known.path()
+                  + "' was begun in "
+                  + known.charset()
+                  + " and cannot go on in "
+                  + charset.get()
+                  + ".",
+              "Write '" + known.charset() + "', or leave the charset out.");
       return false;
     }
     return true;
@@ -182,8 +184,12 @@ final class GeneratedFiles {
       }
     }
     if (!problem.isEmpty()) {
-      run.report().error(
-          "m2t.file.duplicate", tag.place(), problem, "Give files and folders different names.");
+      run.report()
+          .error(
+              "m2t.file.duplicate",
+              tag.place(),
+              problem,
+              "Give files and folders different names.");
     }
     return problem.isEmpty();
   }
@@ -194,15 +200,16 @@ final class GeneratedFiles {
     boolean unreadable = before.isPresent() && text.isEmpty() && ProtectedAreas.anyIn(before.get());
     boolean stays = before.isPresent() && tag.mode() == FileMode.CREATE;
     if (unreadable && !stays) {
-      run.report().error(
-          FileCharsets.ID,
-          tag.charsetPlace(),
-          "The earlier file '"
-              + path
-              + "' has protected areas but is not in "
-              + charset
-              + ", so they cannot be kept; the file is left as it is.",
-          "Save the file in " + charset + ".");
+      run.report()
+          .error(
+              FileCharsets.ID,
+              tag.charsetPlace(),
+              "The earlier file '"
+                  + path
+                  + "' has protected areas but is not in "
+                  + charset
+                  + ", so they cannot be kept; the file is left as it is.",
+              "Save the file in " + charset + ".");
     }
     GeneratedFile file =
         stays || unreadable
@@ -281,15 +288,16 @@ final class GeneratedFiles {
     if (block != null
         && block.area == null
         && !FileCharsets.agreesWithAscii(block.file.charset())) {
-      run.report().error(
-          FileCharsets.ID,
-          block.tag.charsetPlace(),
-          "Protected areas cannot be found again in "
-              + block.file.charset()
-              + ", so '"
-              + OutputPath.shown(id)
-              + "' is left out.",
-          "Write the file in UTF-8, or without protected areas.");
+      run.report()
+          .error(
+              FileCharsets.ID,
+              block.tag.charsetPlace(),
+              "Protected areas cannot be found again in "
+                  + block.file.charset()
+                  + ", so '"
+                  + OutputPath.shown(id)
+                  + "' is left out.",
+              "Write the file in UTF-8, or without protected areas.");
       return false;
     }
     String problem = problem(block, id);

@@ -1,8 +1,8 @@
 package dev.eventchain.m2t;
 
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.output.OutputFolder;
 import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.output.OutputFolder;
 import java.util.Collections;
 import java.util.List;
 import java.util.Set;
@@ -42,8 +42,7 @@ public record GenerationResult(
    */
   public boolean isWhole() {
     return diagnostics.stream()
-        .noneMatch(
-            found -> found.severity() == Severity.ERROR && !UNDEFINED.contains(found.id()));
+        .noneMatch(found -> found.severity() == Severity.ERROR && !UNDEFINED.contains(found.id()));
   }
 
   /** The same with a warning, in place of an error, for each value that is undefined. */

@@ -222,9 +222,7 @@ final class GenerationRun {
 
   /** Reports why generation cannot go on; to be thrown. */
   StoppedException stop(Invalid invalid) {
-    return calls.tooDeep().isPresent()
-        ? stopTooDeep()
-        : stop(invalid.reason(), invalid.location());
+    return calls.tooDeep().isPresent() ? stopTooDeep() : stop(invalid.reason(), invalid.location());
   }
 
   /**

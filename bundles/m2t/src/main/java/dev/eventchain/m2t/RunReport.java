@@ -51,12 +51,7 @@ final class RunReport {
     error(
         service ? "m2t.service" : "m2t.undefined",
         placed ? invalid.location() : expression.location(),
-        "The value is undefined"
-            + element()
-            + ": "
-            + invalid.reason()
-            + ". "
-            + use.consequence(),
+        "The value is undefined" + element() + ": " + invalid.reason() + ". " + use.consequence(),
         service
             ? "Mend the service, or what it is given."
             : "Guard the expression with [if], or mend the model.");

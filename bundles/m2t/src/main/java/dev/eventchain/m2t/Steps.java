@@ -169,17 +169,18 @@ final class Steps {
     private boolean item(int place, Object item, int index, boolean separator, GenerationRun run) {
       if (item != null && !accepts.test(item)) {
         run.calls().skipItem();
-        run.report().warn(
-            "m2t.for.type",
-            items.location(),
-            "The loop skips "
-                + (item instanceof org.eclipse.emf.ecore.EObject object
-                    ? Texts.label(object)
-                    : "'" + item + "'")
-                + ", which is no "
-                + typeName
-                + ".",
-            "Filter the collection: ->filter(" + typeName + ").");
+        run.report()
+            .warn(
+                "m2t.for.type",
+                items.location(),
+                "The loop skips "
+                    + (item instanceof org.eclipse.emf.ecore.EObject object
+                        ? Texts.label(object)
+                        : "'" + item + "'")
+                    + ", which is no "
+                    + typeName
+                    + ".",
+                "Filter the collection: ->filter(" + typeName + ").");
         return false;
       }
       run.calls().nextItem(place, item, index, variable);

@@ -194,11 +194,12 @@ public final class TemplateModule {
   private static void generate(
       Template main, Collection<? extends EObject> roots, GenerationRun run) {
     if (main.parameters().size() != 1) {
-      run.report().error(
-          "m2t.main.parameters",
-          main.place().location(),
-          "The main template '" + main.name() + "' needs exactly one parameter.",
-          "Call it from a main template that has one.");
+      run.report()
+          .error(
+              "m2t.main.parameters",
+              main.place().location(),
+              "The main template '" + main.name() + "' needs exactly one parameter.",
+              "Call it from a main template that has one.");
       return;
     }
     Callable.Parameter parameter = main.parameters().get(0);
@@ -214,15 +215,16 @@ public final class TemplateModule {
 
   private void nothingGenerated(GenerationRun run) {
     boolean noMain = mains.isEmpty();
-    run.report().error(
-        noMain ? "m2t.main.missing" : "m2t.nothing-generated",
-        source.at(0),
-        noMain
-            ? "The module has no main template, so nothing was generated."
-            : "The main template wrote no file for this model.",
-        noMain
-            ? "Write [comment @main /] into the template to start with."
-            : "Check that the model has elements of the main template's type, and that the"
-                + " template has [file (...)] blocks.");
+    run.report()
+        .error(
+            noMain ? "m2t.main.missing" : "m2t.nothing-generated",
+            source.at(0),
+            noMain
+                ? "The module has no main template, so nothing was generated."
+                : "The main template wrote no file for this model.",
+            noMain
+                ? "Write [comment @main /] into the template to start with."
+                : "Check that the model has elements of the main template's type, and that the"
+                    + " template has [file (...)] blocks.");
   }
 }

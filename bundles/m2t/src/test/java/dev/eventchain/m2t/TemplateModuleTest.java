@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.output.OutputFolder;
@@ -18,6 +19,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.ExecutionException;
@@ -208,7 +210,7 @@ class TemplateModuleTest {
     GenerationResult result =
         ofPackages(call).generate(resource.getContents(), each -> SourceLocation.NONE);
     assertEquals(List.of(), result.diagnostics());
-    assertEquals("grown\ngrown\n", new String(result.files().get("out.txt"), UTF_8));
+    assertEquals("grown\n\ngrown\n", new String(result.files().get("out.txt"), UTF_8));
     assertEquals(4, resource.getContents().size());
   }
 
@@ -218,6 +220,25 @@ class TemplateModuleTest {
     List.of("a", "b", "b.lost", "c").forEach(name -> files.put(name, name.getBytes(UTF_8)));
     GenerationResult result = new GenerationResult(files, "", List.of(), GenerationTrace.NONE);
     assertEquals(List.of("b.lost", "a", "b", "c"), List.copyOf(result.files().keySet()));
+  }
+
+  @Test
+  void blocksNamedStdoutArePrintedAndNoFiles() {
+    TemplateModule module = compile("a[file ('stdout', false)]one\n[/file]");
+    GenerationResult result = module.generate(List.of(model(1)), each -> SourceLocation.NONE);
+    assertEquals(Set.of("out.txt"), result.files().keySet());
+    assertEquals("one\n", result.printed());
+  }
+
+  @Test
+  void anUndefinedValueIsAnErrorOrLenientlyAWarning() {
+    TemplateModule module = compile("a[p.eClassifiers->at(7).name/]b");
+    GenerationResult result = module.generate(List.of(model(1)), each -> SourceLocation.NONE);
+    assertEquals("ainvalidb\n", new String(result.files().get("out.txt"), UTF_8));
+    assertTrue(result.isWhole());
+    assertEquals(Severity.ERROR, result.diagnostics().get(0).severity());
+    assertEquals(Severity.WARNING, result.lenient().diagnostics().get(0).severity());
+    assertEquals("m2t.undefined", result.lenient().diagnostics().get(0).id());
   }
 
   @Test

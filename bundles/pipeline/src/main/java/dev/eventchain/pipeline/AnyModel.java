@@ -50,10 +50,11 @@ public final class AnyModel {
    *     to in other files
    * @param overwrite whether files that a person has edited are replaced
    * @param trace whether {@code trace.json} is written, too, which says where each line comes from
+   * @param lenient whether undefined values are warnings
    * @param suppressions what is wrong with the models and is not to count
    * @param timeLimit the processor time that the patterns of a data type may take
-   * @return what was found, and nothing written if one of it is an error: also where a model is no
-   *     instance of its metamodel
+   * @return what was found, and nothing written if one of it is an error, other than that values
+   *     are undefined: also where a model is no instance of its metamodel
    * @throws DiagnosticException INPUT if a file cannot be read, or the output not written
    */
   public static WrittenFiles generate(
@@ -64,6 +65,7 @@ public final class AnyModel {
       Path folder,
       boolean overwrite,
       boolean trace,
+      boolean lenient,
       Suppressions suppressions,
       Duration timeLimit) {
     ModelValidation any = ModelValidation.read(metamodels, map, models, timeLimit);
@@ -75,7 +77,7 @@ public final class AnyModel {
       WrittenFiles files = new WrittenFiles(folder);
       files.found(any.ecore().diagnostics());
       if (!Diagnostic.anyError(suppressions.part(files.diagnostics()).remaining())) {
-        generate(any, module, properties, files, folder, overwrite, trace);
+        generate(any, module, properties, files, folder, overwrite, trace, lenient);
       }
       return files;
     }
@@ -100,18 +102,21 @@ public final class AnyModel {
       WrittenFiles files,
       Path folder,
       boolean overwrite,
-      boolean trace) {
+      boolean trace,
+      boolean lenient) {
     try (OutputFolder output = OutputFolder.open(folder)) {
       GenerationContext context =
           GenerationContext.of(any::locate).withEarlier(output::read).withPropertyFiles(properties);
-      GenerationResult result = module.generate(any.roots(), trace ? context.withTrace() : context);
-      int known = files.diagnostics().size(); // what is wrong with the model, and was suppressed
+      GenerationResult strict = module.generate(any.roots(), trace ? context.withTrace() : context);
+      GenerationResult result = lenient ? strict.lenient() : strict;
       files.found(module.warnings());
       files.found(result.diagnostics());
-      if (trace && result.files().containsKey(TraceFile.NAME)) {
+      files.print(result.printed());
+      boolean taken = trace && result.files().containsKey(TraceFile.NAME);
+      if (taken) {
         files.found(List.of(traceTaken()));
       }
-      if (Diagnostic.anyError(files.diagnostics().subList(known, files.diagnostics().size()))) {
+      if (taken || !result.isWhole()) {
         return;
       }
       files.write(output, result.files(), overwrite ? OnEdit.OVERWRITE : OnEdit.KEEP);

@@ -16,11 +16,16 @@ import java.util.Map;
 public final class WrittenFiles {
 
   private final Path folder;
+  private String printed = "";
   private final List<Diagnostic> found = new ArrayList<>();
   private final Map<Outcome, Integer> counts = new EnumMap<>(Outcome.class);
 
   WrittenFiles(Path folder) {
     this.folder = folder;
+  }
+
+  void print(String text) {
+    printed = text;
   }
 
   void found(List<Diagnostic> diagnostics) {
@@ -36,7 +41,12 @@ public final class WrittenFiles {
         });
   }
 
-  /** What was found; a file with an error among its findings was not written. */
+  /** What templates printed instead of writing a file. */
+  public String printed() {
+    return printed;
+  }
+
+  /** What was found; values that are undefined, and nothing else, leave files to be written. */
   public List<Diagnostic> diagnostics() {
     return List.copyOf(found);
   }

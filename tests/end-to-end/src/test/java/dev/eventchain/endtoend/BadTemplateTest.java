@@ -71,20 +71,45 @@ class BadTemplateTest {
         "[for (b : Book|library.books)]x;2;m2t.syntax;main.mtl:4:1",
         "[library.boks->size()/];2;ocl.type;main.mtl:4:10",
         "[library.main()/];1;m2t.recursion;main.mtl:2:",
-        "[file ('x', false)][100 / library.books->size().mod(2)/][/file];1;m2t.undefined;main.mtl:4:",
         "[file ('x', false)][library.invoke('java.lang.System', 'exit(int)', Sequence{1})/][/file];2;m2t.service;main.mtl:4:",
-        "[file ('/tmp/x', false)]x[/file];1;output.path.refused;is absolute",
         "[file ('a/../../x', false)]x[/file];1;output.path.refused;contains '..'",
         "[file ('a\\u0000b', false)]x[/file];1;output.path.refused;contains a control character",
         "[file ('LONG', false)]x[/file];1;output.path.refused;longer than",
         "[file ('x', false)]1[/file][file ('x', false)]2[/file];1;m2t.file.duplicate;main.mtl:4:",
         "[file ('x', false)][protected ('p')][/protected][protected ('p')][/protected][/file];1;m2t.protected.id;main.mtl:4:",
-        "[file ('x', false, 'UTF-99')]x[/file];1;m2t.charset;main.mtl:4:",
       })
   void isAFindingWithItsPlace(String body, int code, String id, String place) throws IOException {
     String text = body.replace("LONG", "x".repeat(4096));
     generate(text).expect(code).says("[" + id + "]").says(place);
     assertFalse(Files.exists(out.resolve("x")), "half an output");
+  }
+
+  @Test
+  void anUndefinedValueCostsNoFileButIsAnError() throws IOException {
+    String body = "[file ('x', false)]<[100 / library.books->size().mod(2)/]>[/file]";
+    generate(body).expect(1).says("[m2t.undefined]").says("main.mtl:4:");
+    assertEquals("<invalid>", Files.readString(out.resolve("x")));
+    byte[] template = (HEAD + body + "\n[/template]\n").getBytes(StandardCharsets.UTF_8);
+    generate(template, "--lenient").expect(0).says("[m2t.undefined]").says("warning");
+  }
+
+  @Test
+  void namesThatBeginWithASlashStandBelowTheFolder() throws IOException {
+    generate("[file ('/tmp/x', false)]x[/file]").expect(0);
+    assertEquals("x", Files.readString(out.resolve("tmp/x")));
+  }
+
+  @Test
+  void anUnknownCharsetIsAWarningAndTheFileIsUtf8() throws IOException {
+    generate("[file ('x', false, 'UTF-99')]ä[/file]").expect(0).says("[m2t.charset]");
+    assertEquals("ä", Files.readString(out.resolve("x")));
+  }
+
+  @Test
+  void whatIsPrintedIsNoFile() throws IOException {
+    generate("[file ('stdout', false)]hello[/file]").expect(0);
+    assertTrue(ended.err().contains("hello"), ended.err());
+    assertFalse(Files.exists(out.resolve("stdout")));
   }
 
   @Test
