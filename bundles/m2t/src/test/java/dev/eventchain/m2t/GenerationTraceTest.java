@@ -245,13 +245,13 @@ class GenerationTraceTest {
         [/template]
         """;
     assertTrace(
-        earlier,
-        "1-1: 5model; 3-3: 5model 7model; 4-4: 11model; 7-7: 11model",
+        earlier.replace("# Start", "\n# Start"),
+        "1-1: 5model; 3-3: 5model 7model; 5-5: 11model; 8-8: 11model",
         generate(template, Map.of("o", earlier)));
   }
 
   @Test
-  void appendedTextGoesOnWhereTheFirstEnded() {
+  void theBreakAheadOfAppendedTextComesFromNobody() {
     String template =
         """
         [file ('o')]
@@ -264,8 +264,8 @@ class GenerationTraceTest {
         [/template]
         """;
     assertTrace(
-        "a\nb c\nd\n",
-        "1-1: 5model; 2-2: 6model 8model; 3-3: 9model",
+        "a\nb\n c\nd\n",
+        "1-1: 5model; 2-2: 6model; 3-3: 8model; 4-4: 9model",
         generate(template, Map.of()));
   }
 }
