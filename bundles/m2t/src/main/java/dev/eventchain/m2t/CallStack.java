@@ -7,11 +7,14 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.Deque;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.impl.BasicEObjectImpl;
 
@@ -35,7 +38,10 @@ final class CallStack {
   private Object[] selves = new Object[32];
   private int selfCount;
 
-  /** The calls at work, and the element, when there was no more room; empty until then. */
+  /**
+   * The calls at work, and the first element, when there was no more room; empty until then. How
+   * deep that is differs from run to run, so nothing that is said of it depends on which is last.
+   */
   private List<Frame> kept = List.of();
 
   private EObject keptElement;
@@ -100,7 +106,7 @@ final class CallStack {
       }
       latest.add(frame);
     }
-    keptElement = element();
+    keptElement = outermostElement();
     keptDepth = frames.size();
     kept = latest;
   }
@@ -110,9 +116,11 @@ final class CallStack {
     return keptDepth;
   }
 
-  /** The innermost of the calls for which there was no more room; empty if there always was. */
+  /** What calls itself until there was no more room; empty if there always was. */
   Optional<Callable> tooDeep() {
-    return kept.stream().map(Frame::callable).findFirst();
+    return kept.stream()
+        .map(Frame::callable)
+        .min(Comparator.comparing(callable -> callable.place().location()));
   }
 
   /** The arguments of the call at work. */
@@ -168,7 +176,19 @@ final class CallStack {
     return found;
   }
 
-  /** The innermost self that is a model element, when there was room; null if there is none. */
+  private EObject outermostElement() {
+    for (int i = 0; i < selfCount; i++) {
+      if (selves[i] instanceof EObject element) {
+        return element;
+      }
+    }
+    return null;
+  }
+
+  /**
+   * The innermost self that is a model element, or the outermost where there was no more room; null
+   * if there is none.
+   */
   EObject element() {
     if (!kept.isEmpty()) {
       return keptElement;
@@ -181,14 +201,15 @@ final class CallStack {
     return null;
   }
 
-  /** The latest calls for people, each once, from the innermost; empty if there are none. */
+  /** Calls for people, each once: the latest from the innermost; empty if there are none. */
   String shown() {
-    Set<String> calls = new LinkedHashSet<>();
+    Set<String> calls = kept.isEmpty() ? new LinkedHashSet<>() : new TreeSet<>();
     for (Frame frame : kept.isEmpty() ? frames : kept) {
-      if (frame.caller() != null && calls.size() < CALLS_SHOWN) {
+      if (frame.caller() != null && (calls.size() < CALLS_SHOWN || !kept.isEmpty())) {
         calls.add("'" + frame.callable().name() + "' called at " + frame.caller().location());
       }
     }
-    return calls.isEmpty() ? "" : "In " + String.join(", ", calls) + ".";
+    String first = calls.stream().limit(CALLS_SHOWN).collect(Collectors.joining(", "));
+    return first.isEmpty() ? "" : "In " + first + ".";
   }
 }
