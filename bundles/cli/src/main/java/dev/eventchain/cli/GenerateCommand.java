@@ -61,7 +61,8 @@ final class GenerateCommand extends ProjectCommand {
       paramLabel = "FOLDER",
       description =
           "A source root of the template: [import a::b] is a/b.mtl below it; may be repeated."
-              + " Folders that the template is in need not be named.")
+              + " The one that the template is in need not be named if a is a folder that it is"
+              + " in.")
   private List<Path> sources = List.of();
 
   @Option(

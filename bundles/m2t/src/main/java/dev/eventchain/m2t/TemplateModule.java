@@ -51,19 +51,19 @@ public final class TemplateModule {
    * As {@link #compile(Path, Collection)}, with source roots and Java services.
    *
    * @param roots folders in which {@code a::b} is {@code a/b.mtl}; those that a file is in need not
-   *     be named
+   *     be named if the import begins with the name of such a folder
    * @param services the public methods of its own classes, but not of its parents', can be called
    *     by {@code invoke('class', 'method(types)', Sequence{...})}; without it nothing can
    */
   public static TemplateModule compile(
       Path file, List<Path> roots, Collection<EPackage> packages, Optional<ClassLoader> services) {
     SourceFolders sources = new SourceFolders(file, roots);
-    return compile(sources.main(), sources, packages, services);
+    return compile(sources.main(), sources.or(sources::findAbove), packages, services);
   }
 
   /**
    * Compiles a file; modules that it imports or extends, and those that these do, are looked for
-   * beside it and then elsewhere.
+   * beside it, then elsewhere, and at last in other folders of its project.
    *
    * @param elsewhere finds modules by their qualified names, in the order of the imports
    * @param packages the metamodels that modules may name by their namespaces
@@ -72,8 +72,12 @@ public final class TemplateModule {
   public static TemplateModule compile(
       Path file, Function<String, Optional<SourceText>> elsewhere, Collection<EPackage> packages) {
     SourceFolders sources = new SourceFolders(file, List.of());
-    ModuleSources all = sources.or(ModuleSources.everywhere(elsewhere));
-    return compile(sources.main(), all, packages, Optional.empty());
+    return compile(sources.main(), all(sources, elsewhere), packages, Optional.empty());
+  }
+
+  private static ModuleSources all(
+      SourceFolders sources, Function<String, Optional<SourceText>> elsewhere) {
+    return sources.or(ModuleSources.everywhere(elsewhere)).or(sources::findAbove);
   }
 
   /**
@@ -89,8 +93,7 @@ public final class TemplateModule {
       return List.of(file);
     }
     SourceFolders sources = new SourceFolders(file, List.of());
-    ModuleLoader.load(
-        sources.main(), sources.or(ModuleSources.everywhere(elsewhere)), new ArrayList<>());
+    ModuleLoader.load(sources.main(), all(sources, elsewhere), new ArrayList<>());
     return sources.files().stream().sorted().toList();
   }
 

@@ -130,6 +130,80 @@ class TemplateModuleTest {
         "deep beside", text(module.generate(List.of(model(0)), each -> SourceLocation.NONE)));
   }
 
+  private void shared(String file) throws IOException {
+    Path path = temporary.resolve(file);
+    Files.createDirectories(path.getParent());
+    Files.writeString(path, sharedText(file).text());
+  }
+
+  /** A module that says where it is. */
+  private static SourceText sharedText(String file) {
+    String header = "[module m('http://www.eclipse.org/emf/2002/Ecore')]\n";
+    String body = "[template public shown(p : EPackage)]" + file + "[/template]\n";
+    return SourceText.of(file, header + body);
+  }
+
+  /** The place of the module that is taken for a name in a file of a project; empty if none is. */
+  private Optional<String> taken(String name, Optional<SourceText> shipped) throws IOException {
+    Path main = temporary.resolve("o/project/src/gen/main.mtl");
+    Files.createDirectories(main.getParent());
+    Files.writeString(
+        main,
+        "[module main('http://www.eclipse.org/emf/2002/Ecore')]\n[import "
+            + name
+            + "]\n[template public main(p : EPackage)]\n[comment @main /]\n"
+            + "[file ('out.txt')][p.shown()/][/file]\n[/template]\n");
+    try {
+      TemplateModule module =
+          TemplateModule.compile(main, each -> shipped, List.of(EcorePackage.eINSTANCE));
+      return Optional.of(text(module.generate(List.of(model(0)), each -> SourceLocation.NONE)));
+    } catch (DiagnosticException e) {
+      assertEquals("m2t.module.missing", e.diagnostics().get(0).id());
+      return Optional.empty();
+    }
+  }
+
+  @Test
+  void foldersAroundAProjectHaveNoModulesForIt() throws IOException {
+    shared("o/files/x.mtl");
+    assertEquals(Optional.empty(), taken("files::x", Optional.empty()), "no project is known");
+    shared("o/project/files/x.mtl");
+    assertEquals(Optional.empty(), taken("files::x", Optional.empty()), "nor is it now");
+    Files.createFile(temporary.resolve("o/project/eventchain.yaml"));
+    assertEquals(Optional.of("o/project/files/x.mtl"), taken("files::x", Optional.empty()));
+    shared("o/project/src/gen/x.mtl");
+    assertEquals(Optional.of("o/project/src/gen/x.mtl"), taken("files::x", Optional.empty()));
+    Files.delete(temporary.resolve("o/project/src/gen/x.mtl"));
+    Files.delete(temporary.resolve("o/project/files/x.mtl"));
+    assertEquals(Optional.empty(), taken("files::x", Optional.empty()), "outside the project");
+    shared("o/y.mtl");
+    assertEquals(Optional.empty(), taken("o::y", Optional.empty()), "by the name of a folder");
+  }
+
+  @Test
+  void shippedModulesComeBeforeThoseInFoldersThatNobodyNamed() throws IOException {
+    Files.createDirectories(temporary.resolve("o/project/META-INF"));
+    shared("o/python/names.mtl");
+    shared("o/project/python/names.mtl");
+    Optional<SourceText> shipped = Optional.of(sharedText("shipped"));
+    assertEquals(Optional.of("shipped"), taken("python::names", shipped));
+    shared("o/project/src/python/names.mtl");
+    assertEquals(
+        Optional.of("o/project/src/python/names.mtl"),
+        taken("python::names", shipped),
+        "beside the folder of the template");
+    shared("o/project/src/gen/names.mtl");
+    assertEquals(Optional.of("o/project/src/gen/names.mtl"), taken("python::names", shipped));
+  }
+
+  @Test
+  void aSourceRootIsImpliedByTheFoldersThatAnImportNames() throws IOException {
+    shared("o/project/src/gen/x.mtl");
+    shared("o/project/files/x.mtl");
+    assertEquals(
+        Optional.of("o/project/files/x.mtl"), taken("project::files::x", Optional.empty()));
+  }
+
   @Test
   void filesThatCannotBeReadAreNamed() throws IOException {
     Path missing = temporary.resolve("missing.mtl");

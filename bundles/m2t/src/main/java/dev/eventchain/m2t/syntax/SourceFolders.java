@@ -3,21 +3,32 @@ package dev.eventchain.m2t.syntax;
 import dev.eventchain.diagnostics.SourceText;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
  * Modules in files: {@code a::b} is {@code a/b.mtl} below a source root. A root is a folder that
- * people named, the one that the importing module's own qualified name begins in, or one that the
- * importing file is in, at any depth. Otherwise it is {@code b.mtl} beside the importing file or
- * the main one, as is {@code b}.
+ * people named, the one that the importing module's own qualified name begins in, or the one that
+ * has a folder {@code a} in which the importing file is. Otherwise it is {@code a/b.mtl} or {@code
+ * b.mtl} beside the importing file or the main one, as is {@code b}; or {@code a/b.mtl} beside the
+ * folder of the file.
  */
 public final class SourceFolders implements ModuleSources {
+  /** What makes a folder a project. Nothing around it has a say in what its files mean. */
+  private static final List<String> PROJECT_FILES =
+      List.of(".project", "META-INF", "pom.xml", "eventchain.yaml");
+
+  /** The folder of a file and the one around it: as far as one looks where there is no project. */
+  private static final int NEAR = 2;
+
   private final Path main;
   private final List<Path> roots;
   private final Map<String, Path> files = new HashMap<>();
@@ -46,12 +57,31 @@ public final class SourceFolders implements ModuleSources {
 
   @Override
   public Optional<SourceText> find(Syntax.Module importing, SourceText source, String name) {
-    Path from = files.getOrDefault(source.name(), main);
-    return (name.contains("::") ? qualified(importing, from, name) : plain(importing, from, name))
-        .map(Path::normalize)
-        .filter(Files::exists)
-        .findFirst()
-        .map(this::read);
+    Path from = fileOf(source);
+    return first(
+        name.contains("::") ? qualified(importing, from, name) : plain(importing, from, name));
+  }
+
+  /**
+   * Finds {@code a::b} in the other folders that the importing file or the main one is in, up to
+   * their project's or a source root. Nobody named these folders, so it is for what is nowhere
+   * else.
+   */
+  public Optional<SourceText> findAbove(Syntax.Module importing, SourceText source, String name) {
+    Path from = fileOf(source);
+    Stream<Path> folders =
+        Stream.of(from, main)
+            .filter(file -> name.contains("::"))
+            .flatMap(file -> reach(importing, file).stream());
+    return first(below(folders, name).filter(file -> !file.normalize().equals(from)));
+  }
+
+  private Path fileOf(SourceText source) {
+    return files.getOrDefault(source.name(), main);
+  }
+
+  private Optional<SourceText> first(Stream<Path> candidates) {
+    return candidates.map(Path::normalize).filter(Files::exists).findFirst().map(this::read);
   }
 
   /**
@@ -59,16 +89,21 @@ public final class SourceFolders implements ModuleSources {
    * {@code shipped::main} in {@code main.mtl} is another module.
    */
   private Stream<Path> qualified(Syntax.Module importing, Path from, String name) {
-    String nested = path(name);
     Set<Path> folders = new LinkedHashSet<>(roots);
     ownRoot(importing, from).ifPresent(folders::add);
-    around(from, folders);
-    around(main, folders);
-    Stream<Path> below = folders.stream().map(folder -> folder.resolve(nested));
+    Stream.of(from, main).flatMap(file -> ownOrRoot(file, name)).forEach(folders::add);
     Stream<Path> beside =
         plain(importing, from, name.substring(name.lastIndexOf(':') + 1))
             .filter(file -> !file.normalize().equals(main));
-    return Stream.concat(below, beside).filter(file -> !file.normalize().equals(from));
+    Stream<Path> besideFolder =
+        Stream.of(from, main).flatMap(file -> reach(importing, file).stream().limit(NEAR));
+    return Stream.of(below(folders.stream(), name), beside, below(besideFolder, name))
+        .flatMap(each -> each)
+        .filter(file -> !file.normalize().equals(from));
+  }
+
+  private static Stream<Path> below(Stream<Path> folders, String name) {
+    return folders.map(folder -> folder.resolve(path(name)));
   }
 
   private Stream<Path> plain(Syntax.Module importing, Path from, String name) {
@@ -83,14 +118,50 @@ public final class SourceFolders implements ModuleSources {
     return name.replace("::", "/") + ".mtl";
   }
 
+  /** The folder of a file, and the source roots that a name and the names of folders imply. */
+  private static Stream<Path> ownOrRoot(Path file, String name) {
+    String first = name.substring(0, name.indexOf("::"));
+    List<Path> all = around(file);
+    List<Path> inside = upTo(all, SourceFolders::isProject).orElse(all);
+    return IntStream.range(0, inside.size())
+        .filter(up -> up == 0 || inside.get(up - 1).toAbsolutePath().normalize().endsWith(first))
+        .mapToObj(inside::get);
+  }
+
+  /** The folders that a file is in, as far up as its modules may be without being named. */
+  private List<Path> reach(Syntax.Module importing, Path file) {
+    List<Path> all = around(file);
+    return upTo(all, folder -> isProject(folder) || isNamed(folder))
+        .or(() -> ownRoot(importing, file).flatMap(root -> upTo(all, root::equals)))
+        .orElse(all.subList(0, Math.min(NEAR, all.size())));
+  }
+
+  private static Optional<List<Path>> upTo(List<Path> folders, Predicate<Path> last) {
+    return IntStream.range(0, folders.size())
+        .filter(up -> last.test(folders.get(up)))
+        .mapToObj(up -> folders.subList(0, up + 1))
+        .findFirst();
+  }
+
+  private static boolean isProject(Path folder) {
+    return PROJECT_FILES.stream().anyMatch(file -> Files.exists(folder.resolve(file)));
+  }
+
+  private boolean isNamed(Path folder) {
+    Path absolute = folder.toAbsolutePath().normalize();
+    return roots.stream().anyMatch(root -> root.toAbsolutePath().normalize().equals(absolute));
+  }
+
   /** The folder of a file and all that it is in, under the names that people know them by. */
-  private static void around(Path file, Set<Path> folders) {
+  private static List<Path> around(Path file) {
+    List<Path> folders = new ArrayList<>();
     Path folder = file.resolveSibling("");
-    int depth = file.toAbsolutePath().getNameCount();
+    int depth = file.toAbsolutePath().normalize().getNameCount();
     for (int up = 0; up < depth; up++) {
       folders.add(folder.normalize());
       folder = folder.resolve("..");
     }
+    return folders;
   }
 
   /** Where the qualified name of a module begins, if that is the end of the name of its file. */
