@@ -19,7 +19,8 @@ final class MetamodelOptions {
       paramLabel = "URI=FOLDER|FILE",
       description =
           "Where files are that references name by a URI which begins so, for example"
-              + " platform:/resource/=workspace/, or which file a whole URI means; may be repeated. Other references are followed"
-              + " into the folders of the files that the command names, and into these.")
+              + " platform:/resource/=workspace/, or which file a whole URI means. May be repeated."
+              + " Other references are followed into the folders of the files that the command"
+              + " names, and into these.")
   Map<String, Path> map = Map.of();
 }

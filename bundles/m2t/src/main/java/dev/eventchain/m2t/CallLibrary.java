@@ -18,7 +18,8 @@ import org.eclipse.emf.ecore.EClassifier;
  * The templates and queries that a module can call, as operations: {@code x.name(y)} and {@code
  * name(x, y)} are the same call. Which template is meant is decided at run time by the arguments:
  * the one with the most special parameters that takes them. Which query is meant is decided by the
- * types that the arguments have in the text.
+ * types that the arguments have in the text, or by the arguments if it takes only some values of
+ * these types.
  */
 final class CallLibrary implements OperationLibrary {
   private final List<Callable> visible = new ArrayList<>();
@@ -83,12 +84,23 @@ final class CallLibrary implements OperationLibrary {
       return Optional.empty();
     }
     Callable meant = suitable.get(0);
-    List<Callable> called =
-        meant instanceof Query && !loosely ? List.of(meant) : signatures.bySpeciality(candidates);
+    List<Callable> called = called(meant, candidates, signatures, loosely);
+    boolean one = called.stream().allMatch(each -> each.resultType().equals(meant.resultType()));
     List<Callable> reversed = new ArrayList<>(called);
     Collections.reverse(reversed);
     Call call = new Call(name, overridingFirst(called), overridingFirst(reversed), source != null);
-    return Optional.of(new Operation(name, meant.resultType(), call));
+    return Optional.of(new Operation(name, one ? meant.resultType() : language.any(), call));
+  }
+
+  /** What a call may turn out to mean at run time, the most special first. */
+  private static List<Callable> called(
+      Callable meant, List<Callable> candidates, Signatures signatures, boolean loosely) {
+    if (loosely) {
+      return signatures.bySpeciality(candidates);
+    }
+    return meant instanceof Query
+        ? List.of(meant)
+        : signatures.bySpeciality(candidates.stream().filter(Template.class::isInstance).toList());
   }
 
   /**

@@ -21,6 +21,9 @@ final class GenerationRun {
   /** The part of the memory that text and arguments of many calls may take, copies left out. */
   private static final int PART_OF_MEMORY = 16;
 
+  /** So much they may take at most, in bytes; what has no end takes its time to get there. */
+  private static final long MOST_HELD = 64L << 20;
+
   /** More than that come from the model, and from there any number can come. */
   private static final int MOST_PATTERNS = 256;
 
@@ -181,7 +184,24 @@ final class GenerationRun {
 
   /** Whether a condition is true. */
   boolean holds(Expression condition) {
-    return Boolean.TRUE.equals(evaluate(condition, Undefined.GUARD));
+    return Boolean.TRUE.equals(condition(condition, Undefined.GUARD));
+  }
+
+  /**
+   * The value of a condition for some use: true, false, null, or an {@link Invalid}, which has been
+   * reported. What is none of them is reported, too, and counts as false.
+   */
+  Object condition(Expression condition, Undefined use) {
+    Object value = evaluate(condition, use);
+    if (value == null || value instanceof Boolean || value instanceof Invalid) {
+      return value;
+    }
+    report.error(
+        "m2t.condition",
+        condition.location(),
+        "The condition is '" + Texts.of(value) + "', neither true nor false; it counts as false.",
+        "Compare it with something, or ask ->notEmpty().");
+    return false;
   }
 
   /** The value that a call of a query had before; null if there was none. */
@@ -204,7 +224,7 @@ final class GenerationRun {
     int depth = calls.depth();
     if (depth >= MANY_CALLS
         && output().weight(depth) + calls.weight()
-            > Runtime.getRuntime().maxMemory() / PART_OF_MEMORY) {
+            > Math.min(MOST_HELD, Runtime.getRuntime().maxMemory() / PART_OF_MEMORY)) {
       calls.keep();
       leave();
       throw stopTooDeep();

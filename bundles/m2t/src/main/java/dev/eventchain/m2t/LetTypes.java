@@ -1,6 +1,7 @@
 package dev.eventchain.m2t;
 
 import dev.eventchain.diagnostics.SourceRange;
+import java.math.BigDecimal;
 import java.util.Collection;
 import java.util.List;
 import java.util.Set;
@@ -36,12 +37,32 @@ record LetTypes(ExpressionCompiler expressions) {
       return value -> fits && value instanceof Collection<?>;
     }
     Predicate<Object> instances = expressions.instancesOf(type);
-    boolean real =
-        type instanceof PrimitiveType<?> primitive
-            && primitive.getName().equals(PrimitiveType.REAL_NAME);
-    return real
-        ? value -> instances.test(value) && (value instanceof Double || value instanceof Float)
-        : instances;
+    if ((isReal(type) && isInteger(valueType)) || isOther(type, valueType)) {
+      never(declared, type, valueType);
+    }
+    return isReal(type) ? value -> isRealNumber(value) && instances.test(value) : instances;
+  }
+
+  /** Whether no value is of both types. Of two classes a third one may inherit. */
+  private boolean isOther(EClassifier type, EClassifier valueType) {
+    boolean primitive = type instanceof PrimitiveType<?> || valueType instanceof PrimitiveType<?>;
+    return primitive && !new Signatures(expressions.language()).mayFit(valueType, type);
+  }
+
+  private static boolean isInteger(EClassifier type) {
+    return type instanceof PrimitiveType<?> primitive
+        && primitive.getName().equals(PrimitiveType.INTEGER_NAME);
+  }
+
+  /** Whether a type is Real, of which in templates no Integer is. */
+  static boolean isReal(EClassifier type) {
+    return type instanceof PrimitiveType<?> primitive
+        && primitive.getName().equals(PrimitiveType.REAL_NAME);
+  }
+
+  /** Whether a value is a Real, and no Integer. */
+  static boolean isRealNumber(Object value) {
+    return value instanceof Double || value instanceof Float || value instanceof BigDecimal;
   }
 
   private static boolean fits(CollectionKind wanted, CollectionKind given) {
@@ -74,6 +95,6 @@ record LetTypes(ExpressionCompiler expressions) {
                 + "', which is not '"
                 + type.getName()
                 + "'.",
-            "Declare that type, or convert the value: ->asSequence().");
+            "Declare the type of the value, or convert it.");
   }
 }

@@ -81,7 +81,7 @@ final class ObjectOperations {
             List.of(arguments),
             Types::text,
             true,
-            (s, a, c) -> value.apply(a, c.run()).orElse(null)));
+            (s, a, c) -> value.apply(given(a), c.run()).orElse(null)));
     rows.add(
         new Row(
             "getProperty",
@@ -91,9 +91,16 @@ final class ObjectOperations {
             true,
             (s, a, c) ->
                 value
-                    .apply(a, c.run())
+                    .apply(given(a), c.run())
                     .map(text -> filled(text, (Collection<?>) a.get(a.size() - 1)))
                     .orElse(null)));
+  }
+
+  private static List<Object> given(List<Object> arguments) {
+    if (arguments.contains(null)) {
+      throw new IllegalArgumentException("an argument is null");
+    }
+    return arguments;
   }
 
   private static String filled(String text, Collection<?> values) {

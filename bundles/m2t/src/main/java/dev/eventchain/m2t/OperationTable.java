@@ -3,7 +3,6 @@ package dev.eventchain.m2t;
 import dev.eventchain.ocl.Evaluation;
 import dev.eventchain.ocl.ExpressionLanguage;
 import dev.eventchain.ocl.OperationLibrary;
-import java.math.BigDecimal;
 import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -14,8 +13,8 @@ import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.ocl.types.AnyType;
 import org.eclipse.ocl.types.OrderedSetType;
-import org.eclipse.ocl.types.PrimitiveType;
 import org.eclipse.ocl.types.SequenceType;
+import org.eclipse.ocl.types.VoidType;
 
 /**
  * The non-standard operations of Acceleo templates, as a table: for each operation the kinds of its
@@ -27,6 +26,8 @@ final class OperationTable implements OperationLibrary {
   /** What a source or an argument may be. */
   enum Kind {
     TEXT,
+    /** A text, but not null alone, which is of every type. */
+    SURELY_TEXT,
     INTEGER,
     REAL,
     COLLECTION,
@@ -90,12 +91,10 @@ final class OperationTable implements OperationLibrary {
 
     /** As {@link #isInstance}, but an Integer is no Real, and nothing is of OclAny itself. */
     boolean isOfType(Object value, Object type) {
-      boolean real =
-          type instanceof PrimitiveType<?> primitive
-              && primitive.getName().equals(PrimitiveType.REAL_NAME);
-      return real
-          ? value instanceof Double || value instanceof Float || value instanceof BigDecimal
-          : !(type instanceof AnyType<?>) && isInstance(value, type);
+      if (LetTypes.isReal((EClassifier) type)) {
+        return LetTypes.isRealNumber(value);
+      }
+      return !(type instanceof AnyType<?>) && isInstance(value, type);
     }
   }
 
@@ -140,9 +139,10 @@ final class OperationTable implements OperationLibrary {
     return Optional.empty();
   }
 
+  /** Those that are written like a name. */
   @Override
   public Collection<String> names() {
-    return ROWS.keySet();
+    return ROWS.keySet().stream().filter(name -> Character.isLetter(name.charAt(0))).toList();
   }
 
   /** A call of an operation. */
@@ -202,6 +202,7 @@ final class OperationTable implements OperationLibrary {
     boolean literal = language.referredType(type).isPresent();
     return switch (kind) {
       case TEXT -> !collection && !literal && language.conforms(type, language.type("String"));
+      case SURELY_TEXT -> is(Kind.TEXT, type, language) && !(type instanceof VoidType<?>);
       case INTEGER -> !collection && !literal && language.conforms(type, language.type("Integer"));
       case REAL -> !collection && !literal && language.conforms(type, language.type("Real"));
       case COLLECTION -> collection;

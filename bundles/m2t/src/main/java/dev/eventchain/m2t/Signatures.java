@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.BiPredicate;
 import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.ocl.types.AnyType;
 
 /** Which templates and queries a call may mean, by the types of its arguments. */
 record Signatures(ExpressionLanguage language) {
@@ -40,6 +41,9 @@ record Signatures(ExpressionLanguage language) {
 
   /** Whether some values of a type are of the other type, collections of another kind included. */
   boolean mayFit(EClassifier type, EClassifier required) {
+    if (type instanceof AnyType<?> || required instanceof AnyType<?>) {
+      return true;
+    }
     Optional<EClassifier> elements = language.elementType(type);
     Optional<EClassifier> requiredElements = language.elementType(required);
     if (elements.isPresent() && requiredElements.isPresent()) {

@@ -202,7 +202,7 @@ final class Steps {
     @Override
     public void write(GenerationRun run) {
       for (Branch branch : branches) {
-        Object value = run.evaluate(branch.condition(), Undefined.BLOCK);
+        Object value = run.condition(branch.condition(), Undefined.BLOCK);
         if (value instanceof Invalid) {
           return;
         }
@@ -257,7 +257,8 @@ final class Steps {
     @Override
     public void write(GenerationRun run) {
       Object fileName = run.evaluate(name, Undefined.FILE);
-      Object append = value(modeExpression, run);
+      Object append =
+          modeExpression.isPresent() ? run.condition(modeExpression.get(), Undefined.FILE) : null;
       Object charsetName = value(charset, run);
       if (fileName instanceof Invalid
           || append instanceof Invalid

@@ -3,6 +3,7 @@ package dev.eventchain.m2t;
 import static dev.eventchain.m2t.OperationTable.Kind.ANY;
 import static dev.eventchain.m2t.OperationTable.Kind.COLLECTION;
 import static dev.eventchain.m2t.OperationTable.Kind.INTEGER;
+import static dev.eventchain.m2t.OperationTable.Kind.SURELY_TEXT;
 import static dev.eventchain.m2t.OperationTable.Kind.TEXT;
 
 import dev.eventchain.m2t.OperationTable.Body;
@@ -43,8 +44,8 @@ final class TextOperations {
   private static void addSums(List<Row> rows) {
     Body sum = (s, a, c) -> Texts.of(s) + Texts.of(a.get(0));
     for (Kind kind : List.of(ANY, COLLECTION)) {
-      rows.add(new Row("+", TEXT, List.of(kind), TO_TEXT, true, sum));
-      rows.add(new Row("+", kind, List.of(TEXT), TO_TEXT, true, sum));
+      rows.add(new Row("+", SURELY_TEXT, List.of(kind), TO_TEXT, true, sum));
+      rows.add(new Row("+", kind, List.of(SURELY_TEXT), TO_TEXT, true, sum));
     }
   }
 
@@ -136,8 +137,7 @@ final class TextOperations {
             TO_TEXT,
             (s, a, c) -> text(s).substring(text(s).length() - length(s, a.get(0))),
             INTEGER));
-    rows.add(
-        row("substring", TO_TEXT, (s, a, c) -> text(s).substring(number(a.get(0)) - 1), INTEGER));
+    rows.add(row("substring", TO_TEXT, (s, a, c) -> from(text(s), number(a.get(0))), INTEGER));
     rows.add(row("prefix", TO_TEXT, (s, a, c) -> text(a.get(0)) + text(s), TEXT));
   }
 
@@ -176,6 +176,14 @@ final class TextOperations {
   private static int length(Object text, Object wanted) {
     int length = text(text).length();
     return number(wanted) < 0 ? length : Math.min(length, number(wanted));
+  }
+
+  private static String from(String text, int position) {
+    if (position < 1 || position > text.length() + 1) {
+      throw new IllegalArgumentException(
+          "position " + position + " is not in a text of " + text.length() + " characters");
+    }
+    return text.substring(position - 1);
   }
 
   private static int index(int fromZero) {

@@ -22,7 +22,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Templates and queries that call themselves: as deep as there is memory, and no deeper. */
 class RecursionTest {
 
-  private static final Duration LONGEST = Duration.ofMinutes(2);
+  private static final Duration LONGEST = Duration.ofMinutes(10);
 
   private static GenerationResult generate(String call, String callable) {
     String text =

@@ -35,7 +35,10 @@ public interface Dialect {
     return Optional.empty();
   }
 
-  /** Whether a simple name that no metamodel has means the type of everything. */
+  /**
+   * Whether a simple name that no metamodel has means the type of everything where a variable, a
+   * parameter or a result is declared. It never does in an expression.
+   */
   default boolean meansAnyType(String name) {
     return false;
   }

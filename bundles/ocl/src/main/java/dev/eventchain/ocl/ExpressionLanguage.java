@@ -287,8 +287,10 @@ public final class ExpressionLanguage {
       return Optional.of(known);
     }
     int before = problems.size();
+    OclEnvironment environment = environment(Scope.EMPTY);
+    environment.declareTypes();
     Optional<EClassifier> type =
-        parseConstraint(range, TYPE_PREFIX, TYPE_SUFFIX, environment(Scope.EMPTY), problems)
+        parseConstraint(range, TYPE_PREFIX, TYPE_SUFFIX, environment, problems)
             .map(let -> ((LetExp<?, ?>) let).getVariable().getType())
             .map(EClassifier.class::cast);
     if (type.isPresent() && problems.size() == before) {

@@ -32,7 +32,7 @@ final class LogicNodes {
       if (Boolean.FALSE.equals(second)) {
         return false;
       }
-      return isUndefined(first) || isUndefined(second) ? INVALID : (Object) true;
+      return Boolean.TRUE.equals(first) && Boolean.TRUE.equals(second) ? (Object) true : INVALID;
     }
   }
 
@@ -52,7 +52,7 @@ final class LogicNodes {
       if (Boolean.TRUE.equals(second)) {
         return true;
       }
-      return isUndefined(first) || isUndefined(second) ? INVALID : (Object) false;
+      return Boolean.FALSE.equals(first) && Boolean.FALSE.equals(second) ? (Object) false : INVALID;
     }
   }
 
@@ -72,7 +72,7 @@ final class LogicNodes {
       if (Boolean.TRUE.equals(second)) {
         return true;
       }
-      return isUndefined(first) || isUndefined(second) ? INVALID : second;
+      return Boolean.TRUE.equals(first) && Boolean.FALSE.equals(second) ? (Object) false : INVALID;
     }
   }
 

@@ -31,6 +31,9 @@ final class OclEnvironment extends EcoreEnvironment {
 
   private final OclEnvironmentFactory factory;
 
+  /** Whether what is parsed is a type for a declaration, and no expression. */
+  private boolean declaring;
+
   OclEnvironment(OclEnvironmentFactory factory) {
     super(factory, null);
     this.factory = factory;
@@ -43,6 +46,7 @@ final class OclEnvironment extends EcoreEnvironment {
   OclEnvironment(OclEnvironment parent) {
     super(parent);
     this.factory = parent.factory;
+    this.declaring = parent.declaring;
     if (parent.getInternalParent() != null) {
       // All environments of one parse share what node stands where.
       setASTNodeToCSTNodeMap(parent.getASTNodeToCSTNodeMap());
@@ -52,6 +56,11 @@ final class OclEnvironment extends EcoreEnvironment {
   /** Sets the package in which simple names are looked for first. */
   void setPackage(EPackage contextPackage) {
     setContextPackage(contextPackage);
+  }
+
+  /** From now on, names of types are those of a declaration, and may mean any type. */
+  void declareTypes() {
+    declaring = true;
   }
 
   /** Names a variable; {@code self} is the source of calls and navigations that have none. */
@@ -180,7 +189,8 @@ final class OclEnvironment extends EcoreEnvironment {
       return candidates.get(0);
     }
     EClassifier other = super.lookupClassifier(names);
-    boolean any = other == null && names.size() == 1 && dialect().meansAnyType(names.get(0));
+    boolean any =
+        other == null && declaring && names.size() == 1 && dialect().meansAnyType(names.get(0));
     return any ? getOCLStandardLibrary().getOclAny() : other;
   }
 
