@@ -27,7 +27,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class PromptRulesTest {
   private static final Path TABLE = Path.of("src/test/resources/prompt-rules.txt");
   private static final List<String> CHECKING =
-      List.of("agents", "analysis", "modeler", "ocl", "python");
+      List.of("agents", "analysis", "modeler", "ocl", "python", "rules");
   private static final Set<String> TASKS =
       Set.of("design", "test", "implement", "model", "constrain");
 

@@ -25,7 +25,7 @@ class RepairTextTest {
 
   /** The bundles whose findings may be about an answer. */
   private static final List<String> CHECKING =
-      List.of("agents", "analysis", "documents", "messages", "modeler", "ocl", "python");
+      List.of("agents", "analysis", "documents", "messages", "modeler", "ocl", "python", "rules");
 
   private static final Pattern LITERAL = Pattern.compile("\"((?:[^\"\\\\\n]++|\\\\.)*+)\"");
 

@@ -23,6 +23,7 @@ public final class RulePages {
           "modeler",
           "ocl",
           "output",
+          "rules",
           "validation",
           "eclipse");
 
