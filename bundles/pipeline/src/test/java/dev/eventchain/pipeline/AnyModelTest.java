@@ -103,6 +103,7 @@ class AnyModelTest {
         folder.resolve("out"),
         false,
         false,
+        false,
         Suppressions.NONE,
         Duration.ofSeconds(30));
   }

@@ -120,6 +120,7 @@ class JavaServicesTest {
             folder.resolve("out"),
             false,
             false,
+            false,
             Suppressions.NONE,
             Duration.ofSeconds(30))
         .diagnostics();
