@@ -141,7 +141,7 @@ class JavaServicesTest {
     assertEquals(List.of("m2t.service"), found.stream().map(Diagnostic::id).toList());
     Diagnostic finding = found.get(0);
     assertEquals(5, finding.location().line());
-    return finding.message().replaceFirst("(?s).*\\(the Java service (.*)\\)\\.", "$1");
+    return finding.message().replaceFirst("(?s).*\\(the Java service (.*)\\)\\..*", "$1");
   }
 
   @Test

@@ -348,7 +348,7 @@ class AnyMetamodelTest {
         .expect(1)
         .says("[m2t.service]")
         .says("its class has no such public method");
-    assertEquals("GOOD has 100 pages.\n", Files.readString(out.resolve("good.txt")));
+    assertEquals("invalid has 100 pages.\n", Files.readString(out.resolve("good.txt")));
   }
 
   private Path ocl(String text) throws IOException {
