@@ -71,21 +71,26 @@ final class FileCharsets {
       bytes = new byte[encoded.remaining()];
       encoded.get(bytes);
     } catch (CharacterCodingException e) {
-      run.report()
-          .error(
-              ID,
-              place,
-              "The text of '"
-                  + file.path()
-                  + "' has characters that "
-                  + charset
-                  + " lacks; they became '?'.",
-              charset.equals(StandardCharsets.UTF_8)
-                  ? "Take characters whole: this is half of one that Java counts as two."
-                  : "Write the file in UTF-8.");
+      reportLacking(file, place, run);
       bytes = text.getBytes(charset);
     }
     return starts ? bytes : withoutByteOrderMark(bytes, charset);
+  }
+
+  private static void reportLacking(GeneratedFile file, SourceLocation place, GenerationRun run) {
+    Charset charset = file.charset();
+    run.report()
+        .error(
+            ID,
+            place,
+            "The text of '"
+                + file.path()
+                + "' has characters that "
+                + charset
+                + " lacks; they became '?'.",
+            charset.equals(StandardCharsets.UTF_8)
+                ? "Take characters whole: this is half of one that Java counts as two."
+                : "Write the file in UTF-8.");
   }
 
   /** The bytes of a text behind other text. */
