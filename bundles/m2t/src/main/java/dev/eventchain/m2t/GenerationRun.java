@@ -21,7 +21,7 @@ final class GenerationRun {
   /** The part of the memory that text and arguments of many calls may take, copies left out. */
   private static final int PART_OF_MEMORY = 16;
 
-  /** So much they may take at most, in bytes; what has no end takes its time to get there. */
+  /** So many characters they may take at most; what has no end takes its time to get there. */
   private static final long MOST_HELD = 64L << 20;
 
   /** More than that come from the model, and from there any number can come. */
