@@ -38,8 +38,8 @@ class DefectTest {
   @ParameterizedTest
   @CsvSource({
     "metamodel.MetamodelChecks, library.ecore:",
-    "ocl.RuleDocument, rules.ocl:",
-    "ocl.RuleComments, rules.ocl:2:1:",
+    "rules.RuleDocument, rules.ocl:",
+    "rules.RuleComments, rules.ocl:2:1:",
     "documents.YamlTree, decided.yaml:"
   })
   void ofAValidationNamesTheFile(String broken, String place) throws IOException {
@@ -72,7 +72,7 @@ class DefectTest {
 
   @Test
   void ofAGenerationNamesTheTemplate() throws IOException {
-    breaking("m2t.ModuleParser")
+    breaking("m2t.syntax.ModuleParser")
         .run(
             "generate",
             "--metamodel",
@@ -88,7 +88,7 @@ class DefectTest {
 
   /** The program with an empty class in place of one of its own. */
   private Program breaking(String name) throws IOException {
-    int dot = name.indexOf('.');
+    int dot = name.lastIndexOf('.');
     String text =
         "package dev.eventchain." + name.substring(0, dot) + ";\nclass " + name.substring(dot + 1);
     Path source =
