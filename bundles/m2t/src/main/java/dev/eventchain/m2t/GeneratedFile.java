@@ -231,6 +231,11 @@ final class GeneratedFile {
     }
   }
 
+  /** Whether there are areas that no block had. */
+  boolean losesAreas() {
+    return earlier.stream().anyMatch(area -> !area.taken);
+  }
+
   /** The warnings of the areas that no block had. */
   List<Diagnostic> losses() {
     return earlier.stream().filter(area -> !area.taken).map(area -> area.loss).toList();

@@ -10,15 +10,15 @@ import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
 import java.util.Deque;
-import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Function;
-import java.util.regex.Pattern;
 
 /** The files that a run makes, with the protected areas of the earlier ones kept in them. */
 final class GeneratedFiles {
@@ -51,11 +51,12 @@ final class GeneratedFiles {
   /** The name of no file: what a block of this name writes is printed. */
   private static final String CONSOLE = "stdout";
 
-  private static final Pattern LEADING_SLASHES = Pattern.compile("^/+");
-
   private final GenerationRun run;
   private final Function<String, Optional<byte[]>> earlier;
-  private final Map<String, GeneratedFile> files = new HashMap<>();
+
+  /** By their names, in the order in which they were begun, which is nearly sorted most times. */
+  private final Map<String, GeneratedFile> files = new LinkedHashMap<>();
+
   private final Set<String> folders = new HashSet<>();
 
   /** The names of files that may not be there, because what they would lose has a file's name. */
@@ -73,13 +74,16 @@ final class GeneratedFiles {
   /** The complete files, and beside them what they lost; of that it is warned now. */
   SortedMap<String, byte[]> contents() {
     SortedMap<String, byte[]> contents = new TreeMap<>(OutputFolder.WRITING_ORDER);
-    for (GeneratedFile file : new TreeMap<>(files).values()) {
+    for (GeneratedFile file : files.values()) {
       if (file.content() != null) {
         contents.put(file.path(), file.content());
-        byte[] lost = file.isLeft() ? new byte[0] : lost(file);
-        if (lost.length > 0) {
-          contents.put(lostPath(file), lost);
-        }
+      }
+    }
+    for (String path : List.copyOf(contents.keySet())) {
+      GeneratedFile file = files.get(path);
+      byte[] lost = file.isLeft() ? new byte[0] : lost(file);
+      if (lost.length > 0) {
+        contents.put(lostPath(file), lost);
       }
     }
     return contents;
@@ -123,8 +127,11 @@ final class GeneratedFiles {
 
   /** What Acceleo takes for absolute stands below the output folder, too. */
   private static OutputPath pathOf(String name) {
-    String relative = LEADING_SLASHES.matcher(name).replaceFirst("");
-    return OutputPath.of(relative.isEmpty() ? name : relative);
+    int slashes = 0;
+    while (slashes < name.length() - 1 && name.charAt(slashes) == '/') {
+      slashes++;
+    }
+    return OutputPath.of(name.substring(slashes));
   }
 
   /** Adds what something writes to what is printed. */
@@ -264,8 +271,11 @@ final class GeneratedFiles {
 
   /** The areas that were lost before and those that are lost now. */
   private byte[] lost(GeneratedFile file) {
-    file.losses().forEach(run.report()::add);
     byte[] before = earlier.apply(lostPath(file)).orElse(new byte[0]);
+    if (!file.losesAreas()) {
+      return before;
+    }
+    file.losses().forEach(run.report()::add);
     String known = new String(before, file.charset());
     ByteArrayOutputStream lost = new ByteArrayOutputStream();
     lost.writeBytes(before);

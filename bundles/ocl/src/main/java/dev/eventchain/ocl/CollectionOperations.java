@@ -139,7 +139,8 @@ final class CollectionOperations {
   }
 
   private static void addNew(Collection<?> elements, List<Object> all) {
-    for (Object element : elements) {
+    // EMF copies its lists faster than it walks through them.
+    for (Object element : elements.toArray()) {
       if (!Values.contains(all, element)) {
         all.add(element);
       }

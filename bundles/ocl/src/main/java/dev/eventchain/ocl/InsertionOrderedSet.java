@@ -20,19 +20,21 @@ final class InsertionOrderedSet<E> extends AbstractSet<E> {
   private volatile Set<E> elements;
 
   InsertionOrderedSet() {
-    elements = new ValueSet<>();
+    this(null, new ValueSet<>());
   }
 
   InsertionOrderedSet(Collection<? extends E> source) {
-    elements = new ValueSet<>(source);
+    this(null, new ValueSet<>(source));
+  }
+
+  private InsertionOrderedSet(List<E> distinct, Set<E> elements) {
+    this.distinct = distinct;
+    this.elements = elements;
   }
 
   /** A set of the elements of a list which has none twice and must not change from now on. */
   static <E> InsertionOrderedSet<E> ofDistinct(List<E> elements) {
-    InsertionOrderedSet<E> result = new InsertionOrderedSet<>();
-    result.distinct = Collections.unmodifiableList(elements);
-    result.elements = null;
-    return result;
+    return new InsertionOrderedSet<>(Collections.unmodifiableList(elements), null);
   }
 
   private Set<E> hashed() {
