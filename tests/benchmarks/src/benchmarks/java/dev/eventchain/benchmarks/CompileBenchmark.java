@@ -17,6 +17,6 @@ public class CompileBenchmark {
   /** The whole set, from its files. */
   @Benchmark
   public Object ros2Python() {
-    return ShippedTemplates.compile("ros2-python");
+    return TemplateSets.compile("ros2-python");
   }
 }

@@ -29,7 +29,7 @@ public class ShippedTemplatesBenchmark {
   @Setup
   public void prepare() {
     chain = NodeTemplates.chain(nodes);
-    module = ShippedTemplates.compile("ros2-python");
+    module = TemplateSets.compile("ros2-python");
   }
 
   /** Generation. */

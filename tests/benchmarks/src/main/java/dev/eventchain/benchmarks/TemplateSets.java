@@ -1,0 +1,22 @@
+package dev.eventchain.benchmarks;
+
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.m2t.TemplateModule;
+import dev.eventchain.metamodel.XmiStore;
+import dev.eventchain.metamodel.eventchain.EventchainPackage;
+import dev.eventchain.templates.ShippedTemplates;
+import java.util.List;
+
+/** The template sets that ship, compiled as a project's are. */
+final class TemplateSets {
+
+  private TemplateSets() {}
+
+  static TemplateModule compile(String set) {
+    SourceText main = ShippedTemplates.module(set, "main").orElseThrow();
+    return TemplateModule.compile(
+        main,
+        ShippedTemplates.modules(set),
+        List.of(EventchainPackage.eINSTANCE, XmiStore.messagesMetamodel()));
+  }
+}
