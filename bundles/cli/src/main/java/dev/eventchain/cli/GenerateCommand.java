@@ -7,6 +7,7 @@ import dev.eventchain.pipeline.Stage;
 import dev.eventchain.pipeline.WrittenFiles;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -22,8 +23,15 @@ import picocli.CommandLine.Parameters;
     customSynopsis = {
       "eventchain generate DIR [OPTIONS]",
       "eventchain generate --metamodel FILE.ecore --template FILE.mtl MODEL... -o FOLDER"
+    },
+    footer = {
+      "%nBlocks [file ('stdout', ...)] of a template print to standard error. With -o - they print to"
+          + " standard output, no folder is written, and findings go to standard error; a block"
+          + " that writes a file is an error then."
     })
 final class GenerateCommand extends ProjectCommand {
+
+  private static final Path STANDARD_OUTPUT = Path.of("-");
 
   @Parameters(
       arity = "1..*",
@@ -46,8 +54,8 @@ final class GenerateCommand extends ProjectCommand {
   @Option(
       names = "--lenient",
       description =
-          "With --template: undefined values are warnings, as for those who come from Acceleo;"
-              + " what is written is the same.")
+          "With --template: undefined values, and files that another block overwrites, are"
+              + " warnings, as for those who come from Acceleo. The last of such blocks wins.")
   private boolean lenient;
 
   @Option(
@@ -82,7 +90,16 @@ final class GenerateCommand extends ProjectCommand {
     return template == null ? generateProject() : generateText();
   }
 
+  /** A folder of this name is {@code ./-}. */
+  @Override
+  boolean printsResult() {
+    return STANDARD_OUTPUT.equals(output());
+  }
+
   private Outcome generateProject() {
+    if (printsResult()) {
+      throw wrongUsage("a project has many files: -o - is for a template");
+    }
     if (!given.metamodels.isEmpty()) {
       throw wrongUsage("a model of a metamodel needs a template: --template FILE");
     }
@@ -105,9 +122,11 @@ final class GenerateCommand extends ProjectCommand {
   }
 
   private Outcome generateText() {
-    Path folder = output();
-    if (folder == null) {
+    if (output() == null) {
       throw wrongUsage("say where to write: -o FOLDER");
+    }
+    if (trace && printsResult()) {
+      throw wrongUsage("trace.json needs a folder: -o FOLDER");
     }
     Suppressions suppressions = suppressions();
     WrittenFiles files =
@@ -116,7 +135,7 @@ final class GenerateCommand extends ProjectCommand {
             given.map,
             new AnyModel.Template(template, sources, services, properties),
             inputs,
-            folder,
+            printsResult() ? Optional.empty() : Optional.of(output()),
             overwrite(),
             trace,
             lenient,

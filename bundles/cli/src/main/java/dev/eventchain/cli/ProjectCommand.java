@@ -12,6 +12,7 @@ import dev.eventchain.pipeline.RunOptions;
 import dev.eventchain.pipeline.RunResult;
 import dev.eventchain.pipeline.Stage;
 import dev.eventchain.validation.ProjectFolder;
+import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -99,10 +100,20 @@ abstract class ProjectCommand implements Callable<Integer> {
     }
   }
 
-  /** Prints text that is no finding, beside those. */
+  /** Whether standard output is for what the command makes, so that findings go elsewhere. */
+  boolean printsResult() {
+    return false;
+  }
+
+  /** Prints text that is no finding. */
   final void print(String text) {
-    console.err().print(text);
-    console.err().flush();
+    PrintWriter writer = printsResult() ? console.out() : console.err();
+    writer.print(text);
+    writer.flush();
+  }
+
+  private PrintWriter findings() {
+    return printsResult() ? console.err() : console.out();
   }
 
   final Path output() {
@@ -220,7 +231,7 @@ abstract class ProjectCommand implements Callable<Integer> {
     if (reporting.format == DiagnosticFormat.TEXT) {
       printText(last);
     } else {
-      console.out().print(reporting.format.render(last.report()));
+      findings().print(reporting.format.render(last.report()));
     }
     console.out().flush();
     if (outcome.failed() || !unwritten.isEmpty()) {
@@ -240,7 +251,7 @@ abstract class ProjectCommand implements Callable<Integer> {
   private void printText(Outcome outcome) {
     if (!outcome.failed()) {
       int most = reporting.all ? Integer.MAX_VALUE : MOST_OF_ONE_RULE;
-      console.out().print(DiagnosticFormat.textExcerpt(outcome.report(), most));
+      findings().print(DiagnosticFormat.textExcerpt(outcome.report(), most));
     }
     outcome.run().ifPresent(this::printVerdict);
   }

@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import org.eclipse.emf.ecore.EObject;
 
 /** A file of a run, which one or more blocks write, and what people wrote into the earlier one. */
 final class GeneratedFile {
@@ -54,6 +55,10 @@ final class GeneratedFile {
 
   private boolean lossesNoted;
   private byte[] content;
+  private SourceLocation block;
+
+  /** What the block that began the file was at work on; null if on nothing. */
+  private EObject element;
 
   private GeneratedFile(String path, Charset charset, boolean left) {
     this.path = path;
@@ -86,6 +91,21 @@ final class GeneratedFile {
 
   Charset charset() {
     return charset;
+  }
+
+  /**
+   * Notes what begins the file.
+   *
+   * @param at the element at work; null if there is none
+   */
+  void begunBy(SourceLocation place, EObject at) {
+    block = place;
+    element = at;
+  }
+
+  /** The block that began the file, and for what. */
+  String beginning(RunReport report) {
+    return element == null ? block.toString() : block + " for " + report.nameOf(element);
   }
 
   /** Whether the earlier file stays, so that nothing is written. */

@@ -1,6 +1,8 @@
 package dev.eventchain.m2t;
 
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.m2t.GenerationContext.Trait;
+import dev.eventchain.m2t.GenerationResult.Printed;
 import dev.eventchain.m2t.Steps.FileMode;
 import dev.eventchain.output.OutputFolder;
 import dev.eventchain.output.OutputPath;
@@ -9,6 +11,7 @@ import java.io.ByteArrayOutputStream;
 import java.nio.charset.Charset;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.Deque;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
@@ -18,7 +21,6 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import java.util.function.Function;
 
 /** The files that a run makes, with the protected areas of the earlier ones kept in them. */
 final class GeneratedFiles {
@@ -51,8 +53,11 @@ final class GeneratedFiles {
   /** The name of no file: what a block of this name writes is printed. */
   private static final String CONSOLE = "stdout";
 
+  private static final String OWN_NAMES =
+      "Give each file a name of its own, or append: [file (name, true)].";
+
   private final GenerationRun run;
-  private final Function<String, Optional<byte[]>> earlier;
+  private final GenerationContext context;
 
   /** By their names, in the order in which they were begun, which is nearly sorted most times. */
   private final Map<String, GeneratedFile> files = new LinkedHashMap<>();
@@ -63,12 +68,12 @@ final class GeneratedFiles {
   private final Set<String> losers = new HashSet<>();
 
   private final Deque<Block> open = new ArrayDeque<>();
-  private final StringBuilder printed = new StringBuilder();
+  private final List<Printed> printed = new ArrayList<>();
   private int begun;
 
-  GeneratedFiles(GenerationRun run, Function<String, Optional<byte[]>> earlier) {
+  GeneratedFiles(GenerationRun run, GenerationContext context) {
     this.run = run;
-    this.earlier = earlier;
+    this.context = context;
   }
 
   /** The complete files, and beside them what they lost; of that it is warned now. */
@@ -90,8 +95,8 @@ final class GeneratedFiles {
   }
 
   /** What is to be printed. */
-  String printed() {
-    return printed.toString();
+  List<Printed> printed() {
+    return List.copyOf(printed);
   }
 
   /** How many files and areas were begun, which says whether an evaluation began any. */
@@ -108,13 +113,17 @@ final class GeneratedFiles {
       print(tag, body);
       return;
     }
+    if (context.has(Trait.PRINTED_ONLY)) {
+      refuse(tag, body);
+      return;
+    }
     OutputPath path = pathOf(tag.name());
     if (path.refused()) {
       var refused = path.refusal(tag.name());
       run.report().error(refused.id(), tag.place(), refused.message(), refused.hint());
       return;
     }
-    GeneratedFile known = files.get(path.value());
+    GeneratedFile known = known(path.value(), tag);
     if (known == null ? !hasRoom(path.value(), tag) : !goesOn(known, charset, tag)) {
       return;
     }
@@ -136,19 +145,57 @@ final class GeneratedFiles {
 
   /** Adds what something writes to what is printed. */
   private void print(Tag tag, Step body) {
+    String text = textOutsideOfFiles(tag, body);
+    if (!text.isEmpty()) {
+      printed.add(new Printed(tag.place(), text));
+    }
+  }
+
+  /** Reports a file that there is no folder for; blocks inside of it may print all the same. */
+  private void refuse(Tag tag, Step body) {
+    run.report()
+        .error(
+            "m2t.file.no-folder",
+            tag.place(),
+            "The file '" + OutputPath.shown(tag.name()) + "' is not written: there is no folder.",
+            "Name an output folder, or print the text: [file ('stdout', false)].");
+    textOutsideOfFiles(tag, body);
+  }
+
+  private String textOutsideOfFiles(Tag tag, Step body) {
     GeneratedFile file = GeneratedFile.of(CONSOLE, StandardCharsets.UTF_8, Optional.empty());
-    printed.append(textOf(new Block(file, tag), body).text());
+    return textOf(new Block(file, tag), body).text();
+  }
+
+  /** The file of a name that is there, unless the block replaces it; null if there is none. */
+  private GeneratedFile known(String path, Tag tag) {
+    GeneratedFile known = files.get(path);
+    if (known == null || !isReplaced(known, tag)) {
+      return known;
+    }
+    String message = writtenBefore(known) + " What that wrote is lost.";
+    run.report().warn("m2t.file.duplicate", tag.place(), message, OWN_NAMES);
+    files.remove(path);
+    run.writer().forget(path);
+    return null;
+  }
+
+  /** Whether a complete file gives way to another of its name, as in Acceleo. */
+  private boolean isReplaced(GeneratedFile known, Tag tag) {
+    return tag.mode() == FileMode.OVERWRITE
+        && known.content() != null
+        && context.has(Trait.LENIENT);
+  }
+
+  private String writtenBefore(GeneratedFile known) {
+    String where = "by the block at " + known.beginning(run.report());
+    return "The file '" + known.path() + "' was written before in this run, " + where + ".";
   }
 
   /** Whether a file that a block wrote or writes goes on with another one. */
   private boolean goesOn(GeneratedFile known, Optional<Charset> charset, Tag tag) {
     if (tag.mode() == FileMode.OVERWRITE) {
-      run.report()
-          .error(
-              "m2t.file.duplicate",
-              tag.place(),
-              "The file '" + known.path() + "' was written before in this run.",
-              "Give each file a name of its own, or append: [file (name, true)].");
+      run.report().error("m2t.file.duplicate", tag.place(), writtenBefore(known), OWN_NAMES);
       return false;
     }
     if (tag.mode() == FileMode.CREATE || known.isLeft()) {
@@ -202,7 +249,7 @@ final class GeneratedFiles {
   }
 
   private GeneratedFile begin(String path, Charset charset, Tag tag) {
-    Optional<byte[]> before = earlier.apply(path);
+    Optional<byte[]> before = context.earlier().apply(path);
     Optional<String> text = before.flatMap(content -> FileCharsets.decoded(content, charset));
     boolean unreadable = before.isPresent() && text.isEmpty() && ProtectedAreas.anyIn(before.get());
     boolean stays = before.isPresent() && tag.mode() == FileMode.CREATE;
@@ -223,6 +270,7 @@ final class GeneratedFiles {
             ? GeneratedFile.left(path, charset, before.get())
             : GeneratedFile.of(path, charset, text);
     put(path, file);
+    file.begunBy(tag.place(), run.calls().element());
     return file;
   }
 
@@ -271,7 +319,7 @@ final class GeneratedFiles {
 
   /** The areas that were lost before and those that are lost now. */
   private byte[] lost(GeneratedFile file) {
-    byte[] before = earlier.apply(lostPath(file)).orElse(new byte[0]);
+    byte[] before = context.earlier().apply(lostPath(file)).orElse(new byte[0]);
     if (!file.losesAreas()) {
       return before;
     }

@@ -2,12 +2,14 @@ package dev.eventchain.m2t;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.output.OutputFolder;
 import java.util.Collections;
 import java.util.List;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 
 /**
  * What a generation made. Files are complete as far as the model allowed: what counts for a value
@@ -15,15 +17,18 @@ import java.util.TreeMap;
  *
  * @param files the content of each file, by its name relative to the output folder, in {@link
  *     OutputFolder#WRITING_ORDER}; every name is fit for {@link OutputFolder#write}
- * @param printed what blocks of the name {@code stdout} wrote, one after the other
+ * @param printed what blocks of the name {@code stdout} wrote, in order, if it is any text
  * @param diagnostics what was found on the way, in the order of generation
  * @param trace where the lines of the files come from, if the context asked for it
  */
 public record GenerationResult(
     SortedMap<String, byte[]> files,
-    String printed,
+    List<Printed> printed,
     List<Diagnostic> diagnostics,
     GenerationTrace trace) {
+
+  /** What a block printed, and where it stands. */
+  public record Printed(SourceLocation block, String text) {}
 
   /** What is found where a value is undefined, in a template or in a Java service. */
   private static final Set<String> UNDEFINED = Set.of("m2t.undefined", "m2t.service");
@@ -33,7 +38,13 @@ public record GenerationResult(
     SortedMap<String, byte[]> ordered = new TreeMap<>(OutputFolder.WRITING_ORDER);
     ordered.putAll(files);
     files = Collections.unmodifiableSortedMap(ordered);
+    printed = List.copyOf(printed);
     diagnostics = List.copyOf(diagnostics);
+  }
+
+  /** All that was printed, one after the other. */
+  public String printedText() {
+    return printed.stream().map(Printed::text).collect(Collectors.joining());
   }
 
   /**
@@ -46,7 +57,7 @@ public record GenerationResult(
   }
 
   /** The same with a warning, in place of an error, for each value that is undefined. */
-  public GenerationResult lenient() {
+  GenerationResult lenient() {
     List<Diagnostic> milder =
         diagnostics.stream()
             .map(

@@ -1,6 +1,8 @@
 package dev.eventchain.m2t;
 
+import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.m2t.GenerationContext.Trait;
 import dev.eventchain.ocl.Evaluation;
 import dev.eventchain.ocl.Expression;
 import dev.eventchain.ocl.Invalid;
@@ -10,6 +12,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.SortedMap;
 import java.util.regex.Pattern;
 import org.eclipse.emf.ecore.EObject;
 
@@ -57,10 +60,10 @@ final class GenerationRun {
     this.evaluation = Evaluation.over(roots).attach(this);
     this.context = context;
     this.calls = new CallStack(evaluation);
-    Tracing tracing = context.traced() ? new Tracing(context.locator()) : null;
+    Tracing tracing = context.has(Trait.TRACED) ? new Tracing(context.locator()) : null;
     this.writer = new RunWriter(tracing, calls::element);
     this.report = new RunReport(calls, context.locator());
-    this.files = new GeneratedFiles(this, context.earlier());
+    this.files = new GeneratedFiles(this, context);
     this.objects = new ObjectQueries(evaluation);
   }
 
@@ -130,7 +133,10 @@ final class GenerationRun {
   GenerationResult result() {
     Tracing tracing = writer.tracing();
     GenerationTrace trace = tracing == null ? GenerationTrace.NONE : tracing.result();
-    return new GenerationResult(files.contents(), files.printed(), report.all(), trace);
+    SortedMap<String, byte[]> contents = files.contents();
+    List<Diagnostic> found = report.all();
+    GenerationResult result = new GenerationResult(contents, files.printed(), found, trace);
+    return context.has(Trait.LENIENT) ? result.lenient() : result;
   }
 
   /** The value of an expression for some use; an invalid one has been reported. */

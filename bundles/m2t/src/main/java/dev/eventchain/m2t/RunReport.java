@@ -67,9 +67,14 @@ final class RunReport {
     return " for " + Texts.label(element) + (shown.isEmpty() ? "" : " (" + shown + ")");
   }
 
+  /** The path of an element in its file; empty if that is not known. */
+  String nameOf(EObject element) {
+    return locator.apply(element).element();
+  }
+
   private SourceLocation inModel(SourceLocation location) {
     EObject element = calls.element();
-    return element == null ? location : location.withElement(locator.apply(element).element());
+    return element == null ? location : location.withElement(nameOf(element));
   }
 
   private String withCalls(String hint) {

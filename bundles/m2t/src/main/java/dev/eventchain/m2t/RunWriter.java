@@ -32,6 +32,13 @@ final class RunWriter {
     return tracing;
   }
 
+  /** Drops where a file comes from, because another one replaces it. */
+  void forget(String file) {
+    if (tracing != null) {
+      tracing.forget(file);
+    }
+  }
+
   /** Appends what the expression of a tag gives. */
   void append(String text, Place tag) {
     if (tracing == null) {

@@ -107,6 +107,11 @@ final class Tracing {
     }
   }
 
+  /** Drops a file that another one replaces. */
+  void forget(String name) {
+    files.remove(name);
+  }
+
   /** Adds the line at work, which may go on with the last one. */
   private void add(Lines lines) {
     if (lines.open) {

@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.m2t.GenerationContext;
+import dev.eventchain.m2t.GenerationContext.Trait;
 import dev.eventchain.m2t.GenerationResult;
 import dev.eventchain.m2t.TemplateModule;
 import dev.eventchain.output.OutputFolder;
@@ -13,8 +14,11 @@ import dev.eventchain.validation.ModelValidation;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import org.eclipse.emf.ecore.EPackage;
 
 /** Generation from models of any Ecore metamodel, without a project. */
@@ -48,9 +52,11 @@ public final class AnyModel {
    * @param template with its modules, services and properties
    * @param models the template runs on the elements of each of them, and sees those that they refer
    *     to in other files
+   * @param folder where the files go; without one, a block that writes a file is an error, and what
+   *     others print is all there is
    * @param overwrite whether files that a person has edited are replaced
    * @param trace whether {@code trace.json} is written, too, which says where each line comes from
-   * @param lenient whether undefined values are warnings
+   * @param lenient whether what Acceleo goes on after without failing is a warning
    * @param suppressions what is wrong with the models and is not to count
    * @param timeLimit the processor time that the patterns of a data type may take
    * @return what was found, and nothing written if one of it is an error, other than that values
@@ -62,7 +68,7 @@ public final class AnyModel {
       Map<String, Path> map,
       Template template,
       List<Path> models,
-      Path folder,
+      Optional<Path> folder,
       boolean overwrite,
       boolean trace,
       boolean lenient,
@@ -77,7 +83,15 @@ public final class AnyModel {
       WrittenFiles files = new WrittenFiles(folder);
       files.found(any.ecore().diagnostics());
       if (!Diagnostic.anyError(suppressions.part(files.diagnostics()).remaining())) {
-        generate(any, module, properties, files, folder, overwrite, trace, lenient);
+        GenerationContext context =
+            GenerationContext.of(any::locate)
+                .withPropertyFiles(properties)
+                .with(traits(folder.isEmpty(), trace, lenient));
+        if (folder.isEmpty()) {
+          generate(any, module, context, files);
+        } else {
+          write(any, module, context, files, folder.get(), overwrite);
+        }
       }
       return files;
     }
@@ -95,23 +109,39 @@ public final class AnyModel {
     return all;
   }
 
-  private static void generate(
+  private static Set<Trait> traits(boolean printed, boolean trace, boolean lenient) {
+    Set<Trait> traits = EnumSet.noneOf(Trait.class);
+    if (printed) {
+      traits.add(Trait.PRINTED_ONLY);
+    }
+    if (trace) {
+      traits.add(Trait.TRACED);
+    }
+    if (lenient) {
+      traits.add(Trait.LENIENT);
+    }
+    return traits;
+  }
+
+  private static GenerationResult generate(
+      ModelValidation any, TemplateModule module, GenerationContext context, WrittenFiles files) {
+    GenerationResult result = module.generate(any.roots(), context);
+    files.found(module.warnings());
+    files.found(result.diagnostics());
+    files.print(result.printedText());
+    return result;
+  }
+
+  private static void write(
       ModelValidation any,
       TemplateModule module,
-      Map<String, Map<String, String>> properties,
+      GenerationContext context,
       WrittenFiles files,
       Path folder,
-      boolean overwrite,
-      boolean trace,
-      boolean lenient) {
+      boolean overwrite) {
     try (OutputFolder output = OutputFolder.open(folder)) {
-      GenerationContext context =
-          GenerationContext.of(any::locate).withEarlier(output::read).withPropertyFiles(properties);
-      GenerationResult strict = module.generate(any.roots(), trace ? context.withTrace() : context);
-      GenerationResult result = lenient ? strict.lenient() : strict;
-      files.found(module.warnings());
-      files.found(result.diagnostics());
-      files.print(result.printed());
+      GenerationResult result = generate(any, module, context.withEarlier(output::read), files);
+      boolean trace = context.traits().contains(Trait.TRACED);
       boolean taken = trace && result.files().containsKey(TraceFile.NAME);
       if (taken) {
         files.found(List.of(traceTaken()));

@@ -97,7 +97,7 @@ public final class Diagrams {
       Path folder,
       boolean overwrite) {
     Diagrams diagrams = new Diagrams(ecores, map, models);
-    WrittenFiles files = new WrittenFiles(folder);
+    WrittenFiles files = new WrittenFiles(Optional.of(folder));
     try (OutputFolder output = OutputFolder.open(folder)) {
       for (Kind kind : kinds) {
         List<Diagnostic> found = new ArrayList<>();

@@ -24,6 +24,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 
 /**
  * The model to a package for the middleware: the nodes by templates, and the components beside
@@ -65,7 +66,7 @@ final class GenerateStage implements StageWork {
     GenerationResult generated = generate(run, module, properties(run, imports));
     List<Diagnostic> found = new ArrayList<>(module.warnings());
     found.addAll(imports.unknown());
-    found.addAll(generated.diagnostics());
+    found.addAll(findings(generated));
     if (Diagnostic.anyError(found)) {
       throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, found);
     }
@@ -81,6 +82,19 @@ final class GenerateStage implements StageWork {
     List<String> outputs = new ArrayList<>(files.keySet());
     outputs.add(TraceFile.NAME);
     return StageResult.of(files.size() + " files in " + written, outputs, found);
+  }
+
+  private static List<Diagnostic> findings(GenerationResult generated) {
+    Stream<Diagnostic> lost = generated.printed().stream().map(GenerateStage::lost).distinct();
+    return Stream.concat(generated.diagnostics().stream(), lost).toList();
+  }
+
+  private static Diagnostic lost(GenerationResult.Printed printed) {
+    return Diagnostic.warning(
+            "project.template.printed",
+            "This block prints its text, which is lost: a stage has no standard output.",
+            printed.block())
+        .withHint("Write a file, or leave the block out of the templates of the project.");
   }
 
   private static GenerationResult generate(

@@ -11,16 +11,17 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 
 /** The files that a command without a project made, and what was found on the way. */
 public final class WrittenFiles {
 
-  private final Path folder;
+  private final Optional<Path> folder;
   private String printed = "";
   private final List<Diagnostic> found = new ArrayList<>();
   private final Map<Outcome, Integer> counts = new EnumMap<>(Outcome.class);
 
-  WrittenFiles(Path folder) {
+  WrittenFiles(Optional<Path> folder) {
     this.folder = folder;
   }
 
@@ -61,7 +62,7 @@ public final class WrittenFiles {
         ? ""
         : Coverage.counted(files, "file")
             + " in "
-            + folder.normalize()
+            + folder.orElseThrow().normalize()
             + ": "
             + String.join(", ", parts);
   }

@@ -14,6 +14,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
 import javax.tools.ToolProvider;
@@ -100,7 +101,7 @@ class AnyModelTest {
         Map.of(),
         new AnyModel.Template(template, List.of(), services, List.of()),
         List.of(models).stream().map(folder::resolve).toList(),
-        folder.resolve("out"),
+        Optional.of(folder.resolve("out")),
         false,
         false,
         false,

@@ -14,6 +14,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import javax.tools.ToolProvider;
 import org.eclipse.emf.common.util.EList;
 import org.eclipse.emf.ecore.EObject;
@@ -117,7 +118,7 @@ class JavaServicesTest {
             Map.of(),
             new AnyModel.Template(template, List.of(), List.of(classes), List.of()),
             List.of(folder.resolve("model.xmi")),
-            folder.resolve("out"),
+            Optional.of(folder.resolve("out")),
             false,
             false,
             false,

@@ -113,6 +113,23 @@ class BadTemplateTest {
   }
 
   @Test
+  void aDashPrintsToStandardOutputAndFindingsElsewhere() throws IOException {
+    String printed = "[file ('stdout', false)]hello[/file]";
+    String dash = HEAD + printed + "[file ('x', false)]lost[/file]\n[/template]\n";
+    Path file = Files.writeString(folder.resolve("main.mtl"), dash);
+    Object[] command = {"generate", "--metamodel", ecore, "--template", file, model, "-o", "-"};
+    ended = new Program().run(command).expect(1);
+    assertEquals("hello", ended.out());
+    String place = "main.mtl:4:" + (printed.length() + "[file (".length() + 1);
+    assertTrue(ended.err().contains(place + ": error: The file 'x' is not written"), ended.err());
+    Files.writeString(file, dash.replace("'x'", "'stdout'"));
+    ended = new Program().run(command).expect(0);
+    assertEquals("hellolost", ended.out());
+    assertEquals("", ended.err());
+    assertFalse(Files.exists(Path.of("-")), "a folder");
+  }
+
+  @Test
   void tenThousandNestedBlocksAreRefused() throws IOException {
     generate("[if (true)]".repeat(10_000) + "x" + "[/if]".repeat(10_000))
         .expect(2)

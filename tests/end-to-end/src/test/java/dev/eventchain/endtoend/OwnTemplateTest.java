@@ -1,5 +1,6 @@
 package dev.eventchain.endtoend;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -57,6 +58,27 @@ class OwnTemplateTest {
     String text = Files.readString(project.resolve(NAMES));
     assertTrue(text.contains(right), right);
     Files.writeString(project.resolve(NAMES), text.replace(right, wrong));
+  }
+
+  @Test
+  void whatATemplateOfAProjectPrintsIsMissed() throws IOException {
+    Files.writeString(
+        project.resolve("printing.mtl"),
+        """
+        [module printing('http://eventchain.dev/eventchain/1.0')]
+        [template public main(chain : EventChain)]
+        [comment @main /]
+        [for (node : SoftwareNode | chain.software)]
+        [file ('stdout', false)][node.name/][/file]
+        [/for]
+        [file ('x', false)]x[/file]
+        [/template]
+        """);
+    use("printing.mtl");
+    Program.Ended ended = new Program().run("generate", project).expect(0);
+    String text = ended.says("[project.template.printed]").out();
+    assertTrue(text.contains("printing.mtl:5:8: warning: This block prints its text"), text);
+    assertEquals(text.indexOf("template.printed"), text.lastIndexOf("template.printed"), text);
   }
 
   @Test
