@@ -190,7 +190,7 @@ final class BodyLowering {
       slot = newSlot(name);
       visible.put(name, slot);
     }
-    return new ValueNodes.Slot(slot);
+    return traced == null ? new ValueNodes.Slot(slot) : new TracedVariable.Use(slot);
   }
 
   private Node choice(IfExp<EClassifier> choice) {
@@ -202,9 +202,20 @@ final class BodyLowering {
 
   private Node let(LetExp<EClassifier, EParameter> let) {
     Variable<EClassifier, EParameter> variable = let.getVariable();
-    Node value = start(variable);
+    Node start = start(variable);
     int slot = newSlot();
+    Node value = variableValue(slot, start);
     return new ValueNodes.Let(slot, value, within(Map.of(variable.getName(), slot), let.getIn()));
+  }
+
+  /** What a variable in a slot becomes. */
+  Node variableValue(int slot, Node value) {
+    return traced == null ? value : new TracedVariable.Value(slot, value);
+  }
+
+  /** The body of a loop that asks a question. */
+  Node condition(OCLExpression<EClassifier> loop, Node inner) {
+    return traced == null ? inner : new TracedCondition(loop, inner);
   }
 
   /** What a variable starts with. */

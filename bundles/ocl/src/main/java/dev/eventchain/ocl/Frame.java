@@ -1,5 +1,8 @@
 package dev.eventchain.ocl;
 
+import java.util.HashMap;
+import java.util.Map;
+
 /** The variables of one evaluation of a lowered expression, or of one call of a definition. */
 final class Frame {
 
@@ -12,6 +15,9 @@ final class Frame {
   private final Frame outermost;
 
   private LibraryCalls calls;
+
+  /** Why the variables have no values that were found to have none; null if nobody asks. */
+  private Map<Integer, InvalidOrigin> origins;
 
   /** For an expression. */
   Frame(Evaluation run, int size) {
@@ -31,6 +37,19 @@ final class Frame {
   void replay(LibraryCalls before) {
     before.replay();
     calls = before;
+  }
+
+  /** Notes that a variable has no value for the reason that was found last. */
+  void keepOrigin(int slot) {
+    if (origins == null) {
+      origins = new HashMap<>();
+    }
+    origins.put(slot, run.origin());
+  }
+
+  /** Why a variable has no value; null if that is not known. */
+  InvalidOrigin originOf(int slot) {
+    return origins == null ? null : origins.get(slot);
   }
 
   /** What libraries answered, kept for the case that the reason of an invalid value is wanted. */

@@ -62,7 +62,7 @@ record InvalidOrigin(
   private Invalid.Kind kind() {
     if (node instanceof InvalidLiteralExp<?>) {
       return Invalid.Kind.OTHER;
-    } else if (source == null || node instanceof LoopExp<?, ?>) {
+    } else if (source == null || (node instanceof LoopExp<?, ?> && detail.isEmpty())) {
       return Invalid.Kind.NULL;
     }
     return isEmpty() ? Invalid.Kind.EMPTY : Invalid.Kind.OTHER;
@@ -106,7 +106,10 @@ record InvalidOrigin(
     } else if (node instanceof LoopExp<?, ?> loop) {
       return source == null
           ? "'" + loop.getName() + "' is applied to null"
-          : "the body of '" + loop.getName() + "' is null for an element" + suffix();
+          : "the body of '"
+              + loop.getName()
+              + "' "
+              + (detail.isEmpty() ? "is null for an element" : detail);
     } else if (node instanceof IfExp<?> && source == null) {
       return "the condition of an 'if' is null";
     } else if (node instanceof InvalidLiteralExp<?>) {
@@ -133,7 +136,7 @@ record InvalidOrigin(
     return detail.isEmpty() ? "" : " (" + detail + ")";
   }
 
-  private static String described(Object value) {
+  static String described(Object value) {
     if (value instanceof EObject object) {
       return Names.label(object);
     } else if (value instanceof Collection<?> collection) {

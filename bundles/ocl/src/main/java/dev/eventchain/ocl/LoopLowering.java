@@ -2,6 +2,7 @@ package dev.eventchain.ocl;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Set;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EParameter;
 import org.eclipse.ocl.expressions.CollectionKind;
@@ -17,6 +18,16 @@ import org.eclipse.ocl.utilities.PredefinedType;
 /** Lowers loops. */
 final class LoopLowering {
 
+  /** The loops whose bodies must be Booleans. */
+  private static final Set<Integer> QUESTIONS =
+      Set.of(
+          PredefinedType.FOR_ALL,
+          PredefinedType.EXISTS,
+          PredefinedType.ONE,
+          PredefinedType.ANY,
+          PredefinedType.SELECT,
+          PredefinedType.REJECT);
+
   private final BodyLowering body;
 
   LoopLowering(BodyLowering body) {
@@ -28,6 +39,9 @@ final class LoopLowering {
     Node source = body.node(loop.getSource());
     Map<String, Integer> variables = variables(loop);
     Node inner = body.within(variables, loop.getBody());
+    if (QUESTIONS.contains(code)) {
+      inner = body.condition(loop, inner);
+    }
     int[] slots = variables.values().stream().mapToInt(slot -> slot).toArray();
     if (slots.length > 1) {
       return new LoopNodes.MultiQuantifier(source, slots, inner, code == PredefinedType.EXISTS);
@@ -76,6 +90,7 @@ final class LoopLowering {
     int result = body.newSlot();
     variables.put(loop.getResult().getName(), result);
     Node inner = body.within(variables, loop.getBody());
-    return new LoopNodes.Iterate(source, slot, result, start, inner);
+    return new LoopNodes.Iterate(
+        source, slot, result, body.variableValue(result, start), body.variableValue(result, inner));
   }
 }

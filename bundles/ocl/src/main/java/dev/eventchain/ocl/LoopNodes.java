@@ -273,19 +273,25 @@ final class LoopNodes {
       for (Object element : elements) {
         keyed.add(new Keyed(element, body(element, frame)));
       }
-      return sorted(keyed, distinct);
+      return sorted(keyed, distinct, frame.run);
     }
 
     /** The elements in the order of their keys, or invalid. */
-    static Object sorted(List<Keyed> keyed, boolean distinct) {
+    private static Object sorted(List<Keyed> keyed, boolean distinct, Evaluation run) {
       for (Keyed each : keyed) {
-        if (each.key() == INVALID || !(each.key() instanceof Comparable<?>)) {
+        Object key = each.key();
+        if (key == INVALID || !(key instanceof Comparable<?>)) {
+          if (key != null && key != INVALID) {
+            String shown = InvalidOrigin.described(key);
+            run.fail("is " + shown + " for an element, which has no order", null);
+          }
           return INVALID;
         }
       }
       try {
         keyed.sort((one, other) -> compare(one.key(), other.key()));
       } catch (RuntimeException e) {
+        run.fail("has values that cannot be compared with each other", null);
         return INVALID;
       }
       Collection<Object> result = distinct ? new ValueSet<>() : new ArrayList<>();

@@ -2,10 +2,8 @@ package dev.eventchain.ocl;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.fixtures.TestModels;
-import java.util.ArrayList;
 import java.util.List;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
@@ -22,15 +20,10 @@ class ReasonsTest {
   private final ExpressionLanguage language = ExpressionLanguage.of(List.of(metamodel));
 
   private Object evaluate(String text) {
-    List<Diagnostic> problems = new ArrayList<>();
     Scope scope = language.root().with("self", library.eClass());
-    Expression expression =
-        language
-            .parse(SourceText.of("x", text).whole(), scope, problems)
-            .orElseThrow(() -> new AssertionError(problems));
     Evaluation run = Evaluation.over(List.of(library));
     run.bind("self", library);
-    return expression.evaluate(run);
+    return Evaluated.value(language, SourceText.of("x", text), scope, run);
   }
 
   @ParameterizedTest
@@ -58,6 +51,12 @@ class ReasonsTest {
             + " | '/' divides 1 by zero or by nothing",
         "(1 / 0).oclIsUndefined() and null.oclAsType(Integer) > 0 | x:1:54 | NULL"
             + " | '>' is applied to null",
+        "let x : Integer = 1.div(0) in x + 1 | x:1:21 | OTHER"
+            + " | 'div' divides 1 by zero or by nothing",
+        "let x : Integer = 1.div(0), y : Integer = x in 2 + y | x:1:21 | OTHER"
+            + " | 'div' divides 1 by zero or by nothing",
+        "\"Sequence{1, 2}->iterate(i; s : Integer = 0 | s + i.div(i - 1))\" | x:1:52 | OTHER"
+            + " | 'div' divides 1 by zero or by nothing",
       })
   void reasonIsThatOfTheInnermostPart(String text, String place, String kind, String reason) {
     Invalid invalid = (Invalid) evaluate(text);

@@ -1,0 +1,26 @@
+package dev.eventchain.ocl;
+
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.ocl.expressions.OCLExpression;
+
+/** The body of a loop that asks a question, which remembers an answer that is no Boolean. */
+final class TracedCondition extends Node {
+  private final OCLExpression<EClassifier> loop;
+  private final Node body;
+
+  TracedCondition(OCLExpression<EClassifier> loop, Node body) {
+    this.loop = loop;
+    this.body = body;
+  }
+
+  @Override
+  Object evaluate(Frame frame) {
+    Object value = body.evaluate(frame);
+    if (value == null || value == INVALID || value instanceof Boolean) {
+      return value;
+    }
+    String detail = "is " + InvalidOrigin.described(value) + " for an element, and no Boolean";
+    frame.run.setOrigin(new InvalidOrigin(loop, value, detail, null));
+    return INVALID;
+  }
+}

@@ -1,0 +1,21 @@
+package dev.eventchain.ocl;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceText;
+import java.util.ArrayList;
+import java.util.List;
+
+/** What texts come to. */
+final class Evaluated {
+
+  private Evaluated() {}
+
+  /** The value of a text, which must be an expression. */
+  static Object value(ExpressionLanguage language, SourceText text, Scope scope, Evaluation run) {
+    List<Diagnostic> problems = new ArrayList<>();
+    return language
+        .parse(text.whole(), scope, problems)
+        .orElseThrow(() -> new AssertionError(problems))
+        .evaluate(run);
+  }
+}
