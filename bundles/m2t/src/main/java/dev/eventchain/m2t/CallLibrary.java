@@ -154,6 +154,12 @@ final class CallLibrary implements OperationLibrary {
       return candidates[0] instanceof Template;
     }
 
+    /** Of a query, whose result fits its declaration at run time only, if it does. */
+    @Override
+    public boolean mayGiveOtherTypes() {
+      return !callsTemplates();
+    }
+
     @Override
     public Object call(Object source, List<Object> arguments, Evaluation evaluation) {
       GenerationRun run = evaluation.attachment(GenerationRun.class);

@@ -184,12 +184,22 @@ final class OclAnalyzer extends OCLAnalyzer {
       List<OCLExpression<EClassifier>> arguments) {
     OperationCallExp<EClassifier, EOperation> call =
         super.genOperationCallExp(environment, node, rule, name, source, ownerType, arguments);
-    if (call.getReferredOperation() != null && arguments != null && arguments.size() == 1) {
+    if (call.getReferredOperation() != null
+        && arguments != null
+        && arguments.size() == 1
+        && hasItsType(source)
+        && hasItsType(arguments.get(0))) {
       texts()
           .senselessComparison(name, ownerType, arguments.get(0).getType())
           .ifPresent(problem -> warn(problem, node.getSimpleNameCS().getStartOffset()));
     }
     return call;
+  }
+
+  private static boolean hasItsType(OCLExpression<EClassifier> expression) {
+    return !(expression instanceof OperationCallExp<?, ?> call
+        && call.getReferredOperation() instanceof Libraries.LibraryOperation operation
+        && operation.implementation().mayGiveOtherTypes());
   }
 
   @Override

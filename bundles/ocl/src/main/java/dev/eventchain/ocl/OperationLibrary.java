@@ -94,5 +94,10 @@ public interface OperationLibrary {
     default boolean isSelection() {
       return false;
     }
+
+    /** Whether a result may turn out to be of any other type than that of the operation. */
+    default boolean mayGiveOtherTypes() {
+      return false;
+    }
   }
 }
