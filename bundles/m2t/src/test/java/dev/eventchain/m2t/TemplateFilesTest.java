@@ -15,6 +15,7 @@ import java.nio.charset.Charset;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EcoreFactory;
 import org.eclipse.emf.ecore.EcorePackage;
@@ -76,6 +77,24 @@ class TemplateFilesTest {
     String head = HEAD.replace("[template", "[import o]\n[template");
     assertArrayEquals(
         "pgr\u00fcn\n".getBytes(UTF_8), generate(compile(head + "[p.green()/]" + FOOT, UTF_8)));
+  }
+
+  @Test
+  void aModuleThatIsReachedByTwoNamesIsLoadedOnce() throws IOException {
+    Path here = Path.of("").toAbsolutePath().relativize(temporary.toAbsolutePath());
+    String wrong = "[module a::lib('http://www.eclipse.org/emf/2002/Ecore')]\n[wrong]\n";
+    String main = HEAD.replace("[template", "[import lib]\n[import a::lib]\n[template") + FOOT;
+    Files.createDirectory(temporary.resolve("a"));
+    Files.writeString(temporary.resolve("a/lib.mtl"), wrong);
+    Path file = Files.writeString(here.resolve("a/main.mtl"), main);
+    List<EPackage> packages = List.of(EcorePackage.eINSTANCE);
+    for (List<Path> roots : List.of(List.<Path>of(), List.of(temporary))) {
+      DiagnosticException e =
+          assertThrows(
+              DiagnosticException.class,
+              () -> TemplateModule.compile(file, roots, packages, Optional.empty()));
+      assertEquals(1, e.diagnostics().size(), e.diagnostics().toString());
+    }
   }
 
   @Test

@@ -31,7 +31,11 @@ public final class SourceFolders implements ModuleSources {
 
   private final Path main;
   private final List<Path> roots;
+
+  /** By the names of their texts. */
   private final Map<String, Path> files = new HashMap<>();
+
+  /** By their absolute names: one file that is reached in several ways is one module. */
   private final Map<Path, SourceText> texts = new HashMap<>();
 
   /**
@@ -52,7 +56,7 @@ public final class SourceFolders implements ModuleSources {
 
   /** The files that were read, in no order. */
   public Set<Path> files() {
-    return Set.copyOf(texts.keySet());
+    return Set.copyOf(files.values());
   }
 
   @Override
@@ -174,8 +178,12 @@ public final class SourceFolders implements ModuleSources {
   }
 
   private SourceText read(Path file) {
-    SourceText text = texts.computeIfAbsent(file, ModuleLoader::read);
-    files.put(text.name(), file);
-    return text;
+    return texts.computeIfAbsent(
+        file.toAbsolutePath().normalize(),
+        any -> {
+          SourceText text = ModuleLoader.read(file);
+          files.put(text.name(), file);
+          return text;
+        });
   }
 }
