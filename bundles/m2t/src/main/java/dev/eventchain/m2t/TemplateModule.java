@@ -116,7 +116,7 @@ public final class TemplateModule {
    *
    * @param services as for {@link #compile(Path, List, Collection, Optional)}
    */
-  public static TemplateModule compile(
+  static TemplateModule compile(
       SourceText main,
       Function<String, Optional<SourceText>> sources,
       Collection<EPackage> packages,
@@ -161,8 +161,8 @@ public final class TemplateModule {
     return DeepStack.call(() -> generateHere(roots, context));
   }
 
-  private GenerationResult generateHere(
-      Collection<? extends EObject> roots, GenerationContext context) {
+  /** As {@link #generate(Collection, GenerationContext)}, with the stack of this thread. */
+  GenerationResult generateHere(Collection<? extends EObject> roots, GenerationContext context) {
     GenerationRun run = new GenerationRun(roots, context, hasServices);
     try {
       for (Template main : mains) {

@@ -24,7 +24,17 @@ class RecursionTest {
 
   private static final Duration LONGEST = Duration.ofMinutes(10);
 
+  /** How a module generates for a model. */
+  private interface Generator {
+    GenerationResult generate(
+        TemplateModule module, List<EPackage> model, GenerationContext context);
+  }
+
   private static GenerationResult generate(String call, String callable) {
+    return generate(call, callable, TemplateModule::generate);
+  }
+
+  private static GenerationResult generate(String call, String callable, Generator generator) {
     String text =
         "[module t('http://www.eclipse.org/emf/2002/Ecore')]\n"
             + "[template public main(p : EPackage)]\n[comment @main /]\n[file ('out.txt', false)]\n"
@@ -39,8 +49,9 @@ class RecursionTest {
             Optional.of(CaseServices.class.getClassLoader()));
     EPackage model = EcoreFactory.eINSTANCE.createEPackage();
     model.setName("p");
+    GenerationContext context = GenerationContext.of(each -> SourceLocation.NONE);
     return assertTimeoutPreemptively(
-        LONGEST, () -> module.generate(List.of(model), each -> SourceLocation.NONE));
+        LONGEST, () -> generator.generate(module, List.of(model), context));
   }
 
   private static String text(GenerationResult result) {
@@ -74,7 +85,16 @@ class RecursionTest {
         "[template public r(n : Integer)][for (i | Sequence{1, 2})][r(n + i)/][/for][/template]"
       })
   void whatHasNoEndIsStoppedByAFindingThatNamesIt(String callable) {
-    List<Diagnostic> found = generate("[r(0)/]", callable + "\n").diagnostics();
+    assertStopped(generate("[r(0)/]", callable + "\n", ShallowStack::generate).diagnostics());
+  }
+
+  @Test
+  void whatHasNoEndIsStoppedOnTheDeepestStack() {
+    String query = "[query public r(n : Integer) : Integer = 1 + r(n + 1)/]\n";
+    assertStopped(generate("[r(0)/]", query).diagnostics());
+  }
+
+  private static void assertStopped(List<Diagnostic> found) {
     assertEquals(1, found.size(), found.toString());
     assertEquals("m2t.recursion", found.get(0).id());
     assertTrue(found.get(0).message().contains("'r' recurses without end"), found.toString());

@@ -45,7 +45,7 @@ record TemplateCase(Path folder) {
   /** A compiled template, the model that it is for, and what else a generation is given. */
   record Prepared(TemplateModule module, Resource model, GenerationContext context) {
     GenerationResult generate(UnaryOperator<GenerationContext> changed) {
-      return module.generate(model.getContents(), changed.apply(context));
+      return ShallowStack.generate(module, model.getContents(), changed.apply(context));
     }
   }
 
