@@ -37,6 +37,7 @@ final class ScalarGrammar {
               .leaf("literal", "'a'")
               .leaf("literal", "''")
               .leaf("literal", "' 12,x Ab'")
+              .leaf("text of *", "(*).toString()")
               .leaf("feature", "self.name");
       case "Colour" -> options.leaf("enumeration", "Colour::RED").leaf("feature", "self.colour");
       default -> options.leaf("self", "self").leaf("feature", "self.next");
@@ -62,6 +63,7 @@ final class ScalarGrammar {
       case "Boolean" -> {
         logic(options);
         tests(options);
+        unlimited(options);
         quantifiers(options);
       }
       case "Integer" -> {
@@ -70,6 +72,7 @@ final class ScalarGrammar {
       }
       case "Real" -> {
         arithmetic(type, options);
+        options.node("oclAsType of an Integer", () -> cast(ValueType.INTEGER, "Real"));
         options.node("toReal", () -> generator.format("%s.toReal()", ValueType.STRING));
         options.node("/", () -> generator.format("(%s / %s)", number(), number()));
       }
@@ -78,6 +81,24 @@ final class ScalarGrammar {
       default -> {}
     }
     elements(type, options);
+  }
+
+  private void unlimited(Options options) {
+    for (String operator : List.of("<", "<=", ">", ">=", "=", "<>")) {
+      String before = "(* " + operator + " %s)";
+      String behind = "(%s " + operator + " *)";
+      options
+          .node("* " + operator, () -> generator.format(before, ValueType.INTEGER))
+          .node(operator + " *", () -> generator.format(behind, ValueType.INTEGER));
+    }
+    List<String> types = List.of("Integer", "Real", "UnlimitedNatural", "OclAny");
+    for (String name : List.of("oclIsKindOf", "oclIsTypeOf")) {
+      options.node(name + " of *", () -> "(*)." + name + "(" + generator.oneOf(types) + ")");
+    }
+  }
+
+  private String cast(ValueType source, String type) {
+    return generator.format("%s.oclAsType(" + type + ")", source);
   }
 
   private ValueType number() {
@@ -335,6 +356,7 @@ final class ScalarGrammar {
               ValueType type = generator.anyType().single();
               return generator.format("%s.toString()", type);
             });
+    options.node("eClass", () -> generator.format("%s.eClass().name", ValueType.THING));
     for (String name : List.of("toUpperCase", "toLowerCase", "toUpper", "toLower", "trim")) {
       options.node(name, () -> generator.format("%s." + name + "()", ValueType.STRING));
     }
@@ -360,6 +382,11 @@ final class ScalarGrammar {
   }
 
   private void elements(ValueType type, Options options) {
+    if (!type.equals(ValueType.THING)) {
+      options
+          .node("oclAsType of a value", () -> cast(type, type.element()))
+          .node("oclAsType of anything", () -> cast(type, "OclAny).oclAsType(" + type.element()));
+    }
     options
         .node("first", () -> generator.format("%s->first()", ordered(type)))
         .node("last", () -> generator.format("%s->last()", ordered(type)))
