@@ -29,7 +29,8 @@ final class ProjectFiles {
    */
   private static final Pattern IN_ECLIPSE =
       Pattern.compile(
-          "(?:platform:/(?:plugin|resource)/|(?:\\.\\./)+)org\\.eclipse\\.emf\\.ecore/model/(\\w+)\\.ecore");
+          "(?:platform:/(?:plugin|resource)/|(?:\\.\\./)+)"
+              + "org\\.eclipse\\.emf\\.ecore/model/(\\w+)\\.ecore");
 
   private static final Map<String, String> NAMESPACES =
       Map.of(

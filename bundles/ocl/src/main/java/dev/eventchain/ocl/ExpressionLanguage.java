@@ -325,11 +325,6 @@ public final class ExpressionLanguage {
     return collectionOf(CollectionKind.SEQUENCE_LITERAL, elementType);
   }
 
-  /** The type of sets of this type of elements. */
-  public EClassifier setOf(EClassifier elementType) {
-    return collectionOf(CollectionKind.SET_LITERAL, elementType);
-  }
-
   /** A collection type of the same kind as another one, for other elements. */
   public EClassifier collectionLike(EClassifier collectionType, EClassifier elementType) {
     return collectionOf(((CollectionType<?, ?>) collectionType).getKind(), elementType);

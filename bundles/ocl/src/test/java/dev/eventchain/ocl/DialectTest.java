@@ -135,13 +135,9 @@ class DialectTest {
   }
 
   private Object value(ExpressionLanguage language, String text) {
-    List<Diagnostic> problems = new ArrayList<>();
     Evaluation run = Evaluation.over(List.of(library));
     run.bind("self", library);
-    return language
-        .parse(SourceText.of("test", text).whole(), scope(language), problems)
-        .orElseThrow(() -> new AssertionError(problems))
-        .evaluate(run);
+    return Evaluated.value(language, SourceText.of("test", text), scope(language), run);
   }
 
   private List<Diagnostic> errors(ExpressionLanguage language, String text) {

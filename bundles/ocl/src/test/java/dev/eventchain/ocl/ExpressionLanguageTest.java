@@ -63,7 +63,7 @@ class ExpressionLanguageTest {
             return Optional.of(
                 new Operation(
                     name,
-                    language.setOf(language.type("String")),
+                    language.type("Set(String)"),
                     (value, arguments, run) -> new LinkedHashSet<>(List.of("b", "a", "c"))));
           } else if (name.equals("fail")) {
             return Optional.of(
@@ -92,21 +92,17 @@ class ExpressionLanguageTest {
   }
 
   private Object evaluate(String text) {
-    List<Diagnostic> problems = new ArrayList<>();
     Scope scope =
         language
             .root()
             .with("self", library.eClass())
             .with("i", language.type("Integer"))
             .with("word", language.type("String"));
-    Optional<Expression> expression =
-        language.parse(SourceText.of("test.ocl", text).whole(), scope, problems);
-    assertEquals(List.of(), problems);
     Evaluation run = Evaluation.over(List.of(library));
     run.bind("self", library);
     run.bind("i", 3);
     run.bind("word", "it's");
-    return expression.orElseThrow().evaluate(run);
+    return Evaluated.value(language, SourceText.of("test.ocl", text), scope, run);
   }
 
   private List<Diagnostic> problems(String text, int start) {

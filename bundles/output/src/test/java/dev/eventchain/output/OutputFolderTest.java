@@ -1,6 +1,7 @@
 package dev.eventchain.output;
 
-import static java.nio.charset.StandardCharsets.UTF_8;
+import static dev.eventchain.output.Runs.bytes;
+import static dev.eventchain.output.Runs.write;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -30,16 +31,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 class OutputFolderTest {
 
   @TempDir Path temporary;
-
-  private static byte[] bytes(String text) {
-    return text.getBytes(UTF_8);
-  }
-
-  private Outcome write(Path base, String name, String content) {
-    try (OutputFolder folder = OutputFolder.open(base)) {
-      return folder.write(name, bytes(content)).outcome();
-    }
-  }
 
   @Test
   void createsTheFolderAndTheFile() throws IOException {

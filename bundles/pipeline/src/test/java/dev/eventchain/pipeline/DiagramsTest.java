@@ -14,34 +14,21 @@ import dev.eventchain.metamodel.eventchain.QosProfile;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.Diagrams.Kind;
 import java.io.IOException;
-import java.io.StringReader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.FileTime;
-import java.util.ArrayList;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeSet;
 import java.util.regex.MatchResult;
-import java.util.regex.Pattern;
-import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import org.w3c.dom.Document;
-import org.w3c.dom.Element;
-import org.w3c.dom.NodeList;
-import org.xml.sax.InputSource;
 
 class DiagramsTest {
-
-  /** All that the library makes of text without markup. */
-  private static final Set<String> ELEMENTS =
-      Set.of("svg", "defs", "g", "rect", "text", "path", "polygon", "ellipse", "line", "circle");
 
   /** What would be directives, variables, comments, creole or markup, or hide what it is. */
   private static final List<String> HOSTILE =
@@ -100,7 +87,7 @@ class DiagramsTest {
             @enduml
             """),
         text);
-    List<String> shown = texts(svg(Kind.ACTIVITY));
+    List<String> shown = Pictures.texts(svg(Kind.ACTIVITY));
     assertTrue(
         shown.containsAll(List.of("Detection", "/scan", "std_msgs/msg/Float32")), shown::toString);
   }
@@ -113,7 +100,7 @@ class DiagramsTest {
     assertTrue(text.contains("state j4 <<join>>\nj4 --> n4\n"), text);
     String svg = svg(Kind.ACTIVITY);
     List<MatchResult> bars =
-        matches("<rect x=\"([\\d.]+)\" y=\"([\\d.]+)\" width=\"80\" height=\"8\"", svg);
+        Pictures.matches("<rect x=\"([\\d.]+)\" y=\"([\\d.]+)\" width=\"80\" height=\"8\"", svg);
     assertEquals(2, bars.size());
     for (MatchResult bar : bars) {
       String bottom = Double.toString(Double.parseDouble(bar.group(2)) + 8);
@@ -128,7 +115,7 @@ class DiagramsTest {
     node(chain, "B", "/a", "/b");
 
     assertFalse(drawn(chain, Kind.ACTIVITY).contains("[*]"));
-    assertTrue(texts(svg(Kind.ACTIVITY)).containsAll(List.of("A", "B")));
+    assertTrue(Pictures.texts(svg(Kind.ACTIVITY)).containsAll(List.of("A", "B")));
   }
 
   @Test
@@ -142,11 +129,14 @@ class DiagramsTest {
     }
     for (Kind kind : EnumSet.of(Kind.ACTIVITY, Kind.INSTANCE)) {
       String text = drawn(hostile, kind);
-      List<String> shown = texts(svg(kind));
-      Set<String> shape = shape(svg(kind));
+      List<String> shown = Pictures.texts(svg(kind));
+      Set<String> shape = Pictures.shape(svg(kind));
 
-      assertEquals(lines(drawn(harmless, kind)), lines(text), "the same lines but for the names");
-      assertEquals(shape(svg(kind)), shape, "the same elements");
+      assertEquals(
+          Pictures.lines(drawn(harmless, kind)),
+          Pictures.lines(text),
+          "the same lines but for the names");
+      assertEquals(Pictures.shape(svg(kind)), shape, "the same elements");
       for (String name : HOSTILE) {
         String expected =
             name.replaceAll("[\\p{Cc}\\s]+", " ").trim().replaceAll("\\p{C}", "\ufffd");
@@ -164,7 +154,7 @@ class DiagramsTest {
 
     drawn(chain, Kind.ACTIVITY);
 
-    List<String> shown = texts(svg(Kind.ACTIVITY));
+    List<String> shown = Pictures.texts(svg(Kind.ACTIVITY));
     assertTrue(shown.contains("a".repeat(79) + "…"), shown::toString);
   }
 
@@ -197,11 +187,11 @@ class DiagramsTest {
             .diagnostics();
 
     assertEquals(List.of(), found);
-    List<String> shown = texts(svg(Kind.METAMODEL));
+    List<String> shown = Pictures.texts(svg(Kind.METAMODEL));
     assertTrue(
         shown.containsAll(List.of("<img:/etc/passwd>", "} @enduml : E", "[[http://x]]", "%date()")),
         shown::toString);
-    shape(svg(Kind.METAMODEL));
+    Pictures.shape(svg(Kind.METAMODEL));
   }
 
   @ParameterizedTest
@@ -243,7 +233,7 @@ class DiagramsTest {
         text);
     assertFalse(text.contains("o1 *--"), "that the root holds it goes without saying: " + text);
     assertTrue(text.contains("o2 --> o3 : input"), text);
-    assertEquals(4, matches("(?m)^object ", text).size());
+    assertEquals(4, Pictures.matches("(?m)^object ", text).size());
   }
 
   /** What was measured has no name. */
@@ -378,48 +368,5 @@ class DiagramsTest {
 
   private String svg(Kind kind) throws IOException {
     return Files.readString(folder.resolve("out/" + kind + ".svg"));
-  }
-
-  /** The first words of the lines, in which no name may come. */
-  private static List<String> lines(String text) {
-    return text.lines().map(line -> line.replaceAll("\".*\"|= .*|=\u00a0.*|^  .*", "")).toList();
-  }
-
-  /** The names of the elements; fails for one that text has no need of. */
-  private static Set<String> shape(String svg) throws Exception {
-    NodeList all = parsed(svg).getElementsByTagName("*");
-    Set<String> names = new TreeSet<>();
-    for (int index = 0; index < all.getLength(); index++) {
-      Element element = (Element) all.item(index);
-      names.add(element.getTagName());
-      assertFalse(element.hasAttribute("href") || element.hasAttribute("xlink:href"));
-      assertFalse(element.hasAttribute("onclick") || element.hasAttribute("font-style"));
-    }
-    assertTrue(ELEMENTS.containsAll(names), names::toString);
-    return names;
-  }
-
-  /** What the picture says, spaces as people type them. */
-  private static List<String> texts(String svg) {
-    try {
-      NodeList all = parsed(svg).getElementsByTagName("text");
-      List<String> texts = new ArrayList<>();
-      for (int index = 0; index < all.getLength(); index++) {
-        texts.add(all.item(index).getTextContent().replace('\u00a0', ' '));
-      }
-      return texts;
-    } catch (Exception e) {
-      throw new AssertionError(svg, e);
-    }
-  }
-
-  private static Document parsed(String svg) throws Exception {
-    DocumentBuilderFactory factory = DocumentBuilderFactory.newInstance();
-    factory.setFeature("http://apache.org/xml/features/disallow-doctype-decl", true);
-    return factory.newDocumentBuilder().parse(new InputSource(new StringReader(svg)));
-  }
-
-  private static List<MatchResult> matches(String pattern, String text) {
-    return Pattern.compile(pattern).matcher(text).results().toList();
   }
 }

@@ -85,7 +85,7 @@ public final class OclValidator {
    *
    * @throws IllegalArgumentException if it is less than one
    */
-  public OclValidator withThreads(int number) {
+  OclValidator withThreads(int number) {
     if (number < 1) {
       throw new IllegalArgumentException(number + " threads");
     }

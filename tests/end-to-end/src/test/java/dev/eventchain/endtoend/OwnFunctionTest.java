@@ -49,72 +49,6 @@ class OwnFunctionTest {
   }
 
   @Test
-  void brakeThatIsDisconnectedInTheBench() throws IOException {
-    project.replace("bench.yaml", "{drives: acceleration, required: true}", "observed");
-    project
-        .run()
-        .expect(1)
-        .says("'no impact' was not tested: no component's output drives the brake.")
-        .says("[simulation.criterion.untested]");
-    project.requireNotPassed();
-  }
-
-  @Test
-  void requiredFieldThatNoComponentWrites() throws IOException {
-    project.replace(
-        "bench.yaml",
-        "acceleration: {drives: acceleration, required: true}",
-        "hold: {drives: acceleration, unit: m/s2, required: true}");
-    project
-        .run()
-        .expect(1)
-        .says("INCOMPLETE")
-        .says("bench.yaml:15:7")
-        .says("No component writes 'hold' of /brake/request, which the bench requires.")
-        .says("[bench.field.unwritten]");
-    project.requireNotPassed();
-  }
-
-  @Test
-  void providedTopicWithoutSource() throws IOException {
-    Files.delete(project.path().resolve("scenarios/short-sight.yaml"));
-    String bench = Files.readString(project.path().resolve("bench.yaml"));
-    Files.writeString(
-        project.path().resolve("bench.yaml"),
-        bench.replaceAll("(?s)provides:.*consumes", "consumes"));
-    project
-        .run()
-        .expect(1)
-        .says("INCOMPLETE")
-        .says("'Radar_Tracking' reads /radar/target, which no entry of the bench provides.")
-        .says("model/chain.xmi:")
-        .says("[bench.topic.unconnected]");
-    project.requireNotPassed();
-  }
-
-  @Test
-  void fieldThatTheBenchLeavesAtItsDefault() throws IOException {
-    project.replace("bench.yaml", "      range_rate: lead.speed - ego.speed\n", "");
-    project
-        .run()
-        .expect(1)
-        .says("INCOMPLETE")
-        .says("'range_rate' of /radar/target is read, but the bench leaves it at its default.")
-        .says("[bench.field.unset]");
-    project.requireNotPassed();
-  }
-
-  @Test
-  void fieldThatDrivesButThatNoComponentWrites() throws IOException {
-    project.replace(
-        "bench.yaml",
-        "acceleration: {drives: acceleration, required: true}",
-        "hold: {drives: acceleration, unit: m/s2}");
-    project.run().expect(1).says("was not tested: no component's output drives the brake.");
-    project.requireNotPassed();
-  }
-
-  @Test
   void criterionThatNoComponentCanInfluence() throws IOException {
     project.replace(
         SCENARIO, "  no_impact: true\n", "  no_impact: true\n  maximal_lane_offset_m: 0.5\n");
@@ -123,19 +57,6 @@ class OwnFunctionTest {
         .expect(1)
         .says("maximal_lane_offset_m")
         .says("was not tested: no component's output changes what it reads.");
-    project.requireNotPassed();
-  }
-
-  @Test
-  void unitOfTheComponentIsComparedWithThatOfTheBench() throws IOException {
-    project.replace("software-base/signals.json", ", \"Unit\": \"km/h\"", "");
-    project.replace(
-        "bench.yaml", "lead.speed - ego.speed", "{value: lead.speed - ego.speed, unit: m/s}");
-    project
-        .run()
-        .expect(1)
-        .says("'range_rate' of /radar/target is in km/h here, but in another unit in the bench.")
-        .says("[bench.unit]");
     project.requireNotPassed();
   }
 
@@ -366,16 +287,6 @@ class OwnFunctionTest {
   }
 
   @Test
-  void inputThatIsComputedFromTheWorldCanBeJudged() throws IOException {
-    project.replace("bench.yaml", "inputs:", "inputs:\n  reserve: {unit: m, formula: gap - 1 m}");
-    project.replace(
-        "scenarios/short-sight.yaml",
-        "  formulas:",
-        "  formulas:\n    - formula: always reserve > 0 m");
-    project.run().expect(0).says("PASSED: 2 of 2 scenarios passed, 4 requirements proved");
-  }
-
-  @Test
   void whatPeopleDecidedToLiveWithIsAcceptedByConsoleAndFileAlike() throws IOException {
     project.replace(SCENARIO, "ttc < 2.5 s implies", "ttc < 2.5 s and ego.speed > 60 km/h implies");
     String accepted =
@@ -411,30 +322,6 @@ class OwnFunctionTest {
   }
 
   @Test
-  void scenarioThatSetsAnInputThatTheBenchDoesNotHave() throws IOException {
-    project.replace("scenarios/short-sight.yaml", "radar.reach: 60", "radar.reech: 60");
-    project
-        .run()
-        .expect(2)
-        .says("The bench has no input 'radar.reech'.")
-        .says("Did you mean `radar.reach`?")
-        .says("[scenario.input.unknown]");
-    project.requireNotPassed();
-  }
-
-  @Test
-  void inputOnWhichNothingDepends() throws IOException {
-    project.replace("bench.yaml", "gap < radar.reach", "gap < 150 m");
-    project.replace("bench.yaml", "min(gap, radar.reach)", "min(gap, 150 m)");
-    project
-        .run()
-        .expect(2)
-        .says("Nothing that is sent or judged depends on the input 'radar.reach'.")
-        .says("short-sight.yaml:12:3");
-    project.requireNotPassed();
-  }
-
-  @Test
   void formulaOfATopicThatThereIsNot() throws IOException {
     project.replace(SCENARIO, "/aeb/threat.time_to_collision", "/aeb/threat.time_to_colision");
     project
@@ -442,13 +329,6 @@ class OwnFunctionTest {
         .expect(2)
         .says("There is no signal '/aeb/threat.time_to_colision'.")
         .says("Did you mean `/aeb/threat.time_to_collision`?");
-    project.requireNotPassed();
-  }
-
-  @Test
-  void wrongBenchIsFoundBeforeAnythingRuns() throws IOException {
-    project.replace("bench.yaml", "rate_hz: 50", "rate_hz: 1000000");
-    project.run().expect(2).says("bench.yaml:6:14").says("[bench.value.range]");
     project.requireNotPassed();
   }
 }

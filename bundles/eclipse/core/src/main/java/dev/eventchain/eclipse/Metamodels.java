@@ -1,5 +1,6 @@
 package dev.eventchain.eclipse;
 
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
 import java.nio.file.Path;
@@ -40,7 +41,7 @@ final class Metamodels {
   /**
    * Loads a metamodel after all others, so that what contradicts them is found at each of them.
    *
-   * @throws dev.eventchain.diagnostics.DiagnosticException INPUT with what is wrong with it
+   * @throws DiagnosticException INPUT with what is wrong with it
    */
   static void loadLast(Path ecore, List<Path> all) {
     List<Path> others = all.stream().filter(each -> !each.equals(ecore)).toList();
@@ -58,7 +59,7 @@ final class Metamodels {
     for (Path ecore : ecores) {
       try {
         sound.accept(ecore, store.loadMetamodel(ecore));
-      } catch (RuntimeException | StackOverflowError e) {
+      } catch (DiagnosticException e) {
         continue; // why not is said by its MetamodelUnit, which loads it by itself
       }
     }
