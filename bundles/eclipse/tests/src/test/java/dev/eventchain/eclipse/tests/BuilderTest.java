@@ -1,5 +1,6 @@
 package dev.eventchain.eclipse.tests;
 
+import static dev.eventchain.eclipse.tests.TestProject.CHAIN;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -18,13 +19,10 @@ import org.junit.jupiter.api.Test;
 /** What the builder finds in projects as they are saved, and the markers that it sets. */
 class BuilderTest {
 
-  private static final String CHAIN = "model/chain.xmi";
-
   @Test
   void exampleThatPeopleEditHasNoProblem() throws Exception {
     try (TestProject project = TestProject.ofRadarExample("good")) {
-      project.build();
-      assertEquals(List.of(), project.markers());
+      project.buildsTo();
     }
   }
 
@@ -44,8 +42,7 @@ class BuilderTest {
       int end = marker.getAttribute(IMarker.CHAR_END, -1);
       assertTrue(start >= 0 && end > start && end <= broken.length(), start + " to " + end);
       project.write(CHAIN, good);
-      project.build();
-      assertEquals(List.of(), project.markers());
+      project.buildsTo();
     }
   }
 
@@ -72,8 +69,7 @@ class BuilderTest {
       assertEquals(1, markers.size(), markers.toString());
       assertTrue(markers.get(0).startsWith("error constraints.ocl:2 ocl."), markers.get(0));
       project.write("constraints.ocl", "context SoftwareNode\ninv Fast: self.frequency > 1\n");
-      project.build();
-      assertEquals(List.of(), project.markers());
+      project.buildsTo();
     }
   }
 
@@ -107,8 +103,7 @@ class BuilderTest {
       project.write("requirements.md", "- R-1: The system shall brake.\n");
       project.write("software-base/components.json", "[]");
       project.write("software-base/signals.json", "[]");
-      project.build();
-      assertEquals(List.of("info eventchain.yaml project.model.missing"), project.markers());
+      project.buildsTo("info eventchain.yaml project.model.missing");
     }
   }
 
@@ -154,8 +149,7 @@ class BuilderTest {
       project.build();
       assertEquals(id, project.found()[0].getId());
       project.file("c.ocl").delete(true, null);
-      project.build();
-      assertEquals(List.of(), project.markers());
+      project.buildsTo();
     }
   }
 
@@ -184,8 +178,7 @@ class BuilderTest {
       assertEquals(1, project.markers().size());
       EventchainCore.setNature(project.project(), false, new NullProgressMonitor());
       assertEquals(List.of(), project.markers());
-      project.build();
-      assertEquals(List.of(), project.markers());
+      project.buildsTo();
     }
   }
 

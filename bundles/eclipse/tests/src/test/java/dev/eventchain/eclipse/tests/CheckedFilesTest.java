@@ -1,5 +1,6 @@
 package dev.eventchain.eclipse.tests;
 
+import static dev.eventchain.eclipse.tests.TestProject.CHAIN;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -11,8 +12,6 @@ import org.junit.jupiter.api.Test;
 
 /** Which files of a project are checked, with what, and what is said of those that are not. */
 class CheckedFilesTest {
-
-  private static final String CHAIN = "model/chain.xmi";
 
   private static final String ECORE =
       """
@@ -48,8 +47,7 @@ class CheckedFilesTest {
       assertEquals(1, markers.size(), markers.toString());
       assertTrue(markers.get(0).startsWith("error main.mtl:4 "), markers.get(0));
       project.write("main.mtl", good);
-      project.build();
-      assertEquals(List.of(), project.markers());
+      project.buildsTo();
     }
   }
 
@@ -57,15 +55,12 @@ class CheckedFilesTest {
   void modelOfAnotherMetamodelIsCheckedWithTheRulesBesideIt() throws Exception {
     try (TestProject project = TestProject.create("shop")) {
       project.write("shop.xmi", SHOP.formatted(""));
-      project.build();
-      assertEquals(List.of("info shop.xmi eclipse.model.unchecked"), project.markers());
+      project.buildsTo("info shop.xmi eclipse.model.unchecked");
       project.write("shop.ecore", ECORE);
       project.write("shop.ocl", "context Shop\ninv Named: name <> ''\n");
-      project.build();
-      assertEquals(List.of("error shop.xmi:2 ocl.violated"), project.markers());
+      project.buildsTo("error shop.xmi:2 ocl.violated");
       project.write("shop.xmi", SHOP.formatted("Corner"));
-      project.build();
-      assertEquals(List.of(), project.markers());
+      project.buildsTo();
     }
   }
 
@@ -100,11 +95,9 @@ class CheckedFilesTest {
       project.write("shop.ecore", ECORE);
       project.write("shop.ocl", "context Shop\ninv Named: name <> ''\n");
       project.write("corner.shop", SHOP.formatted("Corner"));
-      project.build();
-      assertEquals(List.of(), project.markers());
+      project.buildsTo();
       project.write("corner.shop", SHOP.formatted(""));
-      project.build();
-      assertEquals(List.of("error corner.shop:2 ocl.violated"), project.markers());
+      project.buildsTo("error corner.shop:2 ocl.violated");
     }
   }
 
@@ -127,8 +120,7 @@ class CheckedFilesTest {
   void chainInAFolderOfOursIsCheckedByTheRulesOfThatFolder() throws Exception {
     try (TestProject project = TestProject.ofRadarExample("variant")) {
       project.write("model/variant.xmi", project.text(CHAIN));
-      project.build();
-      assertEquals(List.of(), project.markers());
+      project.buildsTo();
       project.write("constraints.ocl", "context SoftwareNode\ninv Slow: self.frequency < 2\n");
       project.build();
       for (String file : List.of(CHAIN, "model/variant.xmi")) {
@@ -177,8 +169,7 @@ class CheckedFilesTest {
   void documentWithoutInvariantChecksNothingAndSaysSo() throws Exception {
     try (TestProject project = TestProject.create("empty")) {
       project.write("rules.ocl", "-- later\n");
-      project.build();
-      assertEquals(List.of("warning rules.ocl eclipse.rules.none"), project.markers());
+      project.buildsTo("warning rules.ocl eclipse.rules.none");
     }
   }
 

@@ -1,5 +1,6 @@
 package dev.eventchain.eclipse.tests;
 
+import static dev.eventchain.eclipse.tests.TestProject.CHAIN;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -39,7 +40,6 @@ import org.junit.jupiter.api.io.TempDir;
 /** What people click, and what they see then. */
 class CommandsUiTest {
 
-  private static final String CHAIN = "model/chain.xmi";
   private static final String TEXT_EDITOR = "org.eclipse.ui.DefaultTextEditor";
   private static final String COMMANDS = "dev.eventchain.eclipse.ui.";
 

@@ -1,5 +1,6 @@
 package dev.eventchain.eclipse.tests;
 
+import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.eclipse.EventchainCore;
@@ -28,6 +29,9 @@ import org.eclipse.core.runtime.NullProgressMonitor;
 
 /** A project of the test's workspace, which is built when the test says so. */
 final class TestProject implements AutoCloseable {
+
+  /** The chain of the example. */
+  static final String CHAIN = "model/chain.xmi";
 
   private static final Path EXAMPLES = Path.of("..", "..", "..", "examples").toAbsolutePath();
 
@@ -113,6 +117,12 @@ final class TestProject implements AutoCloseable {
     String before = text(name);
     assertTrue(before.indexOf(text) >= 0 && before.indexOf(text) == before.lastIndexOf(text), text);
     write(name, before.replace(text, by));
+  }
+
+  /** Builds what has changed, which leaves these markers and no other. */
+  void buildsTo(String... expected) throws CoreException {
+    build();
+    assertEquals(List.of(expected), markers());
   }
 
   /** Builds what has changed. */
