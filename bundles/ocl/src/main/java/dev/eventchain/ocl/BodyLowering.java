@@ -76,7 +76,7 @@ final class BodyLowering {
 
   void lower(OCLExpression<EClassifier> expression, Lowered result) {
     Node root = node(expression);
-    result.complete(root, slots);
+    result.complete(root, slots, lowering.isRecursive());
   }
 
   private int newSlot(String freeVariable) {

@@ -1,7 +1,6 @@
 package dev.eventchain.ocl;
 
 import java.util.Collection;
-import java.util.List;
 import org.eclipse.ocl.utilities.PredefinedType;
 
 /** What calls of the standard library make of collections. */
@@ -29,13 +28,5 @@ final class CollectionCalls {
           CollectionOperations.symmetricDifference(source, argument);
       default -> throw new IllegalArgumentException("operation " + code);
     };
-  }
-
-  /** One step of a closure: some elements, one, or none. */
-  static Collection<?> elementsOf(Object value) {
-    if (value == null) {
-      return List.of();
-    }
-    return value instanceof Collection<?> elements ? elements : List.of(value);
   }
 }

@@ -2,6 +2,7 @@ package dev.eventchain.ocl;
 
 import java.util.Collection;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.regex.Matcher;
@@ -110,6 +111,19 @@ public final class Evaluation {
   /** All instances of a class and its subclasses, in the order of the model. Not to be changed. */
   public Set<EObject> allInstances(EClass type) {
     return extents.get(type);
+  }
+
+  /**
+   * All elements below the objects that this is an evaluation over, these included, each once in
+   * the order of the model. Not to be changed.
+   */
+  public List<EObject> elements() {
+    return extents.below().all();
+  }
+
+  /** Those of {@link #elements()} that are instances of a class or a subclass. */
+  public List<EObject> elements(EClass type) {
+    return extents.below().instancesOf(type);
   }
 
   ValueStack values() {

@@ -253,6 +253,15 @@ public final class Expression {
     }
   }
 
+  /** Whether its definitions may call themselves, so that evaluating it may need a deep stack. */
+  public boolean isRecursive() {
+    try {
+      return lowered().isRecursive();
+    } catch (StackOverflowError e) {
+      return true;
+    }
+  }
+
   /**
    * Why a condition is false, in words: the values that made it so. Parts of it are evaluated
    * again.

@@ -1,6 +1,5 @@
 package dev.eventchain.ocl;
 
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -8,7 +7,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
-import org.eclipse.emf.common.util.TreeIterator;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
@@ -22,78 +20,52 @@ import org.eclipse.emf.ecore.util.EcoreUtil;
  */
 final class Extents {
 
-  /** Objects that are instances of the same classes, as far as Java is concerned, too. */
-  private record Likeness(EClass type, Class<?> implementation) {
-    static Likeness of(EObject object) {
-      return new Likeness(object.eClass(), object.getClass());
-    }
-  }
-
-  /** All objects, and the same once more, sorted by what they are alike in. */
-  private record Model(List<EObject> all, Map<Likeness, List<EObject>> alike) {}
-
   private final List<EObject> roots;
+
   private final Map<EClass, Set<EObject>> instances = new ConcurrentHashMap<>();
-  private Model model;
+  private ModelContents below;
+  private ModelContents model;
 
   Extents(Collection<? extends EObject> roots) {
     this.roots = List.copyOf(roots);
   }
 
+  /** What is below the roots, which may be less than the whole model. */
+  synchronized ModelContents below() {
+    if (below == null) {
+      below = ModelContents.below(roots);
+    }
+    return below;
+  }
+
   /** All instances of a class. */
   Set<EObject> get(EClass type) {
-    Set<EObject> known = instances.get(type);
-    return known != null ? known : instances.computeIfAbsent(type, this::findInstances);
+    Set<EObject> extent = instances.get(type);
+    return extent != null ? extent : instances.computeIfAbsent(type, this::findInstances);
   }
 
   private Set<EObject> findInstances(EClass type) {
-    Model found = model();
-    Map<Likeness, List<EObject>> fitting = new LinkedHashMap<>();
-    found
-        .alike()
-        .forEach(
-            (likeness, objects) -> {
-              if (type.isInstance(objects.get(0))) {
-                fitting.put(likeness, objects);
-              }
-            });
-    if (fitting.size() == 1) {
-      return InsertionOrderedSet.ofDistinct(fitting.values().iterator().next());
-    }
-    List<EObject> several = new ArrayList<>();
-    if (!fitting.isEmpty()) {
-      for (EObject object : found.all()) {
-        if (fitting.containsKey(Likeness.of(object))) {
-          several.add(object);
-        }
-      }
-    }
-    return InsertionOrderedSet.ofDistinct(several);
+    return InsertionOrderedSet.ofDistinct(model().instancesOf(type));
   }
 
-  private synchronized Model model() {
+  private synchronized ModelContents model() {
     if (model == null) {
-      Set<EObject> found = new LinkedHashSet<>();
-      for (EObject root : roots) {
-        addModelOf(root, found);
+      Map<EObject, ModelContents> parts = new LinkedHashMap<>();
+      for (EObject object : roots) {
+        EObject root = EcoreUtil.getRootContainer(object);
+        if (!parts.containsKey(root)) {
+          addModelOf(root, parts);
+        }
       }
-      Map<Likeness, List<EObject>> alike = new LinkedHashMap<>();
-      for (EObject object : found) {
-        alike.computeIfAbsent(Likeness.of(object), any -> new ArrayList<>()).add(object);
-      }
-      model = new Model(new ArrayList<>(found), alike);
+      model = ModelContents.union(new LinkedHashSet<>(parts.values()));
     }
     return model;
   }
 
-  private static void addModelOf(EObject object, Set<EObject> found) {
-    EObject root = EcoreUtil.getRootContainer(object);
-    if (found.contains(root)) {
-      return;
-    }
+  private void addModelOf(EObject root, Map<EObject, ModelContents> parts) {
     Resource resource = root.eResource();
     if (resource == null || resource.getResourceSet() == null) {
-      addTrees(resource == null ? List.of(root) : resource.getContents(), found);
+      addTrees(resource == null ? List.of(root) : resource.getContents(), parts);
       return;
     }
     List<Resource> resources = resource.getResourceSet().getResources();
@@ -102,15 +74,13 @@ final class Extents {
       List<EObject> contents = resources.get(i).getContents();
       boolean metamodel = !contents.isEmpty() && contents.get(0) instanceof EPackage;
       if (!metamodel || root instanceof EPackage) {
-        addTrees(contents, found);
+        addTrees(contents, parts);
       }
     }
   }
 
-  private static void addTrees(List<EObject> roots, Set<EObject> found) {
-    TreeIterator<EObject> objects = EcoreUtil.getAllContents(roots, true);
-    while (objects.hasNext()) {
-      found.add(objects.next());
-    }
+  private void addTrees(List<EObject> trees, Map<EObject, ModelContents> parts) {
+    ModelContents part = roots.equals(trees) ? below() : ModelContents.below(trees);
+    part.roots().forEach(root -> parts.putIfAbsent(root, part));
   }
 }

@@ -2,7 +2,6 @@ package dev.eventchain.ocl;
 
 import java.util.ArrayList;
 import java.util.Collection;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import org.eclipse.ocl.expressions.CollectionKind;
@@ -188,14 +187,14 @@ final class LoopNodes {
 
     @Override
     Object loop(Collection<?> elements, Frame frame) {
-      Set<Object> seen = new HashSet<>();
+      Set<Object> seen = new InsertionOrderedSet<>();
       boolean unique = true;
       for (Object element : elements) {
         Object value = body(element, frame);
         if (value == INVALID) {
           return INVALID; // also after two that are equal
         }
-        unique &= seen.add(Values.key(value));
+        unique &= seen.add(value);
       }
       return unique;
     }

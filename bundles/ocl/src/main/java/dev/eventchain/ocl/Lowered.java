@@ -14,6 +14,7 @@ final class Lowered {
   private String[] variables = {};
   private int[] variableSlots = {};
   private boolean quick;
+  private boolean recursive;
 
   /** Set if the body is a feature of the only variable. */
   private NavigationNodes.Feature feature;
@@ -23,9 +24,11 @@ final class Lowered {
    *
    * @param body the outermost node
    * @param slots for each slot of a frame the variable whose value comes from outside, or null
+   * @param callsItself whether it may do so, or call what does
    */
-  void complete(Node body, List<String> slots) {
+  void complete(Node body, List<String> slots, boolean callsItself) {
     root = body;
+    recursive = callsItself;
     size = slots.size();
     variableSlots = IntStream.range(0, size).filter(i -> isGiven(slots.get(i))).toArray();
     variables = IntStream.of(variableSlots).mapToObj(slots::get).toArray(String[]::new);
@@ -51,6 +54,11 @@ final class Lowered {
 
   int size() {
     return size;
+  }
+
+  /** Whether it may call itself, or what does; one that is not complete yet is asked by itself. */
+  boolean isRecursive() {
+    return root == null || recursive;
   }
 
   /** A frame with the values of the variables. */

@@ -28,6 +28,9 @@ final class Lowering {
   /** The definitions that the expression at work has added. */
   private final List<OCLExpression<EClassifier>> added = new ArrayList<>();
 
+  /** Whether the expression at work calls a definition that calls itself. */
+  private boolean recursive;
+
   /**
    * Starts.
    *
@@ -43,6 +46,7 @@ final class Lowering {
   /** Lowers an expression. */
   synchronized Lowered lower(OCLExpression<EClassifier> expression) {
     added.clear();
+    recursive = false;
     boolean done = false;
     try {
       Lowered result = new Lowered();
@@ -93,7 +97,12 @@ final class Lowering {
       added.add(body);
       new BodyLowering(this, parameters).lower(body, known);
     }
+    recursive |= known.isRecursive();
     return known;
+  }
+
+  boolean isRecursive() {
+    return recursive;
   }
 
   boolean isTracing() {

@@ -1,9 +1,11 @@
 package dev.eventchain.ocl;
 
 import java.lang.reflect.InvocationTargetException;
+import java.lang.reflect.Method;
 import java.util.Collection;
 import java.util.Iterator;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.ConcurrentHashMap;
 import org.eclipse.emf.common.util.ECollections;
 import org.eclipse.emf.common.util.Enumerator;
@@ -26,7 +28,13 @@ import org.eclipse.ocl.expressions.CollectionKind;
  */
 final class ModelAccess extends EcoreEvaluationEnvironment {
 
+  /** An operation, and the class of Java that it is called on. */
+  private record Callee(EOperation operation, Class<?> type) {}
+
   private final OclEnvironmentFactory factory;
+
+  /** Looked for once, since Java compares the names of all methods. */
+  private final Map<Callee, Optional<Method>> methods = new ConcurrentHashMap<>();
 
   ModelAccess(OclEnvironmentFactory factory) {
     super(factory);
@@ -116,6 +124,15 @@ final class ModelAccess extends EcoreEvaluationEnvironment {
     } catch (IllegalArgumentException e) {
       throw new IllegalArgumentException("it cannot be called", e);
     }
+  }
+
+  @Override
+  protected Method getJavaMethodFor(EOperation operation, Object receiver) {
+    return methods
+        .computeIfAbsent(
+            new Callee(operation, receiver.getClass()),
+            callee -> Optional.ofNullable(super.getJavaMethodFor(operation, receiver)))
+        .orElse(null);
   }
 
   private static boolean declares(EObject object, EOperation operation) {

@@ -97,14 +97,21 @@ final class NavigationNodes {
   private static final class SingleFeature extends Feature {
     private final boolean foreign;
 
+    /** Whether nothing is to be made of a value: it is a single one, and held as OCL does. */
+    private final boolean plain;
+
     SingleFeature(Node source, EStructuralFeature feature, boolean foreign) {
       super(source, feature);
       this.foreign = foreign;
+      this.plain = !foreign && !feature.isMany();
     }
 
     @Override
     Object valueOf(Object object, boolean read, Evaluation run) {
       Object value = get(object, run);
+      if (plain) {
+        return value;
+      }
       if (isCollection(value) && !(value instanceof Iterator<?>)) {
         value = first((Collection<?>) value);
       }

@@ -23,8 +23,7 @@ final class Reachable {
       Collection<?> sources, boolean ordered, UnaryOperator<Object> step) {
     Collection<Object> result = ordered ? new ValueSet<>() : new InsertionOrderedSet<>();
     for (Object source : sources) {
-      Object next = step.apply(source);
-      if (next == Node.INVALID || !addReachable(next, result, step)) {
+      if (!addReachable(step.apply(source), result, step)) {
         return null;
       }
     }
@@ -34,23 +33,48 @@ final class Reachable {
   /** Adds what can be reached from one step; false if a step is invalid. */
   private static boolean addReachable(
       Object first, Collection<Object> result, UnaryOperator<Object> step) {
+    Object next = alongSingle(first, result, step);
+    if (!Node.isCollection(next)) {
+      return next == null;
+    }
     Deque<Iterator<?>> open = new ArrayDeque<>();
-    open.push(CollectionCalls.elementsOf(first).iterator());
+    open.push(((Collection<?>) next).iterator());
     while (!open.isEmpty()) {
       if (!open.peek().hasNext()) {
         open.pop();
         continue;
       }
-      Object element = open.peek().next();
-      if (result.add(element)) {
-        Limits.requireElements(result.size());
-        Object next = step.apply(element);
-        if (next == Node.INVALID) {
-          return false;
-        }
-        open.push(CollectionCalls.elementsOf(next).iterator());
+      next = alongSingle(reach(open.peek().next(), result, step), result, step);
+      if (Node.isCollection(next)) {
+        open.push(((Collection<?>) next).iterator());
+      } else if (next != null) {
+        return false;
       }
     }
     return true;
+  }
+
+  /**
+   * Follows steps that lead to one element each.
+   *
+   * @return where there are several: a collection; null at the end; or invalid
+   */
+  private static Object alongSingle(
+      Object first, Collection<Object> result, UnaryOperator<Object> step) {
+    Object next = first;
+    while (next != null && next != Node.INVALID && !Node.isCollection(next)) {
+      next = reach(next, result, step);
+    }
+    return next;
+  }
+
+  /** Adds an element and takes the step from it; null if it was there before. */
+  private static Object reach(
+      Object element, Collection<Object> result, UnaryOperator<Object> step) {
+    if (!result.add(element)) {
+      return null;
+    }
+    Limits.requireElements(result.size());
+    return step.apply(element);
   }
 }

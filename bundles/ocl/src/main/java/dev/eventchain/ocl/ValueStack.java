@@ -40,10 +40,11 @@ final class ValueStack {
       return null;
     }
     Object removed = values[index];
-    int after = size - index - 1;
-    System.arraycopy(names, index + 1, names, index, after);
-    System.arraycopy(values, index + 1, values, index, after);
     size--;
+    if (index < size) {
+      System.arraycopy(names, index + 1, names, index, size - index);
+      System.arraycopy(values, index + 1, values, index, size - index);
+    }
     names[size] = null;
     values[size] = null;
     return removed;

@@ -59,6 +59,23 @@ class DefinitionsTest {
   }
 
   @Test
+  void recursiveIsWhatReachesOneThatCallsItself() {
+    TestDefinitions.define(
+        language,
+        metamodel.getEClassifier("Library"),
+        List.of(
+            "def: down(n : Integer) : Integer = if n > 0 then down(n - 1) else 0 endif",
+            "def: even(n : Integer) : Boolean = n = 0 or odd(n - 1)",
+            "def: odd(n : Integer) : Boolean = n <> 0 and even(n - 1)",
+            "def: four : Integer = 4",
+            "def: parity : Boolean = even(four)"));
+    List.of("down(3) = 0", "odd(3)", "books->exists(b | self.even(4))", "parity")
+        .forEach(text -> assertTrue(parse(text).isRecursive(), text));
+    List.of("four = 4", "four + four = 8", "self->closure(oclAsSet())->isEmpty()")
+        .forEach(text -> assertFalse(parse(text).isRecursive(), text));
+  }
+
+  @Test
   void whatUsesOneWithAnErrorIsNotUsable() {
     Definitions definitions = new Definitions(language, problems);
     Scope scope = scope("Library");

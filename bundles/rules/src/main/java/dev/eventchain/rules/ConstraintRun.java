@@ -1,6 +1,7 @@
 package dev.eventchain.rules;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.ocl.DeepStack;
 import dev.eventchain.ocl.Evaluation;
@@ -42,6 +43,11 @@ final class ConstraintRun {
   /** Where the invariant stands. */
   SourceLocation place() {
     return constraint.location();
+  }
+
+  /** Whether evaluating the invariant may need a deep stack. */
+  boolean isRecursive() {
+    return !elements.isEmpty() && DiagnosticException.at(place(), constraint::isRecursive);
   }
 
   /** How many elements were evaluated, and what that came to. */

@@ -110,6 +110,11 @@ public final class OclConstraint {
     return Verdict.UNDEFINED;
   }
 
+  /** Whether evaluating it may need a deep stack. */
+  boolean isRecursive() {
+    return condition.isRecursive();
+  }
+
   /**
    * The value for an object, or for a value of a data type: a Boolean, null, or an {@link Invalid}.
    */

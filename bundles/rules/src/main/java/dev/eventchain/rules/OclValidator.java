@@ -103,7 +103,9 @@ public final class OclValidator {
    */
   public OclResult validate(
       Collection<? extends EObject> roots, Function<EObject, SourceLocation> locator) {
-    ModelElements elements = new ModelElements(roots);
+    Evaluation evaluation = Evaluation.over(roots);
+    int size = evaluation.elements().size();
+    ModelElements elements = new ModelElements(evaluation);
     Findings findings = new Findings(locator);
     TimeBudget whole =
         TimeBudget.of(
@@ -113,7 +115,7 @@ public final class OclValidator {
       List<?> instances = elements.subjectsOf(constraint.context());
       runs.add(new ConstraintRun(constraint, instances, whole.part(timeLimit), findings));
     }
-    evaluate(runs, Evaluation.over(roots));
+    evaluate(runs, evaluation);
 
     List<Diagnostic> all = new ArrayList<>();
     runs.forEach(run -> all.addAll(run.findings()));
@@ -121,9 +123,9 @@ public final class OclValidator {
     all.addAll(0, rules.diagnostics());
     List<OclResult.Check> checks = runs.stream().map(ConstraintRun::check).toList();
     if (checks.stream().allMatch(check -> check.evaluations() == 0)) {
-      all.add(Findings.nothingEvaluated(rules, elements.size()));
+      all.add(Findings.nothingEvaluated(rules, size));
     }
-    return new OclResult(elements.size(), checks, all);
+    return new OclResult(size, checks, all);
   }
 
   private void evaluate(List<ConstraintRun> runs, Evaluation evaluation) {
@@ -149,8 +151,17 @@ public final class OclValidator {
                 part.run().place(), () -> part.run().evaluate(part.from(), part.to(), own));
           }
         };
-    if (!parts.isEmpty()) {
+    if (workers > 1 || runs.stream().anyMatch(ConstraintRun::isRecursive)) {
       DeepStack.runAll(Collections.nCopies(workers, work));
+    } else {
+      runHere(work);
+    }
+  }
+
+  private static void runHere(Runnable work) {
+    work.run();
+    if (Thread.currentThread().isInterrupted()) {
+      throw new IllegalStateException("interrupted while evaluating");
     }
   }
 
