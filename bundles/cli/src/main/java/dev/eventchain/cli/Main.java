@@ -6,6 +6,7 @@ import java.io.FileOutputStream;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.time.Clock;
+import java.util.List;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ParameterException;
@@ -15,22 +16,6 @@ import picocli.CommandLine.ParameterException;
     name = "eventchain",
     mixinStandardHelpOptions = true,
     versionProvider = Main.Version.class,
-    subcommands = {
-      RunCommand.class,
-      StageCommands.Design.class,
-      StageCommands.Implement.class,
-      StageCommands.Model.class,
-      StageCommands.Constrain.class,
-      ValidateCommand.class,
-      GenerateCommand.class,
-      StageCommands.Simulate.class,
-      EvaluateCommand.class,
-      InitCommand.class,
-      BenchCommand.class,
-      DiagramCommand.class,
-      ExplainCommand.class,
-      DoctorCommand.class,
-    },
     description = "From written requirements to running, validated ROS 2 software.",
     footer = {
       "",
@@ -40,6 +25,24 @@ import picocli.CommandLine.ParameterException;
       "for Ctrl-C, 143 for SIGTERM; every file is then as it was or complete."
     })
 public final class Main {
+
+  /** The commands in the order of the help. */
+  private static final List<Class<?>> COMMANDS =
+      List.of(
+          RunCommand.class,
+          StageCommands.Design.class,
+          StageCommands.Implement.class,
+          StageCommands.Model.class,
+          StageCommands.Constrain.class,
+          ValidateCommand.class,
+          GenerateCommand.class,
+          StageCommands.Simulate.class,
+          EvaluateCommand.class,
+          InitCommand.class,
+          BenchCommand.class,
+          DiagramCommand.class,
+          ExplainCommand.class,
+          DoctorCommand.class);
 
   /** Says which version this is. */
   static final class Version implements CommandLine.IVersionProvider {
@@ -105,6 +108,7 @@ public final class Main {
     Today today = Today.of(System.getenv(), Clock.systemUTC());
     Console console = new Console(out, err, terminal, today);
     CommandLine commandLine = new CommandLine(new Main(), new Factory(console));
+    addCommands(commandLine, arguments.length == 0 ? "" : arguments[0]);
     commandLine.setOut(out).setErr(err);
     commandLine.setCaseInsensitiveEnumValuesAllowed(true);
     commandLine.setColorScheme(CommandLine.Help.defaultColorScheme(terminal.ansi()));
@@ -120,6 +124,16 @@ public final class Main {
       // Left to Java, it would end the process with the code of a finding.
       return failure(e, err);
     }
+  }
+
+  /** Adds the command that is named, or all: reading the options of all takes its time. */
+  private static void addCommands(CommandLine commandLine, String name) {
+    List<Class<?>> named = COMMANDS.stream().filter(type -> nameOf(type).equals(name)).toList();
+    (named.isEmpty() ? COMMANDS : named).forEach(commandLine::addSubcommand);
+  }
+
+  private static String nameOf(Class<?> command) {
+    return command.getAnnotation(Command.class).name();
   }
 
   private static int usage(ParameterException e, PrintWriter err) {
