@@ -8,6 +8,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
@@ -129,6 +130,9 @@ final class CallLibrary implements OperationLibrary {
     private final Callable[] candidates;
     private final Callable[] fromTheMostGeneral;
 
+    /** Found out when it is first asked, when all modules are complete. */
+    private volatile Boolean repeatable;
+
     /**
      * Makes a call.
      *
@@ -158,6 +162,32 @@ final class CallLibrary implements OperationLibrary {
     @Override
     public boolean mayGiveOtherTypes() {
       return !callsTemplates();
+    }
+
+    /** So are queries that call nothing but what is; templates may write files. */
+    @Override
+    public boolean isRepeatable() {
+      Boolean known = repeatable;
+      if (known == null) {
+        known = isRepeatable(new HashSet<>());
+        repeatable = known;
+      }
+      return known;
+    }
+
+    private boolean isRepeatable(Set<Callable> visited) {
+      for (Callable callable : candidates) {
+        if (!(callable instanceof Query query)) {
+          return false;
+        } else if (visited.add(query) && !query.calls().allMatch(each -> isFit(each, visited))) {
+          return false;
+        }
+      }
+      return true;
+    }
+
+    private static boolean isFit(OperationLibrary.Implementation called, Set<Callable> visited) {
+      return called instanceof Call call ? call.isRepeatable(visited) : called.isRepeatable();
     }
 
     @Override

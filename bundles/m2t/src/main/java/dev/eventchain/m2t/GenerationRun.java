@@ -57,7 +57,8 @@ final class GenerationRun {
   GenerationRun(
       Collection<? extends EObject> roots, GenerationContext context, boolean modelChanges) {
     this.modelChanges = modelChanges;
-    this.evaluation = Evaluation.over(roots).attach(this);
+    Evaluation fresh = Evaluation.over(roots).attach(this);
+    this.evaluation = modelChanges ? fresh.withChangingModel() : fresh;
     this.context = context;
     this.calls = new CallStack(evaluation);
     Tracing tracing = context.has(Trait.TRACED) ? new Tracing(context.locator()) : null;

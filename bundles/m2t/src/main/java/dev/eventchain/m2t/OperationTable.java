@@ -8,6 +8,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EClassifier;
@@ -111,8 +112,8 @@ final class OperationTable implements OperationLibrary {
     }
   }
 
-  /** A walk through the tokens of a text, which goes on from call to call. */
-  private static final String STATEFUL = "strtok";
+  /** A walk through the tokens of a text, which goes on from call to call, and what is at work. */
+  private static final Set<String> STATEFUL = Set.of("strtok", "current");
 
   /** By the name, in the order in which they were first named. */
   private static final Map<String, List<Row>> ROWS =
@@ -133,7 +134,7 @@ final class OperationTable implements OperationLibrary {
       if (suits(row, source, argumentTypes, language)) {
         EClassifier result = row.result().of(new Types(language, source, argumentTypes));
         return Optional.of(
-            new Operation(name, result, new RowCall(row, language, !STATEFUL.equals(name))));
+            new Operation(name, result, new RowCall(row, language, !STATEFUL.contains(name))));
       }
     }
     return Optional.empty();

@@ -6,10 +6,12 @@ import dev.eventchain.m2t.syntax.Syntax.Visibility;
 import dev.eventchain.ocl.Evaluation;
 import dev.eventchain.ocl.Expression;
 import dev.eventchain.ocl.Invalid;
+import dev.eventchain.ocl.OperationLibrary;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.impl.BasicEObjectImpl;
 
@@ -44,6 +46,11 @@ final class Query extends Callable {
   void defineService(Expression newValue, Predicate<Object> newAccepts) {
     value = newValue;
     accepts = Optional.of(newAccepts);
+  }
+
+  /** What its value calls. */
+  Stream<OperationLibrary.Implementation> calls() {
+    return value.libraryCalls().stream().map(Expression.LibraryCall::implementation);
   }
 
   @Override

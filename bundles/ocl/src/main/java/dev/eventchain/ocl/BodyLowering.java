@@ -6,6 +6,7 @@ import java.util.IdentityHashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EEnumLiteral;
@@ -67,11 +68,16 @@ final class BodyLowering {
     this.lowering = lowering;
     this.definition = parameters != null;
     this.operations = new OperationLowering(this, lowering);
-    this.loops = new LoopLowering(this);
+    this.loops = new LoopLowering(this, keys(lowering));
     this.traced = lowering.isTracing() ? new IdentityHashMap<>() : null;
     if (definition) {
       parameters.forEach(parameter -> visible.put(parameter, newSlot(null)));
     }
+  }
+
+  /** What is traced goes through all elements, to meet the one that has no value. */
+  private Optional<KeyLowering> keys(Lowering lowering) {
+    return lowering.isTracing() ? Optional.empty() : Optional.of(new KeyLowering(this, lowering));
   }
 
   void lower(OCLExpression<EClassifier> expression, Lowered result) {

@@ -1,6 +1,7 @@
 package dev.eventchain.ocl;
 
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -12,7 +13,8 @@ import org.eclipse.emf.ecore.EObject;
 /**
  * The state of a run that evaluates expressions on a model: the values of the variables, the
  * extents of the classes, limits. For one thread; {@link #fork()} makes another for another thread,
- * which shares the extents. The model must not change meanwhile.
+ * which shares the extents. The model must not change meanwhile, but see {@link
+ * #withChangingModel}.
  */
 public final class Evaluation {
 
@@ -24,6 +26,8 @@ public final class Evaluation {
   private final Extents extents;
   private final ValueStack values = new ValueStack();
   private final Map<String, Matcher> matchers = new MatcherCache();
+  private final Map<KeyedElements, KeyIndex> indexes = new HashMap<>();
+  private boolean modelChanges;
   private Object attachment;
   private TimeBudget budget;
   private int steps;
@@ -51,6 +55,7 @@ public final class Evaluation {
   public Evaluation fork() {
     Evaluation fork = new Evaluation(extents);
     fork.attachment = attachment;
+    fork.modelChanges = modelChanges;
     fork.budget = budget;
     return fork;
   }
@@ -62,6 +67,28 @@ public final class Evaluation {
   public Evaluation withBudget(TimeBudget newBudget) {
     budget = newBudget;
     return this;
+  }
+
+  /** Allows the model to change between two evaluations: nothing is remembered of it. */
+  public Evaluation withChangingModel() {
+    modelChanges = true;
+    return this;
+  }
+
+  /**
+   * The index of the elements of a loop, kept until the loop is about others; null if there may be
+   * none.
+   */
+  KeyIndex index(KeyedElements loop, Collection<?> elements) {
+    if (modelChanges) {
+      return null;
+    }
+    KeyIndex known = indexes.get(loop);
+    if (known == null || !known.isOf(elements)) {
+      known = new KeyIndex(elements);
+      indexes.put(loop, known);
+    }
+    return known;
   }
 
   /** Gives a variable a value until {@link #unbind}; hides any earlier value. */

@@ -2,6 +2,7 @@ package dev.eventchain.ocl;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EParameter;
@@ -29,9 +30,16 @@ final class LoopLowering {
           PredefinedType.REJECT);
 
   private final BodyLowering body;
+  private final Optional<KeyLowering> keys;
 
-  LoopLowering(BodyLowering body) {
+  /**
+   * Starts.
+   *
+   * @param keys finds which elements matter; nothing if all are to be gone through
+   */
+  LoopLowering(BodyLowering body, Optional<KeyLowering> keys) {
     this.body = body;
+    this.keys = keys;
   }
 
   Node iterator(IteratorExp<EClassifier, EParameter> loop) {
@@ -46,7 +54,8 @@ final class LoopLowering {
     if (slots.length > 1) {
       return new LoopNodes.MultiQuantifier(source, slots, inner, code == PredefinedType.EXISTS);
     }
-    return loop(loop, code, source, slots[0], inner);
+    Node elements = keys.map(keyed -> keyed.source(loop, code, source, variables)).orElse(source);
+    return loop(loop, code, elements, slots[0], inner);
   }
 
   private Map<String, Integer> variables(LoopExp<EClassifier, EParameter> loop) {

@@ -37,7 +37,7 @@ import org.eclipse.ocl.util.Tuple;
  */
 class LoweringTest {
 
-  private static final List<String> DEFINITIONS =
+  static final List<String> DEFINITIONS =
       List.of(
           "def: load : Real = if whole > 2 then real else partial / 2 endif",
           "def: sameName(other : Thing) : Boolean = name = other.name",
@@ -113,7 +113,7 @@ class LoweringTest {
   }
 
   /** Values that are equal only if they are the same in OCL, in type and order, too. */
-  private static Object normal(Object value, boolean ordered) {
+  static Object normal(Object value, boolean ordered) {
     if (value instanceof Invalid || value == Node.INVALID) {
       return "invalid";
     } else if (value instanceof Tuple<?, ?> tuple) {
