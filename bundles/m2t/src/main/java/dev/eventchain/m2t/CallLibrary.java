@@ -8,11 +8,11 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.Collections;
-import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EClassifier;
 
 /**
@@ -164,30 +164,24 @@ final class CallLibrary implements OperationLibrary {
       return !callsTemplates();
     }
 
-    /** So are queries that call nothing but what is; templates may write files. */
+    /**
+     * So are queries that call nothing but what is; templates may write files. What calls itself is
+     * not: for some elements it may have no end.
+     */
     @Override
     public boolean isRepeatable() {
       Boolean known = repeatable;
       if (known == null) {
-        known = isRepeatable(new HashSet<>());
+        repeatable = false;
+        known = Stream.of(candidates).allMatch(Call::callsRepeatableOnly);
         repeatable = known;
       }
       return known;
     }
 
-    private boolean isRepeatable(Set<Callable> visited) {
-      for (Callable callable : candidates) {
-        if (!(callable instanceof Query query)) {
-          return false;
-        } else if (visited.add(query) && !query.calls().allMatch(each -> isFit(each, visited))) {
-          return false;
-        }
-      }
-      return true;
-    }
-
-    private static boolean isFit(OperationLibrary.Implementation called, Set<Callable> visited) {
-      return called instanceof Call call ? call.isRepeatable(visited) : called.isRepeatable();
+    private static boolean callsRepeatableOnly(Callable callable) {
+      return callable instanceof Query query
+          && query.calls().allMatch(OperationLibrary.Implementation::isRepeatable);
     }
 
     @Override

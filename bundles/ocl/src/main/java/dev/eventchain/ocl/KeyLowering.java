@@ -1,12 +1,11 @@
 package dev.eventchain.ocl;
 
 import java.util.ArrayList;
-import java.util.HashSet;
+import java.util.HashMap;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EObject;
@@ -15,6 +14,7 @@ import org.eclipse.emf.ecore.EParameter;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.ETypedElement;
 import org.eclipse.emf.ecore.util.EcoreUtil;
+import org.eclipse.ocl.expressions.CallExp;
 import org.eclipse.ocl.expressions.IteratorExp;
 import org.eclipse.ocl.expressions.OCLExpression;
 import org.eclipse.ocl.expressions.OperationCallExp;
@@ -31,6 +31,9 @@ final class KeyLowering {
 
   private final BodyLowering body;
   private final Lowering lowering;
+
+  /** Which expressions are functions; while that is found out, they are not. */
+  private final Map<OCLExpression<EClassifier>, Boolean> functions = new HashMap<>();
 
   KeyLowering(BodyLowering body, Lowering lowering) {
     this.body = body;
@@ -123,7 +126,7 @@ final class KeyLowering {
                     !(part instanceof VariableExp<?, ?> use)
                         || refers(use, variable)
                         || isWithin(use.getReferredVariable(), expression))
-        && isFunction(expression, new HashSet<>());
+        && isFunction(expression);
   }
 
   private static boolean reads(OCLExpression<EClassifier> expression, Variable<?, ?> variable) {
@@ -139,37 +142,40 @@ final class KeyLowering {
     return use.getReferredVariable() == variable;
   }
 
-  /** Whether asking again gives the same and changes nothing, also in what is called. */
-  private boolean isFunction(OCLExpression<EClassifier> expression, Set<Object> visited) {
-    return !visited.add(expression)
-        || parts(expression).allMatch(part -> isFunctionItself(part, visited));
+  /**
+   * Whether asking again gives the same and changes nothing, also in what is called. What calls
+   * itself is not taken: for some elements it may have no end.
+   */
+  private boolean isFunction(OCLExpression<EClassifier> expression) {
+    Boolean known = functions.get(expression);
+    if (known == null) {
+      functions.put(expression, false);
+      known = parts(expression).allMatch(this::isFunctionItself);
+      functions.put(expression, known);
+    }
+    return known;
   }
 
-  private boolean isFunctionItself(EObject part, Set<Object> visited) {
+  private boolean isFunctionItself(EObject part) {
     if (part instanceof OperationCallExp<?, ?> call) {
       EOperation operation = (EOperation) call.getReferredOperation();
       if (operation instanceof Libraries.LibraryOperation library) {
         return library.implementation().isRepeatable();
       }
-      return isFunction((EClassifier) call.getSource().getType(), operation, visited)
-          .orElse(call.getOperationCode() > 0);
+      return isFunction(call, operation).orElse(call.getOperationCode() > 0);
     } else if (part instanceof PropertyCallExp<?, ?> call) {
-      EStructuralFeature feature = (EStructuralFeature) call.getReferredProperty();
-      EClassifier type = (EClassifier) call.getSource().getType();
-      return isFunction(type, feature, visited).orElse(true);
+      return isFunction(call, (EStructuralFeature) call.getReferredProperty()).orElse(true);
     }
     return true;
   }
 
   /** The same of a definition; empty if there is none. One that classes override is none. */
-  private Optional<Boolean> isFunction(
-      EClassifier type, ETypedElement member, Set<Object> visited) {
+  private Optional<Boolean> isFunction(CallExp<?> call, ETypedElement member) {
     OCLExpression<EClassifier> definition = lowering.language().bodyOf(member);
-    if (definition == null) {
-      return Optional.empty();
-    }
-    return Optional.of(
-        lowering.overrides(type, member).isEmpty() && isFunction(definition, visited));
+    EClassifier type = (EClassifier) call.getSource().getType();
+    return definition == null
+        ? Optional.empty()
+        : Optional.of(lowering.overrides(type, member).isEmpty() && isFunction(definition));
   }
 
   private static Stream<EObject> parts(OCLExpression<EClassifier> expression) {
