@@ -15,6 +15,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /** Starts the program as the launcher does, from the folder that the build made. */
@@ -133,13 +134,24 @@ final class Program {
     new ProcessBuilder("kill", "-" + name, Long.toString(process.pid())).start().waitFor();
   }
 
-  /** Starts the program, writing to files. */
-  Process start(Path out, Path err, Object... arguments) throws IOException {
+  /** A shell script that starts the program with the script's arguments, in its folder. */
+  String script() {
+    String words = command().stream().map(w -> "'" + w + "'").collect(Collectors.joining(" "));
+    return "#!/usr/bin/env bash\nexec " + words + " \"$@\"\n";
+  }
+
+  private List<String> command() {
     List<String> command = new ArrayList<>(prefix);
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-cp"));
     command.add(ROOT.resolve("bundles/cli/target/eventchain/lib") + "/*");
     command.add("dev.eventchain.cli.Main");
+    return command;
+  }
+
+  /** Starts the program, writing to files. */
+  Process start(Path out, Path err, Object... arguments) throws IOException {
+    List<String> command = command();
     Stream.of(arguments).map(String::valueOf).forEach(command::add);
     ProcessBuilder builder = new ProcessBuilder(command).directory(ROOT.toFile());
     builder.environment().putAll(environment);

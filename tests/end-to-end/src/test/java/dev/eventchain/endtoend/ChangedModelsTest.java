@@ -1,0 +1,243 @@
+package dev.eventchain.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** What build servers and pre-commit call, {@code bundles/ci}, in repositories made for it. */
+class ChangedModelsTest {
+
+  private static final Path SCRIPTS = Program.ROOT.resolve("bundles/ci");
+
+  private static final String METAMODEL =
+      """
+      <?xml version="1.0" encoding="UTF-8"?>
+      <ecore:EPackage xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI"
+          xmlns:xsi="http://www.w3.org/2001/XMLSchema-instance"
+          xmlns:ecore="http://www.eclipse.org/emf/2002/Ecore"
+          name="shop" nsURI="http://example.org/shop" nsPrefix="shop">
+        <eClassifiers xsi:type="ecore:EClass" name="Shop">
+          <eStructuralFeatures xsi:type="ecore:EAttribute" name="name"
+              eType="ecore:EDataType http://www.eclipse.org/emf/2002/Ecore#//EString"/>
+          <eStructuralFeatures xsi:type="ecore:EReference" name="branch" eType="#//Shop"/>
+        </eClassifiers>
+      </ecore:EPackage>
+      """;
+
+  /** Prints what it is called with, and ends as the file {@code code} says. */
+  private static final String FAKE =
+      """
+      #!/usr/bin/env bash
+      printf '<%s>' "$@"
+      [ ! -f code ] || exit "$(cat code)"
+      """;
+
+  @TempDir Path folder;
+  private Path repository;
+  private final Map<String, String> environment = new TreeMap<>();
+
+  @BeforeEach
+  void makeARepository() throws Exception {
+    repository = Files.createDirectory(folder.resolve("a repository"));
+    git("init", "-q", "-b", "main");
+    write("shop.ecore", METAMODEL);
+    write("a.xmi", shop("A", ""));
+    write("with blanks/b 1.xmi", shop("B", ""));
+    write("refers.xmi", shop("R", "<branch href=\"with%20blanks/b%201.xmi#/\"/>"));
+    commit("one");
+    environment.put("EVENTCHAIN", program("fake", FAKE).toString());
+  }
+
+  @Test
+  void allModelsAreCheckedWithoutARevision() throws Exception {
+    String all = "<validate><a.xmi><refers.xmi><with blanks/b 1.xmi>";
+    run("validate-models").expect(0).says("3 of 3 models").says(all);
+    run("validate-models", "--since=").expect(0).says(all);
+    run("validate-models", "--models=with*").expect(0).says("<validate><with blanks/b 1.xmi>");
+  }
+
+  @Test
+  void changedModelsAreFoundWithThoseThatReferToThem() throws Exception {
+    write("a.xmi", shop("A2", ""));
+    commit("two");
+    run("validate-models", "--since=HEAD~1").expect(0).says("1 of 3").says("<validate><a.xmi>");
+    write("with blanks/b 1.xmi", shop("B2", ""));
+    run("validate-models", "--since=HEAD")
+        .expect(0)
+        .says("2 of 3 models")
+        .says("<validate><refers.xmi><with blanks/b 1.xmi>");
+  }
+
+  @Test
+  void deletedModelsAreLeftOutAndThoseThatReferToThemAreChecked() throws Exception {
+    git("rm", "-q", "with blanks/b 1.xmi", "a.xmi");
+    commit("two");
+    run("validate-models", "--since=HEAD~1")
+        .expect(0)
+        .says("1 of 1 models")
+        .says("<validate><refers.xmi>");
+    git("mv", "refers.xmi", "renamed.xmi");
+    run("validate-models", "--since=HEAD").expect(0).says("<validate><renamed.xmi>");
+  }
+
+  @Test
+  void aChangedMetamodelOrConstraintConcernsAllModels() throws Exception {
+    write("sub/rules.ocl", "");
+    git("add", ".");
+    run("validate-models", "--since=HEAD").expect(0).says("3 of 3 models");
+    run("validate-models", "shop.ecore").expect(0).says("3 of 3 models");
+    write("ä.xmi", shop("A", ""));
+    commit("two");
+    run("validate-models", "ä.xmi").expect(0).says("4 of 4 models");
+  }
+
+  @Test
+  void nothingThatMattersHasChangedIsSaid() throws Exception {
+    Path outputs = Files.createFile(folder.resolve("outputs"));
+    environment.put("GITHUB_OUTPUT", outputs.toString());
+    run("validate-models", "--since=HEAD").expect(0).says("nothing was checked: no file has");
+    write("notes.txt", "");
+    commit("two");
+    Program.Ended ended = run("validate-models", "--since=HEAD~1").expect(0);
+    ended.says("nothing was checked: no model has changed.");
+    assertFalse(ended.out().contains("<validate>"));
+    run("validate-models", "a.xmi").expect(0);
+    assertEquals("checked=false\nchecked=false\nchecked=true\n", Files.readString(outputs));
+  }
+
+  @Test
+  void whatCannotBeDecidedFails() throws Exception {
+    run("validate-models", "--since=nowhere").expect(2).says("no revision 'nowhere'");
+    run("validate-models", "--since=HEAD", "a.xmi").expect(2).says("not both");
+    run("validate-models", "--models=*.uml").expect(2).says("no file in git matches *.uml");
+    run("validate-models", "--ocl", "rules.ocl").expect(2).says("needs the form --name=value");
+    run("validate-models", "--project=sub").expect(2).says("has no eventchain.yaml");
+    git("checkout", "-q", "--orphan", "other");
+    commit("other");
+    run("validate-models", "--since=main").expect(2).says("no common history");
+    Files.move(repository.resolve(".git"), folder.resolve("gone"));
+    run("validate-models").expect(2).says("this is not a git repository");
+  }
+
+  @Test
+  void exitCodesAreThoseOfTheProgram() throws Exception {
+    for (int code = 0; code < 5; code++) {
+      write("code", Integer.toString(code));
+      run("validate-models", "a.xmi").expect(code);
+    }
+  }
+
+  @Test
+  void aProjectIsCheckedIfAFileInItHasChanged() throws Exception {
+    write("my project/eventchain.yaml", "name: shop\n");
+    write("my project/out/a.json", "");
+    commit("two");
+    String project = "--project=my project";
+    run("validate-models", project).expect(0).says("<validate><my project>");
+    run("validate-models", project, "a.xmi").expect(0).says("no file of 'my project' has changed");
+    run("validate-models", project, "my project/out/a.json").expect(0).says("nothing was checked");
+    run("validate-models", project, "--since=HEAD~1").expect(0).says("<validate><my project>");
+  }
+
+  @Test
+  void theRealProgramWritesReportsOfABadModel() throws Exception {
+    environment.put("EVENTCHAIN", program("real", new Program().script()).toString());
+    environment.put("SINCE", "HEAD");
+    environment.put("OPTIONS", "--metamodel=shop.ecore\n--ocl=rules.ocl\n");
+    environment.put("SARIF", "reports/findings.sarif");
+    environment.put("JUNIT", "reports/findings.xml");
+    write("rules.ocl", "context Shop inv Named: self.name <> ''\n");
+    commit("two");
+    write("with blanks/b 1.xmi", shop("", ""));
+    run("from-inputs").expect(1).says("with blanks/b 1.xmi:2:").says("[ocl.violated Shop::Named]");
+    String sarif = Files.readString(repository.resolve("reports/findings.sarif"));
+    JsonNode results = new ObjectMapper().readTree(sarif).at("/runs/0/results");
+    assertEquals(1, results.size(), sarif);
+    assertEquals("ocl.violated/Shop::Named", results.at("/0/ruleId").asText());
+    assertEquals(
+        "with%20blanks/b%201.xmi",
+        results.at("/0/locations/0/physicalLocation/artifactLocation/uri").asText());
+    String junit = Files.readString(repository.resolve("reports/findings.xml"));
+    assertTrue(junit.contains("failures=\"1\""), junit);
+    write("with blanks/b 1.xmi", shop("B3", ""));
+    run("from-inputs").expect(0);
+  }
+
+  @Test
+  void theFilesOfTheBuildServersCallScriptsThatAreThere() throws IOException {
+    for (String caller : List.of("bundles/ci/action.yml", "bundles/ci/gitlab-ci.yml")) {
+      String text = Files.readString(Program.ROOT.resolve(caller));
+      assertTrue(text.contains("/from-inputs\"'"), caller);
+    }
+    String hook = Files.readString(Program.ROOT.resolve(".pre-commit-hooks.yaml"));
+    assertTrue(hook.contains("entry: bundles/ci/validate-models\n"), hook);
+    for (String script : List.of("from-inputs", "validate-models")) {
+      assertTrue(Files.isExecutable(SCRIPTS.resolve(script)), script);
+    }
+  }
+
+  private static String shop(String name, String content) {
+    return """
+        <?xml version="1.0" encoding="UTF-8"?>
+        <shop:Shop xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI"
+            xmlns:shop="http://example.org/shop" name="%s">%s</shop:Shop>
+        """
+        .formatted(name, content);
+  }
+
+  private void write(String name, String text) throws IOException {
+    Path file = repository.resolve(name);
+    Files.createDirectories(file.getParent());
+    Files.writeString(file, text);
+  }
+
+  private Path program(String name, String text) throws IOException {
+    Path file = Files.writeString(folder.resolve(name), text);
+    assertTrue(file.toFile().setExecutable(true));
+    return file;
+  }
+
+  private void commit(String message) throws Exception {
+    git("add", "-A");
+    git("commit", "-q", "-m", message);
+  }
+
+  private void git(String... arguments) throws Exception {
+    List<String> command = new ArrayList<>(List.of("git"));
+    for (String setting : List.of("user.name=a", "user.email=a@b", "commit.gpgsign=false")) {
+      command.addAll(List.of("-c", setting));
+    }
+    Stream.of(arguments).forEach(command::add);
+    ended(command).expect(0);
+  }
+
+  private Program.Ended run(String script, String... arguments) throws Exception {
+    List<String> command = new ArrayList<>(List.of(SCRIPTS.resolve(script).toString()));
+    command.addAll(List.of(arguments));
+    return ended(command);
+  }
+
+  private Program.Ended ended(List<String> command) throws Exception {
+    Path out = folder.resolve("out");
+    Path err = folder.resolve("err");
+    ProcessBuilder builder = new ProcessBuilder(command).directory(repository.toFile());
+    builder.environment().keySet().removeIf(name -> name.startsWith("GIT"));
+    builder.environment().putAll(environment);
+    int code = builder.redirectOutput(out.toFile()).redirectError(err.toFile()).start().waitFor();
+    return new Program.Ended(code, Files.readString(out), Files.readString(err));
+  }
+}
