@@ -28,7 +28,7 @@ def configuration(folder: Path, **changes: Any) -> dict[str, Any]:
 
 @pytest.fixture
 def chain(tmp_path: Path) -> Path:
-    """A folder with a copy of the chain, to be spoiled."""
+    """A folder with a copy of the chain, to be broken."""
     shutil.copytree(FIXTURES / "chain", tmp_path / "chain", ignore=shutil.ignore_patterns("__pycache__"))
     return tmp_path
 

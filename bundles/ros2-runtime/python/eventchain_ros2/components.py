@@ -1,4 +1,4 @@
-"""The components of nodes: each lives in a process of its own, and its node gets a stand-in.
+"""The components of nodes: each lives in its own process, and its node gets a stub.
 
 No code of a component is imported into this process, which holds the records of the scenario.
 """

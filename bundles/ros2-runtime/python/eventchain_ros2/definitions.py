@@ -150,7 +150,7 @@ def check_name(definition: Definition, name: str) -> None:
 
 
 def default_value(field_type: FieldType, text: str) -> Value | list[Value] | None:
-    """The value that a field starts with, `[1, 2]` for arrays; `ValueError` if it is no such value."""
+    """The value that a field starts with, `[1, 2]` for arrays; `ValueError` if it is not such a value."""
     if not text:
         return None
     if field_type.base not in PRIMITIVES:

@@ -144,7 +144,7 @@ class Timer:
         self.token += 1
 
     def reset(self) -> None:
-        """Start the period anew, now."""
+        """Start the period again, now."""
         self._canceled = False
         self.token += 1
         self.due = self._simulation.now + self.timer_period_ns

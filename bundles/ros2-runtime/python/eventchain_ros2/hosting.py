@@ -42,7 +42,7 @@ OFFERS_EVERYTHING = QoSProfile(
     liveliness=LivelinessPolicy.MANUAL_BY_TOPIC,
     liveliness_lease_duration=Duration(nanoseconds=1),
 )
-"""Whoever stands outside of a simulation offers everything that a node may request."""
+"""Whoever is outside a simulation offers everything that a node may request."""
 REQUESTS_NOTHING = QoSProfile(history=HistoryPolicy.KEEP_ALL, reliability=ReliabilityPolicy.BEST_EFFORT)
 """... and requests nothing that a node may not offer."""
 
@@ -151,7 +151,7 @@ class HostedNodes:
         return [warning._asdict() for warning in self.simulation.warnings]
 
     def end(self) -> None:
-        """End the components, and forget the user's modules, so that those of the next scenario start anew."""
+        """End the components, and forget the user's modules, so that those of the next scenario start afresh."""
         self._components.end()
         folders = tuple(folder.rstrip("/") + "/" for folder in self.folders)
         for name, module in list(sys.modules.items()):

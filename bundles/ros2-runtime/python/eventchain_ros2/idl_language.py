@@ -136,7 +136,7 @@ class _Parser:
             self._structure()
         else:
             place = "::".join(scope) or "outside of modules"
-            self._refuse(f"'{word}' of IDL is no part of the definition of a message ({place})")
+            self._refuse(f"'{word}' of IDL is not part of a message definition ({place})")
         self._take(";")
 
     def _module(self, scope: tuple[str, ...]) -> None:
@@ -156,7 +156,7 @@ class _Parser:
             if name in _CHANGE_BYTES or (
                 name == "extensibility" and self._tokens[self._position + 1].text == "MUTABLE"
             ):
-                self._refuse(f"@{name} is no part of the definition of a message")
+                self._refuse(f"@{name} is not part of a message definition")
             if name == "default":
                 default = self._default()
             elif self._is_next("("):
@@ -224,7 +224,7 @@ class _Parser:
     def _structure(self) -> None:
         name = self._take("word")
         if name != self._short_name or self._is_defined:
-            self._refuse(f"the structure {name} needs a file of its own, {name}.idl")
+            self._refuse(f"the structure {name} needs its own file, {name}.idl")
         self._is_defined = True
         self._take("{")
         while not self._is_next("}"):
@@ -279,7 +279,7 @@ class _Parser:
         if word == "string":
             return FieldType("string", "scalar", 0, self._bound())
         if word in _NO_TYPES:
-            self._refuse(f"the type {word} of IDL is no part of the definition of a message")
+            self._refuse(f"the type {word} of IDL is not part of a message definition")
         if word in _PARTS:
             return self._primitive(word)
         return self._named("" if word == "::" else word)
@@ -302,7 +302,7 @@ class _Parser:
         while f"{word} {self._next.text}" in _PRIMITIVES:
             word += f" {self._take('word')}"
         if word not in _PRIMITIVES or (word == "long" and self._next.text == "double"):
-            self._refuse(f"the type {word} {self._next.text} of IDL is no part of the definition of a message")
+            self._refuse(f"the type {word} {self._next.text} of IDL is not part of a message definition")
         return FieldType(_PRIMITIVES[word], "scalar", 0, 0)
 
     def _named(self, word: str) -> FieldType:

@@ -287,7 +287,7 @@ class _Turns:
 
 
 class _Watch:
-    """Warns of what goes wrong between writers and readers, from a thread of its own."""
+    """Warns of what goes wrong between writers and readers, from its own thread."""
 
     def __init__(self, participant: Participant) -> None:
         self._wait_set = WaitSet(participant)

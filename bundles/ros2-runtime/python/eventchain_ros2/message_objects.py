@@ -30,7 +30,7 @@ def of(messages: Messages, *, importing: bool) -> Objects:
             importlib.import_module(module)
         message_class = getattr(sys.modules[module], class_name)
         if not (isinstance(message_class, type) and issubclass(message_class, IdlStruct)):
-            raise TypeError(f"{name} is no message")
+            raise TypeError(f"{name} is not a message")
         return message_class(**fields)
 
     return Objects(_describe, make)

@@ -88,7 +88,7 @@ class Timer(Protocol):
 
 
 class Bridge(Protocol):
-    """Connects a simulation with what is outside of it: it is told of publishers and subscriptions as they are made."""
+    """Connects a simulation with what is outside it: it is told of publishers and subscriptions as they are made."""
 
     def opened(self, endpoint: Publisher | Subscription) -> None:
         """One was made."""

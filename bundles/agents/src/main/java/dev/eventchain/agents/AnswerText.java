@@ -104,14 +104,14 @@ record AnswerText(Optional<SourceText> artefact, List<Diagnostic> problems) {
   static AnswerText several(AnswerKind kind, String file, int count) {
     return problem(
         "agents.answer.several",
-        "The answer holds %d different blocks that may be the %s."
+        "The answer contains %d different blocks that may be the %s."
             .formatted(count, kind.description()),
         file);
   }
 
   static AnswerText nothing(AnswerKind kind, String file) {
     return problem(
-        "agents.answer.none", "The answer holds no %s.".formatted(kind.description()), file);
+        "agents.answer.none", "The answer contains no %s.".formatted(kind.description()), file);
   }
 
   static AnswerText problem(String id, String message, String file) {

@@ -9,7 +9,7 @@ import dev.eventchain.modeler.JsonDocument;
 import java.util.Set;
 
 /**
- * What components may cost, in descriptions of components. It says nothing of what they do, so
+ * What components may cost, in descriptions of components. It says nothing about what they do, so
  * prompts leave it out: a new budget asks nobody for a new answer.
  */
 final class Budgets {

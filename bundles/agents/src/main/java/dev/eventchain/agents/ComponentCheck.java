@@ -41,7 +41,7 @@ final class ComponentCheck {
       findings.error(
           "agents.frequency",
           component.pointer() + "/frequency",
-          "'%s' cannot execute with %s Hz.".formatted(component.name(), frequency.asText()),
+          "'%s' cannot execute at %s Hz.".formatted(component.name(), frequency.asText()),
           "State a number in Hz, at most 10000.");
     }
   }

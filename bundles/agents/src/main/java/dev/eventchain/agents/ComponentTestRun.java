@@ -155,10 +155,11 @@ final class ComponentTestRun {
             "component.test.failed",
             "The test '%s' of %s fails: %s".formatted(test, requirement, message),
             place)
-        .withHint("Correct the component; or the test, where it asks for what nobody wants.");
+        .withHint(
+            "Correct the component; or the test, if it asks for something that nobody wants.");
   }
 
-  /** A component that remembers outside of its object gives another one something else. */
+  /** A component that remembers outside its object gives another one something else. */
   private static List<Diagnostic> sameAgain(Case test, CallResults first, CallResults again) {
     return again.problem().isEmpty() && first.outputs().equals(again.outputs())
         ? List.of()

@@ -45,7 +45,7 @@ final class ConstraintCheck {
     if (rules.constraints().isEmpty()) {
       diagnostics.add(
           Diagnostic.error(
-              "agents.constraint.none", "The document holds no invariant.", document.at(0)));
+              "agents.constraint.none", "The document contains no invariant.", document.at(0)));
       return diagnostics;
     }
     diagnostics.addAll(uncovered(document, rules));

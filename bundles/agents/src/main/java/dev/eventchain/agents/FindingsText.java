@@ -18,7 +18,7 @@ final class FindingsText {
           "(^| )--[a-z]|PACKAGE/msg/NAME|Looked for among|\\b[Ff](iles?|olders?)\\b"
               + "|\\.(json|yaml|md|xmi|ecore|msg|py|ocl)\\b");
 
-  /** The file that is spoken of; what stands in quotes is a name. */
+  /** The file that is spoken of; what is in quotes is a name. */
   private static final Pattern THE_FILE = Pattern.compile("\\b([Tt]h)(?:e|is) file(?!['`])\\b");
 
   private static final Pattern A_FILE =

@@ -124,7 +124,9 @@ final class JsonAnswer {
   /** The parser lets exponents through that no number can have. */
   private static AnswerText number(String file) {
     return AnswerText.problem(
-        "agents.answer.json", "This is not JSON: the exponent of a number is out of range.", file);
+        "agents.answer.json",
+        "This is not valid JSON: the exponent of a number is out of range.",
+        file);
   }
 
   private static AnswerText broken(String file, String text, IOException e) {
@@ -136,7 +138,7 @@ final class JsonAnswer {
     return AnswerText.problem(
         Diagnostic.error(
             "agents.answer.json",
-            "This is not JSON: " + reason(e),
+            "This is not valid JSON: " + reason(e),
             place == null ? source.at(0) : source.at(place.getLineNr(), place.getColumnNr())));
   }
 

@@ -15,7 +15,7 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** Message definitions as prompts show them, each type with the types inside of it. */
+/** Message definitions as prompts show them, each type with the types inside it. */
 final class MessageText {
   private final MessageCatalog catalog;
   private final Map<String, MessageType> types = new TreeMap<>();

@@ -36,6 +36,6 @@ final class OrderCheck {
         port.pointer() + "/topic",
         "%s is written by '%s', which comes later in the chain."
             .formatted(port.topic(), writer.name()),
-        "Put components into the order of the data flow, unless this is a feedback.");
+        "Put components into the order of the data flow, unless this is a feedback loop.");
   }
 }

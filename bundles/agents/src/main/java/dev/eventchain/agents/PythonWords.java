@@ -10,7 +10,7 @@ final class PythonWords {
 
   private PythonWords() {}
 
-  /** The same text with the constants of JSON, but for what stands in texts and comments. */
+  /** The same text with the constants of JSON, but for what is in texts and comments. */
   static String replaced(String text) {
     StringBuilder out = new StringBuilder(text);
     int at = 0;

@@ -130,9 +130,10 @@ final class RepairLoop {
     said.add(
         Diagnostic.info(
                 "agents.answer.returned",
-                "The answer before went back: " + refused.get(0).message(),
+                "The previous answer was sent back: " + refused.get(0).message(),
                 SourceLocation.of(file))
-            .withHint("The new prompt names all that was wrong with it: " + refused.size() + "."));
+            .withHint(
+                "The new prompt names everything that was wrong with it: " + refused.size() + "."));
     return new DiagnosticException(Reason.WAITING, said);
   }
 
@@ -163,7 +164,8 @@ final class RepairLoop {
     diagnostics.add(
         Diagnostic.error(
                 "agents.answer.rejected",
-                "The model gave no usable answer in %d attempts; this is wrong with the last one."
+                ("The model gave no usable answer in %d attempts; this is what is wrong with"
+                        + " the last one.")
                     .formatted(attempts.size()),
                 SourceLocation.of(file))
             .withHint("Ask another model, allow more repairs, or make the requirements clearer."));

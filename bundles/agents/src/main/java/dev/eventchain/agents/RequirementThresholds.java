@@ -14,7 +14,7 @@ import java.util.regex.Pattern;
 /**
  * The thresholds that a requirement states of an input of a component, such as "full brake if TTC <
  * 1.0 s, no brake if TTC ≥ 2.0 s" or "warn while the time to collision is below 2.6 s". Only what
- * is written in one of these ways, and names one input, is understood; all else is no threshold.
+ * is written in one of these ways, and names one input, is understood; all else is not a threshold.
  */
 final class RequirementThresholds {
   private static final String NUMBER = "([-+]?\\d+(?:\\.\\d+)?)\\s*";

@@ -25,7 +25,7 @@ final class TestValues {
    * The value in a call.
    *
    * @param type of the field, as message definitions write it
-   * @throws Unfit if the text is no value of the type
+   * @throws Unfit if the text is not a value of the type
    */
   static Object of(JsonNode written, String type) throws Unfit {
     int bracket = type.indexOf('[');

@@ -65,7 +65,7 @@ class AnswerSchemasTest {
     return schema.toPrettyString().replace("\r\n", "\n") + "\n";
   }
 
-  /** The schema that stands in a recording is the one that was sent. */
+  /** The schema that is in a recording is the one that was sent. */
   @ParameterizedTest
   @MethodSource("examples")
   void theAuthoredAnswersSatisfyTheSchemasThatTheyWereAskedWith(ExampleWorkflow example)

@@ -68,7 +68,8 @@ class AnswerTextTest {
     String deep = "[".repeat(201) + "]".repeat(201);
     AnswerText text = AnswerText.extract(AnswerKind.JSON, "a", response(deep, FinishReason.STOP));
     assertEquals(
-        List.of("This is not JSON: it is nested deeper than 200 levels, or a token is too long."),
+        List.of(
+            "This is not valid JSON: it is nested deeper than 200 levels, or a token is too long."),
         text.problems().stream().map(problem -> problem.message()).toList());
   }
 

@@ -18,8 +18,8 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 /**
- * The bad answers beside this test: how many there are, and of which kinds. The tests of the single
- * tasks hold each of them to the exact findings in the file beside it.
+ * The bad answers next to this test: how many there are, and of which kinds. The tests of the
+ * single tasks hold each of them to the exact findings in the file next to it.
  */
 class CorpusTest {
   private static final Path RESOURCES = Path.of("src/test/resources");

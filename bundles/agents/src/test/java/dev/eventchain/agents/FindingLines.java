@@ -21,8 +21,8 @@ final class FindingLines {
   private FindingLines() {}
 
   /**
-   * Compares what was found in an answer with what the file beside it expects. A language model is
-   * told it in words of its answer: names of its own may stand there, but no files and options.
+   * Compares what was found in an answer with what the file next to it expects. A language model is
+   * told it in words of its answer: names of its own may be there, but no files and options.
    */
   static void check(Path answer, Collection<Diagnostic> found) throws IOException {
     ExpectedFile.check(ExpectedFile.beside(answer), of(found));
@@ -36,7 +36,7 @@ final class FindingLines {
     assertFalse(FILES.matcher(words).find(), () -> answer + ":\n" + told);
   }
 
-  /** Findings in a form that is easy to read beside the input. */
+  /** Findings in a form that is easy to read next to the input. */
   static String of(Collection<Diagnostic> diagnostics) {
     StringBuilder out = new StringBuilder();
     for (Diagnostic diagnostic : diagnostics) {

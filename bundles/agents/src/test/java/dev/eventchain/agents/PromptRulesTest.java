@@ -21,8 +21,8 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Prompts say every rule that answers are checked for. Each rule of the bundles that check answers
- * stands in a table, with the words of a prompt that say it, or why no answer is refused for it; a
- * new rule has to be put in.
+ * is in a table, with the words of a prompt that say it, or why no answer is refused for it; a new
+ * rule has to be put in.
  */
 class PromptRulesTest {
   private static final Path TABLE = Path.of("src/test/resources/prompt-rules.txt");

@@ -41,7 +41,7 @@ class RealAnswersTest {
     assertEquals(List.of(), result.diagnostics());
   }
 
-  /** What the prompt asks for beside the topic of such a signal. */
+  /** What the prompt asks for next to the topic of such a signal. */
   private static String declared(String answer) {
     String type = "\"message_type\": \"std_msgs/msg/Bool\",";
     assertEquals(2, answer.split(type, -1).length);

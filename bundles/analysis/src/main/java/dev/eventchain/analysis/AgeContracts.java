@@ -43,7 +43,8 @@ final class AgeContracts {
       findings.error(
           Rule.AGE,
           findings.at(data, Literals.DATA__MAXIMUM_AGE),
-          "'%s' may be %s ms old, which is no age.".formatted(data.getName(), data.getMaximumAge()),
+          "'%s' may be %s ms old, which is not an age."
+              .formatted(data.getName(), data.getMaximumAge()),
           "Give a number of ms above zero, or none: then five periods of the component that writes"
               + " it are the limit.");
     }

@@ -61,8 +61,8 @@ final class FlowRules {
         findings.error(
             Rule.NEXTSTEP_CYCLE,
             findings.at(cycle.get(0), Literals.SOFTWARE_NODE__NEXTSTEP),
-            "The next steps go in a circle: " + path(cycle) + ".",
-            "The main line of a chain ends: take the nextstep of one of them away.");
+            "The next steps form a cycle: " + path(cycle) + ".",
+            "The main line of a chain must end: remove the nextstep of one of them.");
       }
     }
   }
@@ -76,9 +76,9 @@ final class FlowRules {
       findings.warning(
           Rule.FLOW_CYCLE,
           findings.at(group.get(0), Literals.SOFTWARE_NODE__OUTPUT),
-          "The data flow in a circle: " + path(shortestCycle(group)) + ".",
-          "If that is no feedback that you want, look for the topic that is written further down"
-              + " and read further up.");
+          "The data flow is cyclic: " + path(shortestCycle(group)) + ".",
+          "If this is not a feedback loop that you want, look for the topic that is written further"
+              + " down and read further up.");
     }
   }
 
@@ -161,11 +161,12 @@ final class FlowRules {
     findings.error(
         Rule.LATENCY_UNCONNECTED,
         findings.at(constraint, Literals.LATENCY_CONSTRAINT__FIRST),
-        "The latency constraint '%s' bounds the time from '%s' to '%s', but no data flow there."
+        ("The latency constraint '%s' bounds the time from '%s' to '%s', but no data flows"
+                + " between them.")
             .formatted(constraint.getName(), first.getName(), last.getName()),
         backwards.isEmpty()
             ? "They flow the other way: exchange first and last."
-            : "Name two components with a way of data between them.",
+            : "Name two components that data flow connects.",
         findings.at(first, Literals.SOFTWARE_NODE__OUTPUT),
         findings.at(last, Literals.SOFTWARE_NODE__INPUT));
   }

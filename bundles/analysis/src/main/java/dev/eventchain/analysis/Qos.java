@@ -17,7 +17,7 @@ final class Qos {
 
   private Qos() {}
 
-  /** The named profile, with what is set beside the name; the default one where there is none. */
+  /** The named profile, with what is set next to the name; the default one where there is none. */
   static QosSettings settings(QosProfile profile) {
     if (profile == null) {
       return QosSettings.defaults();

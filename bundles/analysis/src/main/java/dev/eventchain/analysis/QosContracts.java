@@ -94,7 +94,7 @@ final class QosContracts {
     QosSettings offered = Qos.settings(offer.profile());
     QosSettings requested = Qos.settings(request.profile());
     for (Incompatibility gap : QosSettings.incompatibilities(offered, requested)) {
-      // The finding stands where the chain can be changed: the vehicle is as it is.
+      // The finding is where the chain can be changed: the vehicle is as it is.
       Side here = request.isVehicle() ? offer : request;
       Side there = request.isVehicle() ? request : offer;
       if (gap.decided()) {

@@ -12,7 +12,7 @@ import java.util.stream.Stream;
  * A topic and everyone on it, in chain order.
  *
  * @param name its full name
- * @param signal what is known of the topic outside of the chain
+ * @param signal what is known of the topic outside the chain
  */
 record Topic(
     String name, List<Endpoint> publishers, List<Endpoint> subscribers, Optional<Signal> signal) {

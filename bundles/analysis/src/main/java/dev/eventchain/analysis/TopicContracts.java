@@ -49,7 +49,7 @@ final class TopicContracts {
    * Prepares the checks.
    *
    * @param signals what the vehicle's description says, by topic; empty if there is none, so that
-   *     nobody knows what comes from outside of the chain
+   *     nobody knows what comes from outside the chain
    */
   TopicContracts(
       List<Topic> topics,
@@ -143,7 +143,7 @@ final class TopicContracts {
       findings.warning(
           Rule.PUBLISHERS_SEVERAL,
           findings.at(publisher.first(), Literals.DATA__TOPIC_NAME),
-          "%s writes %s, which %s writes too."
+          "%s writes %s, which %s also writes."
               .formatted(publisher.name(), topic.name(), first.name()),
           "Readers get the messages of both mixed: give one of them another topic, unless that is"
               + " meant.",
@@ -247,7 +247,7 @@ final class TopicContracts {
                   .formatted(
                       subscriber.name(), data.getFieldName(), topic.name(), publisher.name()),
               set.isEmpty()
-                  ? "Set it, or read it nowhere."
+                  ? "Set it, or do not read it."
                   : "Set are %s: read one of them, or set this one too."
                       .formatted(String.join(", ", set)),
               findings.at(publisher.first(), Literals.DATA__TOPIC_NAME));

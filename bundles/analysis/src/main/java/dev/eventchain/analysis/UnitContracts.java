@@ -79,7 +79,7 @@ final class UnitContracts {
           Rule.UNIT_MISMATCH,
           findings.at(data, Literals.DATA__UNIT),
           message,
-          "'%s' is no unit that is known here, such as m/s2, km/h, deg, %%: write both sides alike."
+          "'%s' is not a known unit, such as m/s2, km/h, deg, %%: write both sides alike."
               .formatted(unread),
           place);
       return;
@@ -98,7 +98,7 @@ final class UnitContracts {
               Rule.UNIT_MISMATCH,
               findings.at(data, Literals.DATA__UNIT),
               message,
-              "No factor makes the one of the other: one side means another quantity.",
+              "No factor converts one into the other: one side means another quantity.",
               place);
       case CONVERTIBLE ->
           findings.error(

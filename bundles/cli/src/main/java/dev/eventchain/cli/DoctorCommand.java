@@ -14,8 +14,9 @@ import picocli.CommandLine.Parameters;
     name = "doctor",
     mixinStandardHelpOptions = true,
     description = {
-      "Say what this machine has of what runs need, and which services of language models can be",
-      "reached: those of a project's models, or all that are known. Keys are never shown."
+      "Report which of the things that runs need are on this machine, and which language-model",
+      "services can be reached: those of a project's models, or all that are known. Keys are never",
+      "shown."
     })
 final class DoctorCommand implements Callable<Integer> {
 

@@ -20,7 +20,7 @@ import picocli.CommandLine.Parameters;
             + " requirements to the verdict of its scenarios. How often the chain model is valid,"
             + " the function code passes its checks, and all of it works, is counted twice: with"
             + " the first answers, and with those after repair. Results are in OUTPUT/evaluation,"
-            + " with a folder for each run. The same command goes on where it was interrupted.",
+            + " with a folder for each run. The same command continues where it was interrupted.",
     footer = {
       "",
       "Exit codes: 0 evaluated, whatever the models came to; 1 no run could be counted;",

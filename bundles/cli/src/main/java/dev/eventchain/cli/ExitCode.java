@@ -20,7 +20,7 @@ final class ExitCode {
   /** This machine lacks something that the command needs. */
   static final int UNAVAILABLE = 3;
 
-  /** An answer is awaited; the same command goes on when it is there. */
+  /** An answer is awaited; the same command continues when it is there. */
   static final int WAITING = 4;
 
   private ExitCode() {}

@@ -25,7 +25,7 @@ final class ExplainCommand implements Callable<Integer> {
       arity = "0..1",
       paramLabel = "ID",
       description =
-          "The id in brackets behind a finding, such as ocl.violated, or a standard "
+          "The id in brackets after a finding, such as ocl.violated, or a standard "
               + "constraint, such as SoftwareNode::FrequencyIsPositive. Default: all are "
               + "listed.")
   private String id;
@@ -81,6 +81,6 @@ final class ExplainCommand implements Callable<Integer> {
             .withHint(
                 NearestName.of(id, known)
                     .map(nearest -> "Did you mean `" + nearest + "`?")
-                    .orElse("'eventchain explain' lists all.")));
+                    .orElse("'eventchain explain' lists them all.")));
   }
 }

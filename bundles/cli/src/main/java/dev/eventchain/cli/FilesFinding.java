@@ -7,7 +7,7 @@ import java.io.IOException;
 import java.nio.file.FileSystemException;
 import java.util.Optional;
 
-/** The system refuses a file where the program relies on it, which is no defect. */
+/** The system refuses a file where the program relies on it, which is not a defect. */
 final class FilesFinding {
 
   private FilesFinding() {}
@@ -26,7 +26,7 @@ final class FilesFinding {
     boolean named = refused instanceof FileSystemException file && file.getFile() != null;
     return Diagnostic.error(
             "eventchain.files",
-            "This machine refuses a file: " + SourceText.reason(refused) + ".",
+            "A file cannot be used: " + SourceText.reason(refused) + ".",
             named
                 ? SourceLocation.of(((FileSystemException) refused).getFile())
                 : SourceLocation.NONE)

@@ -25,8 +25,8 @@ import picocli.CommandLine.Parameters;
       "eventchain generate --metamodel FILE.ecore --template FILE.mtl MODEL... -o FOLDER"
     },
     footer = {
-      "%nBlocks [file ('stdout', ...)] of a template print to standard error. With -o - they print to"
-          + " standard output, no folder is written, and findings go to standard error; a block"
+      "%nBlocks [file ('stdout', ...)] of a template print to standard error. With -o - they print"
+          + " to standard output, no folder is written, and findings go to standard error; a block"
           + " that writes a file is an error then."
     })
 final class GenerateCommand extends ProjectCommand {
@@ -55,7 +55,7 @@ final class GenerateCommand extends ProjectCommand {
       names = "--lenient",
       description =
           "With --template: undefined values, and files that another block overwrites, are"
-              + " warnings, as for those who come from Acceleo. The last of such blocks wins.")
+              + " warnings, which helps when migrating from Acceleo. The last such block wins.")
   private boolean lenient;
 
   @Option(
@@ -69,8 +69,7 @@ final class GenerateCommand extends ProjectCommand {
       paramLabel = "FOLDER",
       description =
           "A source root of the template: [import a::b] is a/b.mtl below it; may be repeated."
-              + " The one that the template is in need not be named if a is a folder that it is"
-              + " in.")
+              + " The template's own root is found if the template is in folder a.")
   private List<Path> sources = List.of();
 
   @Option(

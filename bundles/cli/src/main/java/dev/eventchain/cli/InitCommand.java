@@ -11,10 +11,10 @@ import picocli.CommandLine.Parameters;
     name = "init",
     mixinStandardHelpOptions = true,
     description = {
-      "Begin a project. In a new or empty folder it is a small one that runs as it is: emergency",
-      "braking on a radar, without a language model. In a folder with software-base/signals.json it",
+      "Start a project. In a new or empty folder it is a small one that runs as it is: emergency",
+      "braking with a radar, without a language model. In a folder with software-base/signals.json it",
       "gets the files that it needs, with bench.yaml filled in from the signals.",
-      "No file that is there is changed."
+      "Existing files are not changed."
     })
 final class InitCommand implements Callable<Integer> {
 

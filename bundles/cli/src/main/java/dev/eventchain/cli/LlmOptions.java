@@ -12,8 +12,8 @@ final class LlmOptions {
         "Where answers come from: 'replay' takes the project's recordings; 'live' asks the services",
         "of the models that eventchain.yaml names; 'SERVICE/MODEL' this model for every task; 'auto'",
         "recordings first; 'command:PROGRAM' a program that gets the prompt on standard input;",
-        "'handoff:FOLDER' writes each prompt that no recording answers to a file, ends with exit",
-        "code 4, and goes on when called again with the answer's file there. Default: as",
+        "'handoff:FOLDER' writes each prompt that has no recorded answer to a file, ends with",
+        "exit code 4, and continues when called again once the answer's file is there. Default: as",
         "eventchain.yaml says."
       })
   String llm;

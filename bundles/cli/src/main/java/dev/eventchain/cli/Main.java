@@ -148,7 +148,7 @@ public final class Main {
     return name.equals("eventchain") ? "" : name + " ";
   }
 
-  /** For what is no command of a project, which report their failures themselves. */
+  /** For what is not a command of a project, which report their failures themselves. */
   private static int failure(Throwable e, PrintWriter err) {
     Outcome outcome = Outcome.of(e);
     err.print(DiagnosticFormat.TEXT.render(outcome.diagnostics()));

@@ -4,7 +4,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.util.Optional;
 
-/** The input needs more memory than the launcher grants, which is no defect. */
+/** The input needs more memory than the launcher grants, which is not a defect. */
 final class MemoryFinding {
 
   private static final long MEBIBYTE = 1L << 20;

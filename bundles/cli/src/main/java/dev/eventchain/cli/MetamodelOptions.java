@@ -18,8 +18,8 @@ final class MetamodelOptions {
       names = "--map",
       paramLabel = "URI=FOLDER|FILE",
       description =
-          "Where files are that references name by a URI which begins so, for example"
-              + " platform:/resource/=workspace/, or which file a whole URI means. May be repeated."
+          "Where to find the files that references name by a URI with this prefix, for example"
+              + " platform:/resource/=workspace/, or which file a full URI means. May be repeated."
               + " Other references are followed into the folders of the files that the command"
               + " names, and into these.")
   Map<String, Path> map = Map.of();

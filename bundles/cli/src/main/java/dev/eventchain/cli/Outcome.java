@@ -44,7 +44,7 @@ record Outcome(
         code, false, run.coverage(), run.diagnostics(), run.suppressed(), Optional.of(run), "");
   }
 
-  /** Of an evaluation: what models came to is no finding. */
+  /** Of an evaluation: what models came to is not a finding. */
   static Outcome of(Evaluation.Result evaluation) {
     return new Outcome(
         evaluation.failure().map(ExitCode::of).orElse(ExitCode.FINE),

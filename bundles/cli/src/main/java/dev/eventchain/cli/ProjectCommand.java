@@ -84,7 +84,7 @@ abstract class ProjectCommand implements Callable<Integer> {
     try {
       return report(outcome, seconds);
     } catch (OutOfMemoryError e) {
-      // Reports that say that all is well must not stand beside those that could not be made.
+      // Reports that say that all is well must not stand next to those that could not be made.
       return report(Outcome.of(e), seconds);
     }
   }
@@ -105,7 +105,7 @@ abstract class ProjectCommand implements Callable<Integer> {
     return false;
   }
 
-  /** Prints text that is no finding. */
+  /** Prints text that is not a finding. */
   final void print(String text) {
     PrintWriter writer = printsResult() ? console.out() : console.err();
     writer.print(text);

@@ -45,7 +45,7 @@ final class ReportOptions {
       names = "--suppressions",
       paramLabel = "FILE",
       description =
-          "Findings that do not count, each with a reason and a last day (default: "
+          "Findings that do not count, each with a reason and an expiry date (default: "
               + "DIR/eventchain-suppressions.yaml, if there is one).")
   private Path suppressions;
 
@@ -53,7 +53,7 @@ final class ReportOptions {
       names = "--date",
       paramLabel = "DAY",
       description =
-          "The day on which suppressions are judged, as 2027-03-31 (default: "
+          "The date for which suppressions are evaluated, such as 2027-03-31 (default: "
               + "SOURCE_DATE_EPOCH, else today).")
   private LocalDate date;
 

@@ -7,8 +7,8 @@ import java.time.Duration;
 import java.util.Locale;
 
 /**
- * Writes how an evaluation goes on: a line for each run that has ended, and on a terminal one that
- * changes while runs go on.
+ * Writes how an evaluation continues: a line for each run that has ended, and on a terminal one
+ * that changes while runs continue.
  */
 final class RunLines implements Evaluation.Listener {
 

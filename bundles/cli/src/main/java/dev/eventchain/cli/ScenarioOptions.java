@@ -27,7 +27,7 @@ final class ScenarioOptions {
   @Option(
       names = "--real-time",
       description = {
-        "With --driver dds, let nodes run by the clock on the wall: execution times are real, and",
+        "With --driver dds, let nodes run in wall-clock time: execution times are real, and",
         "a scenario takes as long as it takes. Where this machine cannot keep up with the world,",
         "a scenario is not judged."
       })
@@ -37,8 +37,8 @@ final class ScenarioOptions {
       names = "--attach",
       description = {
         "With --driver dds, start no nodes, but drive those that others started, in ROS 2 or",
-        "without, in the domain of ROS_DOMAIN_ID, by the clock on the wall. CYCLONEDDS_URI and",
-        "ROS_LOCALHOST_ONLY hold. What happens inside of such nodes is not measured."
+        "without, in the domain of ROS_DOMAIN_ID, in wall-clock time. CYCLONEDDS_URI and",
+        "ROS_LOCALHOST_ONLY apply. What happens inside such nodes is not measured."
       })
   boolean attach;
 
@@ -80,9 +80,9 @@ final class ScenarioOptions {
       names = "--faults",
       paramLabel = "FILE",
       description = {
-        "Also simulate scenarios with what is wrong in them as this file says (YAML; its schema is",
+        "Also simulate scenarios with the faults that this file describes (YAML; its schema is",
         "that of 'bench --faults-schema'): a node that dies, messages that get lost, a clock that",
-        "jumps. Each fault is alone in a run of its own, beside the scenario without it."
+        "jumps. Each fault gets a run of its own, in addition to the scenario without it."
       })
   Path faults;
 
@@ -90,7 +90,7 @@ final class ScenarioOptions {
       names = "--compare",
       paramLabel = "FILE",
       description = {
-        "Show beside each scenario in the report what another run measured: its",
+        "Show next to each scenario in the report what another run measured: its",
         "measurements.json, or the folder of its results."
       })
   Path compare;

@@ -6,7 +6,7 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Parameters;
 
-/** The commands that run a single stage, always anew. */
+/** The commands that run a single stage, always afresh. */
 final class StageCommands {
 
   private StageCommands() {}

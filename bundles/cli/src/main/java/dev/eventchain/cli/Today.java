@@ -35,7 +35,7 @@ final class Today {
     }
     if (!epoch.matches("[0-9]{1,11}")) {
       throw new IllegalArgumentException(
-          "SOURCE_DATE_EPOCH is '" + epoch + "', which is no number of seconds");
+          "SOURCE_DATE_EPOCH is '" + epoch + "', which is not a number of seconds");
     }
     return LocalDate.ofInstant(Instant.ofEpochSecond(Long.parseLong(epoch)), ZoneOffset.UTC);
   }

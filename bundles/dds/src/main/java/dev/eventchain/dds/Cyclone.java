@@ -11,7 +11,7 @@ import java.util.Locale;
 
 /**
  * The functions of libddsc 11 (dds/dds.h, dds/ddsc/dds_public_dynamic_type.h) that are called once
- * in a while; what is called for each sample stands in {@link Samples}. A name here is that of C in
+ * in a while; what is called for each sample is in {@link Samples}. A name here is that of C in
  * camel case, without {@code dds_}. Handles are numbers that the library checks; pointers are not.
  */
 interface Cyclone extends Library {
@@ -99,7 +99,7 @@ interface Cyclone extends Library {
 
   void qsetUserdata(Pointer qos, byte[] data, long size);
 
-  // A truth value of C is a byte; what stands beside it in the register means nothing.
+  // A truth value of C is a byte; what stands next to it in the register means nothing.
 
   byte qgetReliability(Pointer qos, int[] kind, long[] maximalBlockingTime);
 

@@ -98,7 +98,7 @@ public final class DdsLibrary {
             Library.OPTION_FUNCTION_MAPPER, Cyclone.NAMES, Library.OPTION_STRING_ENCODING, "UTF-8");
     try {
       if (Native.SIZE_T_SIZE != Long.BYTES) {
-        throw unavailable(path, "Cyclone DDS is used on machines of 64 bits only.");
+        throw unavailable(path, "Cyclone DDS is used on 64-bit machines only.");
       }
       NativeLibrary library = NativeLibrary.getInstance(path.toString(), options);
       requireFunctions(path, library);
@@ -122,7 +122,7 @@ public final class DdsLibrary {
       try {
         library.getGlobalVariableAddress(name);
       } catch (UnsatisfiedLinkError e) {
-        throw unavailable(path, path + " is no Cyclone DDS 11: it has no " + name + ".");
+        throw unavailable(path, path + " is not Cyclone DDS 11: it has no " + name + ".");
       }
     }
   }

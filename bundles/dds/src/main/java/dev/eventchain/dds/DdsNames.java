@@ -17,7 +17,7 @@ final class DdsNames {
   /**
    * The name of a topic.
    *
-   * @throws IllegalArgumentException if it is no full name: {@code /scan}
+   * @throws IllegalArgumentException if it is not a full name: {@code /scan}
    */
   static String topic(String topic) {
     if (!topic.startsWith("/") || !RosNames.isTopic(topic)) {

@@ -20,7 +20,7 @@ public final class DdsParticipant implements AutoCloseable {
 
   private static final Pattern TAG = Pattern.compile("[A-Za-z0-9_.-]{1,64}");
 
-  /** As rmw_cyclonedds announces a node outside of security enclaves. */
+  /** As rmw_cyclonedds announces a node outside security enclaves. */
   private static final String USER_DATA = "enclave=/;";
 
   private record Topic(MessageType type, int handle) {}
@@ -124,7 +124,7 @@ public final class DdsParticipant implements AutoCloseable {
   public static String loopbackConfiguration(String tag) {
     if (!TAG.matcher(tag).matches()) {
       throw new IllegalArgumentException(
-          "'" + tag + "' is no tag: up to 64 letters, digits, '_', '.' and '-'.");
+          "'" + tag + "' is not a tag: up to 64 letters, digits, '_', '.' and '-'.");
     }
     return loopback("<Tag>" + tag + "</Tag>");
   }
@@ -153,7 +153,7 @@ public final class DdsParticipant implements AutoCloseable {
    * Makes a writer.
    *
    * @param topic the full name in ROS 2, {@code /scan}
-   * @throws IllegalArgumentException if the topic is no full name, this participant has it with
+   * @throws IllegalArgumentException if the topic is not a full name, this participant has it with
    *     another type, or the type has a {@code wstring}
    */
   public synchronized DdsWriter writer(String topic, MessageType type, QosSettings qos) {
@@ -172,8 +172,8 @@ public final class DdsParticipant implements AutoCloseable {
   }
 
   /**
-   * Makes a reader that hands over each sample, one after the other, in a thread of its own. What
-   * the listener throws goes to that thread's handler of uncaught exceptions, and the next sample
+   * Makes a reader that hands over each sample, one after the other, in its own thread. What the
+   * listener throws goes to that thread's handler of uncaught exceptions, and the next sample
    * follows.
    *
    * @throws IllegalArgumentException as {@link #writer}

@@ -58,7 +58,7 @@ public final class DdsReader implements AutoCloseable {
     return gid.clone();
   }
 
-  /** Hands samples over in a thread of its own from now on. */
+  /** Hands samples over in its own thread from now on. */
   synchronized void start(Consumer<DdsSample> listener) {
     Thread reading = new Thread(() -> read(listener), "dds-reader " + endpoint.topic());
     reading.setDaemon(true);
@@ -143,7 +143,7 @@ public final class DdsReader implements AutoCloseable {
   }
 
   private void add(List<DdsSample> samples, Pointer data, long offset) {
-    // What is not valid tells of a writer that is gone, and holds no message.
+    // What is not valid tells of a writer that is gone, and contains no message.
     if (information.getByte(offset + VALID) != 0) {
       int size = Samples.ddsiSerdataSize(data);
       if (size > buffer.size()) {

@@ -35,10 +35,10 @@ final class DynamicTypes {
     /** The kind of the primitive type, or the type. */
     public long first;
 
-    /** The type goes on. */
+    /** The type continues. */
     public long second;
 
-    /** The type goes on. */
+    /** The type continues. */
     public long third;
 
     void primitive(int type) {
@@ -267,7 +267,8 @@ final class DynamicTypes {
       case FLOAT64 -> 10;
       case INT8 -> 12;
       case BYTE, CHAR, UINT8 -> 13;
-      case STRING, WSTRING, MESSAGE -> throw new IllegalArgumentException(kind + " is no number.");
+      case STRING, WSTRING, MESSAGE ->
+          throw new IllegalArgumentException(kind + " is not a number.");
     };
   }
 

@@ -12,7 +12,7 @@ import java.util.List;
 
 /**
  * Whether the library's memory is as this bundle takes it: one message of nested types goes to
- * oneself with a time of its own.
+ * oneself with its own time.
  */
 final class LayoutCheck {
 

@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 
-/** Reads the statuses of an endpoint, which begin to count anew by that. */
+/** Reads the statuses of an endpoint, which begin to count again by that. */
 final class Statuses {
 
   private static final long SIZE = 32;

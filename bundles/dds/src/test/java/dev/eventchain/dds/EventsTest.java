@@ -123,7 +123,7 @@ class EventsTest {
   @Test
   void aReaderThatDoesNotAcknowledgeHoldsUpAWriterThatKeepsAllForAShortTimeOnly() {
     // Nobody takes, and the reader keeps no more than it can: Cyclone stores what comes, so the
-    // writer goes on, and each write ends soon in any case.
+    // writer continues, and each write ends soon in any case.
     QosSettings all = QOS.withHistory(QosSettings.History.KEEP_ALL);
     DdsWriter writer = here.writer("/full", FLOAT, all);
     DdsReader reader = there.reader("/full", FLOAT, all);

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import us.ihmc.pubsub.publisher.Publisher;
 
 /**
- * A generated node, unchanged, on our runtime in a process of its own, and Fast DDS, the default
+ * A generated node, unchanged, on our runtime in its own process, and Fast DDS, the default
  * middleware of ROS 2, which sends it times to collision and gets brake forces.
  */
 class FastDdsNodeTest {

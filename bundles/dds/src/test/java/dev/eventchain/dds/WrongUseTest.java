@@ -184,7 +184,7 @@ class WrongUseTest {
     }
     for (String tag : List.of("", "a b", "<a/>", "a".repeat(65))) {
       refused(
-          "'" + tag + "' is no tag: up to 64 letters, digits, '_', '.' and '-'.",
+          "'" + tag + "' is not a tag: up to 64 letters, digits, '_', '.' and '-'.",
           () -> DdsParticipant.loopbackConfiguration(tag));
     }
     try (DdsParticipant participant = Wire.alone()) {

@@ -13,7 +13,7 @@ public final class DiagnosticException extends RuntimeException {
 
   /** Why there is no result, which decides how a command ends. */
   public enum Reason {
-    /** The input was read and found wanting. */
+    /** The input was read and found invalid. */
     FINDINGS,
     /** The input could not be read, or the command was used wrongly. */
     INPUT,
@@ -66,8 +66,8 @@ public final class DiagnosticException extends RuntimeException {
   }
 
   /**
-   * Does something that is about a place. What goes wrong with it that is no finding is thrown as
-   * it is, and {@link #placeOf} knows the place; the innermost one if there are several.
+   * Does something that is about a place. What goes wrong with it that is not a finding is thrown
+   * as it is, and {@link #placeOf} knows the place; the innermost one if there are several.
    */
   public static <T> T at(SourceLocation place, Supplier<T> work) {
     try {

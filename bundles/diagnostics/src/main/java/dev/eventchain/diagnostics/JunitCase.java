@@ -67,7 +67,7 @@ final class JunitCase {
 
   private String whySkipped() {
     if (suppressed.isEmpty()) {
-      return "The model has nothing that it is about.";
+      return "The model has nothing that it applies to.";
     }
     List<String> reasons =
         suppressed.stream()

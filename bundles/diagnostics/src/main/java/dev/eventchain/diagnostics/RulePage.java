@@ -83,7 +83,7 @@ public record RulePage(String id, String bundle, String text) {
     }
   }
 
-  /** The last part of the name that the manifest beside the page gives the bundle. */
+  /** The last part of the name that the manifest next to the page gives the bundle. */
   private static String bundleOf(URL resource) throws IOException {
     String address = resource.toString();
     String root = address.substring(0, address.lastIndexOf(FOLDER));

@@ -7,7 +7,7 @@ import java.util.Map;
 
 /**
  * A report as SARIF 2.1.0. Nothing in it depends on the machine, the time or the run, but for the
- * names of files outside of the working folder. Numbers in comments are sections of the standard.
+ * names of files outside the working folder. Numbers in comments are sections of the standard.
  */
 final class SarifReport {
 

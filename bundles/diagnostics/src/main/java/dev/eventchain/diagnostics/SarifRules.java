@@ -87,7 +87,7 @@ final class SarifRules {
       help.append(Printable.clean(rule.hint())).append("\n\n");
     }
     if (!rule.location().file().isEmpty()) {
-      help.append("The rule stands in ")
+      help.append("The rule is in ")
           .append(Printable.clean(rule.location().toString()))
           .append(".\n\n");
     }

@@ -26,7 +26,7 @@ public record SourceRange(SourceText source, int start, int end) {
     return source.at(start);
   }
 
-  /** Whether nothing stands there, not even white space. */
+  /** Whether nothing is there, not even white space. */
   public boolean isEmpty() {
     return start == end;
   }

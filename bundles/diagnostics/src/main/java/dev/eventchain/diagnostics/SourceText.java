@@ -75,7 +75,8 @@ public final class SourceText {
       int nul = text.text.indexOf('\0');
       if (nul >= 0) {
         // What UTF-16 writes between the letters is valid UTF-8.
-        throw wrongEncoding("The file has a NUL character, which no text has.", text.at(nul));
+        throw wrongEncoding(
+            "The file contains a NUL character, which text never does.", text.at(nul));
       }
       return text;
     } catch (CharacterCodingException e) {
@@ -114,7 +115,7 @@ public final class SourceText {
   /** A device or a pipe never ends, and no text of a project is as large as the limit. */
   private static void requireReadable(Path file) throws IOException {
     if (!Files.isRegularFile(file)) {
-      throw unreadable("file.unreadable", "This is no regular file.", file);
+      throw unreadable("file.unreadable", "This is not a regular file.", file);
     }
     if (Files.size(file) > LARGEST) {
       throw unreadable(
@@ -127,13 +128,13 @@ public final class SourceText {
   private static final Map<String, String> SAID_BY_THE_SYSTEM =
       Map.of(
           "No space left on device", "the disk is full",
-          "Disk quota exceeded", "the disk space that is granted is used up",
-          "Read-only file system", "the disk can only be read",
+          "Disk quota exceeded", "the disk quota is used up",
+          "Read-only file system", "the disk is read-only",
           "Permission denied", "permission is denied",
           "Operation not permitted", "permission is denied",
           "No such file or directory", "there is no such file or folder",
           "Is a directory", "this is a folder",
-          "Not a directory", "a part of the path is no folder",
+          "Not a directory", "a part of the path is not a folder",
           "File name too long", "the name is too long",
           "Too many open files", "this process has too many files open");
 
@@ -146,9 +147,9 @@ public final class SourceText {
     } else if (e instanceof FileAlreadyExistsException) {
       return "a file is in the way";
     } else if (e instanceof NotDirectoryException) {
-      return "a part of the path is no folder";
+      return "a part of the path is not a folder";
     } else if (e instanceof FileSystemLoopException) {
-      return "links go in a circle";
+      return "the links form a cycle";
     } else if (e instanceof DirectoryNotEmptyException) {
       return "the folder is not empty";
     } else if (e instanceof CharacterCodingException) {
@@ -164,7 +165,7 @@ public final class SourceText {
     return reason(e.getCause());
   }
 
-  /** What Linux says, as far as it is known, begins such a text or stands in brackets. */
+  /** What Linux says, as far as it is known, begins such a text or is in brackets. */
   private static String plain(String reason) {
     for (Map.Entry<String, String> known : SAID_BY_THE_SYSTEM.entrySet()) {
       if (reason.contains(known.getKey())) {

@@ -176,8 +176,8 @@ public final class Suppressions {
   }
 
   /**
-   * Warnings about the entries themselves: those whose last day is over, and those that match
-   * nothing any more. The latter needs the findings of an entry to have been looked for.
+   * Warnings about the entries themselves: those that have expired, and those that match nothing
+   * any more. The latter needs the findings of an entry to have been looked for.
    *
    * @param findings everything that was found, whether suppressed or not
    * @param coverage the checks that ran; an entry about others is not judged
@@ -202,9 +202,9 @@ public final class Suppressions {
   private static Diagnostic expired(Entry entry) {
     return Diagnostic.warning(
             "suppression.expired",
-            "The suppression of " + entry.id + " ended on " + entry.expires + ".",
+            "The suppression of " + entry.id + " expired on " + entry.expires + ".",
             entry.location)
-        .withHint("Mend what it suppressed, or decide anew and give another day.");
+        .withHint("Fix what it suppressed, or review the decision and set a new date.");
   }
 
   private static Diagnostic stale(Entry entry) {
@@ -212,6 +212,6 @@ public final class Suppressions {
             "suppression.stale",
             "The suppression of " + entry.id + " matches no finding.",
             entry.location)
-        .withHint("Delete it: what it suppressed is mended, or is called otherwise.");
+        .withHint("Delete it: what it suppressed is fixed or has been renamed.");
   }
 }

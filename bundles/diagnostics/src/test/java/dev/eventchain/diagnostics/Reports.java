@@ -76,7 +76,7 @@ final class Reports {
         rule,
         severity,
         new SourceLocation("rules.ocl", line, 5, "", ""),
-        "Mend " + rule + ".",
+        "Fix " + rule + ".",
         evaluations);
   }
 }

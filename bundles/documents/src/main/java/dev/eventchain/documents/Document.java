@@ -39,8 +39,8 @@ public final class Document {
 
   /**
    * Reads a text: one document, at most 200 levels deep and 16 Mi characters long, in which every
-   * text can be shown. A key that stands twice, a key that is no text, and a text with control
-   * characters are findings, and reading goes on.
+   * text can be shown. A key that stands twice, a key that is not text, and a text with control
+   * characters are findings, and reading continues.
    *
    * @param findings gets what is wrong with the document
    * @throws DiagnosticException INPUT if it is no such document ({@link FindingIds#syntax})
@@ -120,7 +120,7 @@ public final class Document {
   }
 
   /**
-   * A reader of the object at a pointer; nothing if that is no object, which is a finding.
+   * A reader of the object at a pointer; nothing if that is not an object, which is a finding.
    *
    * @param pointer empty for the whole document
    */

@@ -3,7 +3,7 @@ package dev.eventchain.documents;
 /**
  * The ids under which a kind of file reports what is wrong with it.
  *
- * @param syntax it is no JSON or YAML, or uses what is not read
+ * @param syntax it is not JSON or YAML, or uses what is not read
  * @param duplicate a key stands twice in one object
  * @param type a value is of another type than the one that is meant
  * @param missing something that is needed is not there

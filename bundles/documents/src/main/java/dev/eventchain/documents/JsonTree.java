@@ -36,7 +36,7 @@ final class JsonTree {
     } catch (JsonProcessingException e) {
       JsonLocation place = e.getLocation();
       throw new MalformedException(
-          "This is not JSON: " + reason(e), place == null ? 0 : (int) place.getCharOffset());
+          "This is not valid JSON: " + reason(e), place == null ? 0 : (int) place.getCharOffset());
     } catch (IOException e) {
       throw new IllegalStateException("reading from memory", e);
     }
@@ -60,7 +60,8 @@ final class JsonTree {
     }
     JsonNode root = value("");
     if (parser.nextToken() != null) {
-      throw new MalformedException("This is not JSON: something follows behind its end.", offset());
+      throw new MalformedException(
+          "This is not valid JSON: something follows after its end.", offset());
     }
     return root;
   }

@@ -1,6 +1,6 @@
 package dev.eventchain.documents;
 
-/** A text is no document. The message is a whole sentence for people. */
+/** A text is not a document. The message is a whole sentence for people. */
 final class MalformedException extends Exception {
 
   private static final long serialVersionUID = 1L;

@@ -16,7 +16,7 @@ import java.util.function.Consumer;
 
 /**
  * Reads one object of a document (a mapping in YAML) key by key. Whatever is not as it should be is
- * a finding, and reading goes on.
+ * a finding, and reading continues.
  *
  * <p>A value of the wrong type is never turned into the right one. In JSON, {@code null} counts as
  * not written; in YAML it is a value that somebody forgot.
@@ -85,7 +85,7 @@ public final class ObjectReader {
     return value;
   }
 
-  /** The finding that a key is missing, unless its value is there and was found wanting. */
+  /** The finding that a key is missing, unless its value is there and was invalid. */
   private void require(String name) {
     if (!object.has(name)) {
       find(document.ids().missing(), "'" + name + "' is missing.", location());
@@ -280,7 +280,7 @@ public final class ObjectReader {
 
   private String wrong(String name, String wanted) {
     JsonNode value = object.get(name);
-    String found = value.isNull() ? "but nothing stands here" : "not " + shown(value);
+    String found = value.isNull() ? "but there is nothing here" : "not " + shown(value);
     return "'" + name + "' must be " + wanted + ", " + found + ".";
   }
 

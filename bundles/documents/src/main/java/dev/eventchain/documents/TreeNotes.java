@@ -65,7 +65,7 @@ final class TreeNotes {
     }
     check(name, pointer, offset);
     if (object.has(name)) {
-      String message = "The " + format.key() + " '" + name + "' stands here a second time.";
+      String message = "The " + format.key() + " '" + name + "' is duplicated.";
       report(ids.duplicate(), message, TreeNotes.below(pointer, name), offset);
       return null;
     }
@@ -91,7 +91,7 @@ final class TreeNotes {
     return text;
   }
 
-  /** The first character of a text that is no text; -1 if there is none. */
+  /** The first character of a text that is not text; -1 if there is none. */
   static int unprintable(String text) {
     for (int i = 0; i < text.length(); i++) {
       char c = text.charAt(i);

@@ -23,7 +23,7 @@ final class TypeHint {
       return "Leave the quotes out.";
     }
     if (written.matches("[-+]?0[0-9_.]+")) {
-      return "Leave the zeros in front out.";
+      return "Leave out the leading zeros.";
     }
     return written.matches("[-+.]?[0-9].*") ? "Write it in decimal digits: 90, 0.5 or 1.5e3." : "";
   }

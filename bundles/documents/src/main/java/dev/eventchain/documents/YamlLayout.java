@@ -14,7 +14,7 @@ public final class YamlLayout {
 
   private YamlLayout() {}
 
-  /** The text, one line for each object that holds no others; with a line break at its end. */
+  /** The text, one line for each object that contains no others; with a line break at its end. */
   public static String of(JsonNode node) {
     DumperOptions options = new DumperOptions();
     options.setDefaultFlowStyle(DumperOptions.FlowStyle.AUTO);

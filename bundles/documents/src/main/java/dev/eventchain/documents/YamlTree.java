@@ -45,7 +45,7 @@ final class YamlTree {
     this.plainOffsets = text.chars().noneMatch(c -> Character.isSurrogate((char) c));
   }
 
-  /** The tree; a missing node if the text holds no value. */
+  /** The tree; a missing node if the text contains no value. */
   static JsonNode read(String text, TreeNotes notes) throws MalformedException {
     refuseUnprintable(text);
     YamlTree tree = new YamlTree(text, notes);
@@ -54,9 +54,10 @@ final class YamlTree {
     } catch (MarkedYAMLException e) {
       String problem = e.getProblem().replaceFirst("\\.$", "").replaceAll("\\s+", " ");
       throw new MalformedException(
-          "This is not YAML: " + problem + ".", tree.offset(e.getProblemMark()));
+          "This is not valid YAML: " + problem + ".", tree.offset(e.getProblemMark()));
     } catch (YAMLException e) {
-      throw new MalformedException("This is not YAML: a character has no place in it.", -1);
+      throw new MalformedException(
+          "This is not valid YAML: it contains a character that is not allowed.", -1);
     }
   }
 
@@ -65,7 +66,7 @@ final class YamlTree {
     int found = TreeNotes.unprintable(text);
     if (found >= 0) {
       String what = TreeNotes.described(text.charAt(found));
-      throw new MalformedException("This is not YAML: it holds " + what + ".", found);
+      throw new MalformedException("This is not valid YAML: it holds " + what + ".", found);
     }
     for (char separator : new char[] {'\u2028', '\u2029'}) {
       if (text.indexOf(separator) >= 0) {

@@ -10,7 +10,7 @@ import java.util.regex.Pattern;
 
 /**
  * Why a call of a service gave no answer. Thrown through the client library, which knows nothing of
- * it, and turned into a finding when the call is given up.
+ * it, and turned into a finding when the call is abandoned.
  */
 final class CallFailure extends RuntimeException {
   private static final long serialVersionUID = 1L;
@@ -33,7 +33,7 @@ final class CallFailure extends RuntimeException {
     LATE("llm.answer.late", false),
     /** The answer ended before its end. */
     CUT("llm.answer.cut", true),
-    /** What came is no answer of such a service. */
+    /** What came is not an answer of such a service. */
     UNREADABLE("llm.answer.unreadable", false);
 
     private final String id;

@@ -27,7 +27,7 @@ public final class ChatModels {
 
   /**
    * Opens a model for one run. Recordings and hand-off count the identical requests of a run, so a
-   * run opens a model once, or once for each task, and a new run opens it anew. Safe for threads.
+   * run opens a model once, or once for each task, and a new run opens it again. Safe for threads.
    *
    * @param models which models are asked, the next one where one cannot be reached: {@code
    *     SERVICE/NAME}; a name alone stands for a model that a person asks. It is part of what
@@ -132,7 +132,7 @@ public final class ChatModels {
 
   private static DiagnosticException noWay(String source) {
     return input(
-        "llm.provider.unknown", "'" + source + "' is no way to get answers of models.", WAYS);
+        "llm.provider.unknown", "'" + source + "' is not a way to get answers from models.", WAYS);
   }
 
   private ChatModel program(ModelName name) {
@@ -182,7 +182,7 @@ public final class ChatModels {
     try {
       return Path.of(text);
     } catch (InvalidPathException e) {
-      throw input("llm.handoff.folder", "'" + text + "' is no folder: " + e.getReason(), "");
+      throw input("llm.handoff.folder", "'" + text + "' is not a folder: " + e.getReason(), "");
     }
   }
 

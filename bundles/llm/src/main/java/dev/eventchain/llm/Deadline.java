@@ -35,7 +35,7 @@ final class Deadline {
   CallFailure passed() {
     return new CallFailure(
         CallFailure.Kind.LATE,
-        "there was no whole answer within " + text(allowed),
+        "there was no complete answer within " + text(allowed),
         "Allow more with 'deadline_s' of the service in eventchain.yaml, or ask a faster model.");
   }
 

@@ -26,7 +26,7 @@ final class ErrorBody {
 
   private ErrorBody() {}
 
-  /** What an answer with a status that is no success means. */
+  /** What an answer with a status that is not a success means. */
   static CallFailure failure(int status, HttpHeaders headers, InputStream body) throws IOException {
     String text = new String(body.readNBytes(READ), StandardCharsets.UTF_8);
     body.close();
@@ -49,14 +49,14 @@ final class ErrorBody {
     String message = "HTTP status " + status + (said.isBlank() ? "" : ": " + shown(said));
     if (QUOTA.stream().anyMatch(said.toLowerCase(Locale.ROOT)::contains)) {
       return new CallFailure(
-          CallFailure.Kind.QUOTA, message, "Look at the account's limits and payments.");
+          CallFailure.Kind.QUOTA, message, "Check the account's limits and payments.");
     }
     return switch (status) {
       case 401, 403 ->
           new CallFailure(
               CallFailure.Kind.KEY,
               message,
-              "Look at the key in the environment variable that 'eventchain doctor' names.");
+              "Check the key in the environment variable that 'eventchain doctor' names.");
       case 429 ->
           new CallFailure(
               CallFailure.Kind.LIMITED, message, "Wait, or ask another model.", retryAfter);
@@ -67,7 +67,7 @@ final class ErrorBody {
           new CallFailure(
               CallFailure.Kind.REJECTED,
               message,
-              "Look at the model's name and the service's 'url' and 'wire' in eventchain.yaml.");
+              "Check the model's name and the service's 'url' and 'wire' in eventchain.yaml.");
     };
   }
 

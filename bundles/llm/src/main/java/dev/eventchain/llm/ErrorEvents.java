@@ -70,8 +70,8 @@ final class ErrorEvents implements ServerSentEventListener {
       failure =
           new CallFailure(
               CallFailure.Kind.UNREADABLE,
-              "a part of the answer is no JSON: " + ErrorBody.shown(event.data()),
-              "Look at the service's 'url' and 'wire' in eventchain.yaml.");
+              "a part of the answer is not valid JSON: " + ErrorBody.shown(event.data()),
+              "Check the service's 'url' and 'wire' in eventchain.yaml.");
     }
   }
 

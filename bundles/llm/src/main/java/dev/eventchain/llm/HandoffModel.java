@@ -12,11 +12,11 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Asks a person for what is not recorded: writes each prompt to {@code TASK-NN.prompt.md} and goes
- * on once {@code TASK-NN.answer.md} is there. A prompt is known by its key, so an answer is only
- * ever taken for the prompt that it was given to, in whatever order prompts come; a changed prompt
- * gets a new number, and nothing that lies in the folder is overwritten. The n-th equal prompt of a
- * run is counted over recorded answers, too, so that no answer serves twice.
+ * Asks a person for what is not recorded: writes each prompt to {@code TASK-NN.prompt.md} and
+ * continues once {@code TASK-NN.answer.md} is there. A prompt is known by its key, so an answer is
+ * only ever taken for the prompt that it was given to, in whatever order prompts come; a changed
+ * prompt gets a new number, and nothing that lies in the folder is overwritten. The n-th equal
+ * prompt of a run is counted over recorded answers, too, so that no answer serves twice.
  */
 final class HandoffModel implements ChatModel {
   private final ModelName model;

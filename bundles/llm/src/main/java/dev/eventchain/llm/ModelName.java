@@ -16,7 +16,7 @@ record ModelName(String provider, String name) {
     String provider = slash < 0 ? PERSON : text.substring(0, slash);
     String name = text.substring(slash + 1);
     if (provider.isBlank() || name.isBlank()) {
-      throw new IllegalArgumentException("'" + text + "' is no name of a model.");
+      throw new IllegalArgumentException("'" + text + "' is not the name of a model.");
     }
     return new ModelName(provider, name);
   }

@@ -153,7 +153,9 @@ public final class ModelServices {
     if (wire.isEmpty() && !id.isBlank()) {
       section.find(
           Diagnostic.error(
-                  "llm.service.wire", "'" + id + "' is no wire of a service.", section.at("wire"))
+                  "llm.service.wire",
+                  "'" + id + "' is not a wire format of a service.",
+                  section.at("wire"))
               .withHint("Use one of " + String.join(", ", Wire.ids()) + "."));
     }
     return wire;
@@ -175,7 +177,7 @@ public final class ModelServices {
       section.find(
           Diagnostic.error(
                   "llm.service.url",
-                  "'" + text + "' is no address of a service.",
+                  "'" + text + "' is not the address of a service.",
                   section.at("url"))
               .withHint("Write http:// or https://, a host, and a path; keys do not belong here."));
     }

@@ -44,7 +44,7 @@ final class RecordingFolder {
           List.of(
               Diagnostic.error(
                       "llm.recording.key",
-                      "The file's name stands for another request than the one it holds.",
+                      "The file's name belongs to a different request than the one it contains.",
                       SourceLocation.of(file))
                   .withHint("Delete the file and record it again.")));
     }

@@ -138,7 +138,7 @@ final class RecordingReader {
             .filter(known -> known.name().toLowerCase(Locale.ROOT).equals(written))
             .findFirst();
     if (reason.isEmpty() && !written.isBlank()) {
-      String message = "'" + written + "' is none of stop, length, refusal, other.";
+      String message = "'" + written + "' is not one of stop, length, refusal, other.";
       json.find(FORMAT, message, json.at("finishReason"));
     }
     return reason;

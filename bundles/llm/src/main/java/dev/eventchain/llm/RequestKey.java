@@ -23,7 +23,7 @@ record RequestKey(String value) {
     return new RequestKey(Sha256.of(canonical.toString()).hex());
   }
 
-  /** The part of the key that stands in file names. */
+  /** The part of the key that is in file names. */
   String abbreviated() {
     return value.substring(0, SHORT);
   }

@@ -15,7 +15,7 @@ import java.util.concurrent.ConcurrentHashMap;
 
 /**
  * Takes the answers of one of several runs that ask the same: run n takes the n-th of the answers
- * that are recorded, so that none counts twice. A conversation that goes on has as many earlier
+ * that are recorded, so that none counts twice. A conversation that continues has as many earlier
  * runs as gave the same answer before.
  */
 final class SampledModel implements ChatModel {
@@ -81,8 +81,8 @@ final class SampledModel implements ChatModel {
   }
 
   /**
-   * Who has nothing else to ask. A conversation that does not go on from an answer as it came, but
-   * begins with one of ours, has answers by the number of the run: none counts twice.
+   * Who has nothing else to ask. A conversation that does not continue from an answer as it came,
+   * but begins with one of ours, has answers by the number of the run: none counts twice.
    */
   static ChatModel nothingElse(ModelName model, RecordingFolder recordings, int run) {
     return request -> {
@@ -97,7 +97,8 @@ final class SampledModel implements ChatModel {
         throw MissingRecording.of(recordings, request.task(), model, json);
       }
       String message =
-          "Run %d asks what %d answers are recorded of, all of which earlier runs have taken."
+          ("Run %d sends a prompt that has %d recorded answers, all of which earlier runs"
+                  + " have taken.")
               .formatted(run + 1, recording.get().samples().size());
       throw new DiagnosticException(
           Reason.INPUT,

@@ -153,7 +153,7 @@ final class ServiceCall implements StreamingChatResponseHandler {
     return new CallFailure(
         CallFailure.Kind.UNREADABLE,
         "the answer cannot be understood: " + detail,
-        "Look at the service's 'url' and 'wire' in eventchain.yaml.");
+        "Check the service's 'url' and 'wire' in eventchain.yaml.");
   }
 
   /** The client library takes a stream without an end for a whole answer. */

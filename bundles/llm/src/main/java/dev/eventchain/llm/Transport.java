@@ -122,7 +122,7 @@ final class Transport implements HttpClient {
           URI.create(request.url()).getAuthority()
               + " cannot be reached: "
               + ConnectionProblem.words(e.getCause()),
-          "Look whether the service runs and its 'url' in eventchain.yaml is right;"
+          "Check that the service runs and that its 'url' in eventchain.yaml is right;"
               + " 'eventchain doctor' says which services can be reached.");
     }
   }
@@ -148,7 +148,7 @@ final class Transport implements HttpClient {
       throw new CallFailure(
           CallFailure.Kind.UNREADABLE,
           "a web page came instead of an answer: " + start,
-          "Look at the service's 'url' in eventchain.yaml, and whether a proxy is in between.");
+          "Check the service's 'url' in eventchain.yaml, and whether a proxy is in between.");
     }
   }
 

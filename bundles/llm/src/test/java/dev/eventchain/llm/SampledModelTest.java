@@ -60,7 +60,11 @@ class SampledModelTest {
     DiagnosticException e =
         assertThrows(DiagnosticException.class, () -> ask(run("replay", 2), QUESTION));
     assertEquals("llm.recording.exhausted", e.diagnostics().get(0).id());
-    assertTrue(e.diagnostics().get(0).message().startsWith("Run 3 asks what 2 answers"));
+    assertTrue(
+        e.diagnostics()
+            .get(0)
+            .message()
+            .startsWith("Run 3 sends a prompt that has 2 recorded answers"));
   }
 
   @Test

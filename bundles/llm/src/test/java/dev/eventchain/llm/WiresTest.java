@@ -74,7 +74,7 @@ class WiresTest {
     assertTrue(schemas.get(0).path("properties").has("answer"), sent::toPrettyString);
   }
 
-  /** Each service takes one shape, in a field of its own. */
+  /** Each service takes one shape, in its own field. */
   @ParameterizedTest
   @CsvSource({
     "OPENAI, nested, /response_format/json_schema/schema",

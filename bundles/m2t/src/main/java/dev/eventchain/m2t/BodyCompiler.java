@@ -57,7 +57,7 @@ final class BodyCompiler {
           .error(
               "m2t.super",
               start,
-              "[super/] stands in a template that overrides none.",
+              "[super/] is used in a template that overrides none.",
               "Write [template ... overrides name] in a module that extends another one.");
       return NOTHING;
     }
@@ -70,7 +70,7 @@ final class BodyCompiler {
               "[super/] may mean each of the "
                   + template.overridden().size()
                   + " templates that this one overrides.",
-              "Override each of them in a template of its own.");
+              "Override each of them in a separate template.");
       return NOTHING;
     }
     return new Steps.Super(template.overridden().get(0));
@@ -85,7 +85,7 @@ final class BodyCompiler {
           .error(
               "m2t.unsupported",
               output.start(),
-              "A call has no guard and no variables of its own.",
+              "A call cannot have a guard or variables.",
               "Put the call into [if] or [let].");
     }
     if (value.isEmpty() || decoration.isEmpty()) {

@@ -100,7 +100,7 @@ record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage 
           "m2t.condition",
           span.strip().start(),
           "The condition is of type '" + parsed.get().type().getName() + "', not 'Boolean'.",
-          "Compare it with something, or ask ->notEmpty().");
+          "Compare it with something, or use ->notEmpty().");
       return Optional.empty();
     }
     return parsed;

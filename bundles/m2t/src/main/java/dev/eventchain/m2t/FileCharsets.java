@@ -30,7 +30,7 @@ final class FileCharsets {
     } catch (IllegalCharsetNameException | UnsupportedCharsetException e) {
       problem = "There is no charset '" + name + "'.";
     }
-    run.report().warn(ID, place, problem + " UTF-8 stands in for it.", "Write 'UTF-8'.");
+    run.report().warn(ID, place, problem + " UTF-8 is used instead.", "Write 'UTF-8'.");
     return Optional.empty();
   }
 
@@ -53,7 +53,7 @@ final class FileCharsets {
     }
   }
 
-  /** The bytes of a text that starts a file or, without a byte order mark, goes on with it. */
+  /** The bytes of a text that starts a file or, without a byte order mark, continues with it. */
   static byte[] bytes(
       String text, boolean starts, GeneratedFile file, SourceLocation place, GenerationRun run) {
     Charset charset = file.charset();
@@ -89,7 +89,7 @@ final class FileCharsets {
                 + charset
                 + " lacks; they became '?'.",
             charset.equals(StandardCharsets.UTF_8)
-                ? "Take characters whole: this is half of one that Java counts as two."
+                ? "Take whole characters: this is half of one that Java counts as two."
                 : "Write the file in UTF-8.");
   }
 

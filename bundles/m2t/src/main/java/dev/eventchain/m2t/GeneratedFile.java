@@ -186,14 +186,14 @@ final class GeneratedFile {
   private void check(Area area, String text, SourceLocation place, GenerationRun run) {
     String id = idOf(area.line().strip());
     if (!written.add(id)) {
-      refuse(id, "has an id that another area of the file has", place, run);
+      refuse(id, "has the same id as another area of the file", place, run);
     }
     int inner = text.indexOf(ProtectedAreas.START, area.start());
     if (inner >= 0 && inner < area.end()) {
       int start = inner + ProtectedAreas.START.length();
       String line = text.substring(start, ProtectedAreas.endOfLine(text, start)).strip();
       if (begun.containsKey(idOf(line))) {
-        refuse(idOf(line), "stands inside the area '" + OutputPath.shown(id) + "'", place, run);
+        refuse(idOf(line), "is inside the area '" + OutputPath.shown(id) + "'", place, run);
       }
     }
   }
@@ -204,7 +204,7 @@ final class GeneratedFile {
             "m2t.protected.id",
             place,
             "The protected area '" + OutputPath.shown(id) + "' " + problem + ".",
-            "Give each area of a file an id of its own.");
+            "Give each area of a file its own id.");
   }
 
   /** The id that a line starts with, the longest there is; templates may write more behind it. */

@@ -54,7 +54,7 @@ final class GeneratedFiles {
   private static final String CONSOLE = "stdout";
 
   private static final String OWN_NAMES =
-      "Give each file a name of its own, or append: [file (name, true)].";
+      "Give each file its own name, or append: [file (name, true)].";
 
   private final GenerationRun run;
   private final GenerationContext context;
@@ -76,7 +76,7 @@ final class GeneratedFiles {
     this.context = context;
   }
 
-  /** The complete files, and beside them what they lost; of that it is warned now. */
+  /** The complete files, and next to them what they lost; of that it is warned now. */
   SortedMap<String, byte[]> contents() {
     SortedMap<String, byte[]> contents = new TreeMap<>(OutputFolder.WRITING_ORDER);
     for (GeneratedFile file : files.values()) {
@@ -134,7 +134,7 @@ final class GeneratedFiles {
     }
   }
 
-  /** What Acceleo takes for absolute stands below the output folder, too. */
+  /** What Acceleo takes for absolute is below the output folder, too. */
   private static OutputPath pathOf(String name) {
     int slashes = 0;
     while (slashes < name.length() - 1 && name.charAt(slashes) == '/') {
@@ -151,7 +151,7 @@ final class GeneratedFiles {
     }
   }
 
-  /** Reports a file that there is no folder for; blocks inside of it may print all the same. */
+  /** Reports a file that there is no folder for; blocks inside it may print all the same. */
   private void refuse(Tag tag, Step body) {
     run.report()
         .error(
@@ -173,7 +173,7 @@ final class GeneratedFiles {
     if (known == null || !isReplaced(known, tag)) {
       return known;
     }
-    String message = writtenBefore(known) + " What that wrote is lost.";
+    String message = writtenBefore(known) + " That output is lost.";
     run.report().warn("m2t.file.duplicate", tag.place(), message, OWN_NAMES);
     files.remove(path);
     run.writer().forget(path);
@@ -189,10 +189,10 @@ final class GeneratedFiles {
 
   private String writtenBefore(GeneratedFile known) {
     String where = "by the block at " + known.beginning(run.report());
-    return "The file '" + known.path() + "' was written before in this run, " + where + ".";
+    return "The file '" + known.path() + "' was already written in this run, " + where + ".";
   }
 
-  /** Whether a file that a block wrote or writes goes on with another one. */
+  /** Whether a file that a block wrote or writes continues with another one. */
   private boolean goesOn(GeneratedFile known, Optional<Charset> charset, Tag tag) {
     if (tag.mode() == FileMode.OVERWRITE) {
       run.report().error("m2t.file.duplicate", tag.place(), writtenBefore(known), OWN_NAMES);
@@ -208,9 +208,9 @@ final class GeneratedFiles {
               tag.charsetPlace(),
               "The file '"
                   + known.path()
-                  + "' was begun in "
+                  + "' was started in "
                   + known.charset()
-                  + " and cannot go on in "
+                  + " and cannot continue in "
                   + charset.get()
                   + ".",
               "Write '" + known.charset() + "', or leave the charset out.");
@@ -219,7 +219,7 @@ final class GeneratedFiles {
     return true;
   }
 
-  /** Whether a name can be a file's beside the other files of the run. */
+  /** Whether a name can be a file's next to the other files of the run. */
   private boolean hasRoom(String path, Tag tag) {
     String problem = "";
     if (folders.contains(path)) {
@@ -228,13 +228,13 @@ final class GeneratedFiles {
     int main = path.length() - ProtectedAreas.LOST.length();
     boolean lost = path.endsWith(ProtectedAreas.LOST) && files.containsKey(path.substring(0, main));
     if (lost || losers.contains(path)) {
-      problem = "The file '" + path + "' and another of this run differ by '.lost' only,";
-      problem += " which is for lost protected areas.";
+      problem = "The file '" + path + "' and another of this run differ only by '.lost',";
+      problem += " which is reserved for lost protected areas.";
     }
     for (int slash = path.indexOf('/'); slash >= 0; slash = path.indexOf('/', slash + 1)) {
       if (files.containsKey(path.substring(0, slash))) {
-        problem = "The file '" + path + "' stands below '" + path.substring(0, slash);
-        problem += "', which is a file of this run and no folder.";
+        problem = "The file '" + path + "' is below '" + path.substring(0, slash);
+        problem += "', which is a file of this run, not a folder.";
       }
     }
     if (!problem.isEmpty()) {
@@ -369,15 +369,15 @@ final class GeneratedFiles {
 
   private String problem(Block block, String id) {
     if (block == null) {
-      return "stands outside of any file";
+      return "is outside any file";
     }
     if (block.area != null) {
-      return "stands inside the area '" + OutputPath.shown(block.area) + "'";
+      return "is inside the area '" + OutputPath.shown(block.area) + "'";
     }
     if (id.isEmpty() || id.indexOf('\n') >= 0 || id.indexOf('\r') >= 0) {
-      return "has an id that is not one line of text";
+      return "has an id that is not a single line of text";
     }
-    return block.file.has(id, run.output()) ? "has an id that another area of the file has" : "";
+    return block.file.has(id, run.output()) ? "has the same id as another area of the file" : "";
   }
 
   /** Notes that the mark of the area that was begun comes next. */

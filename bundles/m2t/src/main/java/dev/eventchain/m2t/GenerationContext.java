@@ -35,7 +35,7 @@ public record GenerationContext(
     /** The result says which template lines and elements made which lines. */
     TRACED,
 
-    /** What Acceleo goes on after without failing is a warning, not an error. */
+    /** What Acceleo continues after without failing is a warning, not an error. */
     LENIENT,
 
     /** There is no output folder: blocks of files can print only, and any other is an error. */

@@ -30,7 +30,7 @@ final class GenerationRun {
   /** More than that come from the model, and from there any number can come. */
   private static final int MOST_PATTERNS = 256;
 
-  /** Generation cannot go on; the reason has been reported. */
+  /** Generation cannot continue; the reason has been reported. */
   static final class StoppedException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 
@@ -105,7 +105,7 @@ final class GenerationRun {
     return context.property(file, key);
   }
 
-  /** The walk through the tokens of a text that {@code strtok} goes on with. */
+  /** The walk through the tokens of a text that {@code strtok} continues with. */
   TokenWalk tokenWalk(String text, boolean restart) {
     if (restart) {
       tokenWalks.remove(text);
@@ -113,7 +113,7 @@ final class GenerationRun {
     return tokenWalks.computeIfAbsent(text, TokenWalk::new);
   }
 
-  /** A regular expression, which is dear to compile. */
+  /** A regular expression, which is expensive to compile. */
   Pattern pattern(String expression) {
     Pattern known = patterns.get(expression);
     if (known == null) {
@@ -207,7 +207,7 @@ final class GenerationRun {
         "m2t.condition",
         condition.location(),
         "The condition is '" + Texts.of(value) + "', neither true nor false; it counts as false.",
-        "Compare it with something, or ask ->notEmpty().");
+        "Compare it with something, or use ->notEmpty().");
     return false;
   }
 
@@ -247,14 +247,14 @@ final class GenerationRun {
     writer.appendIndented(text, indentation, current);
   }
 
-  /** Reports why generation cannot go on; to be thrown. */
+  /** Reports why generation cannot continue; to be thrown. */
   StoppedException stop(Invalid invalid) {
     return calls.tooDeep().isPresent() ? stopTooDeep() : stop(invalid.reason(), invalid.location());
   }
 
   /**
-   * Reports that calls have been {@linkplain CallStack#keep kept}, so that generation cannot go on;
-   * to be thrown.
+   * Reports that calls have been {@linkplain CallStack#keep kept}, so that generation cannot
+   * continue; to be thrown.
    */
   StoppedException stopTooDeep() {
     Callable callable = calls.tooDeep().orElseThrow();

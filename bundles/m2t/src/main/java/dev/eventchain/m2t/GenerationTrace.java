@@ -10,13 +10,13 @@ import java.util.TreeMap;
 /**
  * Which template lines and which model elements made which lines of the generated files. Immutable.
  *
- * <p>A character's origin is the line of the template that its text stands on, or that the tag
- * stands on whose expression gave it; so a called template's lines count, and not the call's. What
- * a {@code post} expression gives keeps its origins if it is a part of the template's text, as
- * after {@code trim()}; otherwise all of it comes from the line of the {@code post} expression. The
- * same holds for a template whose text an expression works on, as in {@code x.name().toUpper()}: it
- * comes from the line of that tag. The element is the innermost {@code self} that is a model
- * element. Indentation that a call adds has no origin.
+ * <p>A character's origin is the line of the template that its text is on, or that the tag is on
+ * whose expression gave it; so a called template's lines count, and not the call's. What a {@code
+ * post} expression gives keeps its origins if it is a part of the template's text, as after {@code
+ * trim()}; otherwise all of it comes from the line of the {@code post} expression. The same holds
+ * for a template whose text an expression works on, as in {@code x.name().toUpper()}: it comes from
+ * the line of that tag. The element is the innermost {@code self} that is a model element.
+ * Indentation that a call adds has no origin.
  */
 public final class GenerationTrace {
 

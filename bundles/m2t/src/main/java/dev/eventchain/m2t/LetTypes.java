@@ -14,7 +14,7 @@ import org.eclipse.ocl.util.Bag;
 
 /**
  * Which values a {@code [let name : Type = ...]} is entered with. As in Acceleo, nothing is
- * converted on the way: an ordered set is a set, but no sequence; an Integer is no Real; and no
+ * converted on the way: an ordered set is a set, but no sequence; an Integer is not a Real; and no
  * value is of the type Collection itself.
  */
 record LetTypes(ExpressionCompiler expressions) {

@@ -104,7 +104,7 @@ final class Linker {
     List<String> uris = packages.stream().map(EPackage::getNsURI).sorted().toList();
     return uris.isEmpty()
         ? "None is known: name the .ecore file of the metamodel."
-        : "Known are: " + String.join(", ", uris) + ".";
+        : "Known metamodels: " + String.join(", ", uris) + ".";
   }
 
   private void declare(Unit unit) {
@@ -247,7 +247,9 @@ final class Linker {
           .error(
               "m2t.super",
               name.start(),
-              "No extended module has a template '" + name.text() + "' with as many parameters.",
+              "No extended module has a template '"
+                  + name.text()
+                  + "' with the same number of parameters.",
               overridable(name.text(), unit));
     } else if (other.get().overrides(template)) {
       unit.loaded()
@@ -255,7 +257,7 @@ final class Linker {
           .error(
               "m2t.super",
               name.start(),
-              "The template '" + name.text() + "' overrides this one already.",
+              "The template '" + name.text() + "' already overrides this one.",
               "Let only one of two modules override templates of the other.");
     } else {
       template.override(other.get());

@@ -88,7 +88,7 @@ final class Lints {
     problems.warning(
         "m2t.lint.unordered",
         start,
-        what + " outputs a " + type.getName() + ", which has no order.",
+        what + " outputs a " + type.getName() + ", which is unordered.",
         "Order it: ->sortedBy(...), or ->asSequence() where any order will do.");
   }
 
@@ -160,7 +160,7 @@ final class Lints {
     usage.of(subject.callable()).forEach(each -> used.addAll(each.variableNames()));
     for (int i = 0; i < subject.parameters().size(); i++) {
       Callable.Parameter parameter = subject.callable().parameters().get(i);
-      // What a call is about stands before its dot, and may only be there for that.
+      // What a call is about is before its dot, and may only be there for that.
       boolean receiver = i == 0 && (used.contains("self") || canBeElement(parameter.type()));
       if (!receiver && !used.contains(parameter.name())) {
         subject

@@ -157,7 +157,7 @@ final class ObjectOperations {
     if (value instanceof EObject object) {
       return object;
     }
-    throw new IllegalArgumentException("'" + value + "' is no model element");
+    throw new IllegalArgumentException("'" + value + "' is not a model element");
   }
 
   private static EStructuralFeature feature(EObject object, String name) {

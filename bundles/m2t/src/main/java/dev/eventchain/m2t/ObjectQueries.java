@@ -61,7 +61,7 @@ final class ObjectQueries {
     return ancestors;
   }
 
-  /** All objects that stand beside an object and the object itself, in their order. */
+  /** All objects that stand next to an object and the object itself, in their order. */
   static List<EObject> row(EObject object) {
     EObject container = object.eContainer();
     if (container != null) {

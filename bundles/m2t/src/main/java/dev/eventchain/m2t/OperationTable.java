@@ -90,7 +90,7 @@ final class OperationTable implements OperationLibrary {
       return language.isInstance(value, (EClassifier) type);
     }
 
-    /** As {@link #isInstance}, but an Integer is no Real, and nothing is of OclAny itself. */
+    /** As {@link #isInstance}, but an Integer is not a Real, and nothing is of OclAny itself. */
     boolean isOfType(Object value, Object type) {
       if (LetTypes.isReal((EClassifier) type)) {
         return LetTypes.isRealNumber(value);
@@ -112,7 +112,9 @@ final class OperationTable implements OperationLibrary {
     }
   }
 
-  /** A walk through the tokens of a text, which goes on from call to call, and what is at work. */
+  /**
+   * A walk through the tokens of a text, which continues from call to call, and what is at work.
+   */
   private static final Set<String> STATEFUL = Set.of("strtok", "current");
 
   /** By the name, in the order in which they were first named. */

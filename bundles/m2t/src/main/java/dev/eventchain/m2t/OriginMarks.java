@@ -56,7 +56,7 @@ final class OriginMarks {
     }
   }
 
-  /** The marks of the text from an offset on, as a text of its own. */
+  /** The marks of the text from an offset on, as its own text. */
   OriginMarks since(int offset) {
     int first = size;
     while (first > 0 && starts[first - 1] >= offset) {
@@ -72,7 +72,7 @@ final class OriginMarks {
     return marks;
   }
 
-  /** The marks of a part of the text, as a text of its own. */
+  /** The marks of a part of the text, as its own text. */
   OriginMarks between(int from, int to) {
     OriginMarks part = new OriginMarks();
     for (int i = 0; i < size && starts[i] < to; i++) {

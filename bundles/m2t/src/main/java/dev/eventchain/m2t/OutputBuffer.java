@@ -123,7 +123,7 @@ final class OutputBuffer {
     }
   }
 
-  /** Starts a part that is a text of its own, without any indentation from outside. */
+  /** Starts a part that is a separate text, without any indentation from outside. */
   Part beginText() {
     Part part = begin();
     indentation = "";

@@ -121,7 +121,7 @@ final class Query extends Callable {
                 + name()
                 + "' gives "
                 + ServiceValues.shown(result)
-                + ", which is no "
+                + ", which is not of type "
                 + resultType.getName());
     return new Invalid(cause.getMessage(), value.location(), Invalid.Kind.OTHER, cause);
   }

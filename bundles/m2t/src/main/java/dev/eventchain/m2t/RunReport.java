@@ -53,8 +53,8 @@ final class RunReport {
         placed ? invalid.location() : expression.location(),
         "The value is undefined" + element() + ": " + invalid.reason() + ". " + use.consequence(),
         service
-            ? "Mend the service, or what it is given."
-            : "Guard the expression with [if], or mend the model.");
+            ? "Fix the service, or its arguments."
+            : "Guard the expression with [if], or fix the model.");
   }
 
   private String element() {

@@ -70,7 +70,7 @@ final class Services {
     } catch (ClassNotFoundException e) {
       // The same as a class that belongs to somebody else.
     }
-    throw new ServiceException(shown + "is absent: the services have no such class");
+    throw new ServiceException(shown + "is missing: the services have no such class");
   }
 
   private Method method(Class<?> type, String signature, String shown) {

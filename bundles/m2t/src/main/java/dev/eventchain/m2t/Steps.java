@@ -109,12 +109,12 @@ final class Steps {
   record Decoration(
       Optional<Expression> before, Optional<Expression> separator, Optional<Expression> after) {
 
-    /** Writes what stands before the first item, or between two. */
+    /** Writes what is before the first item, or between two. */
     void writeAhead(boolean first, GenerationRun run) {
       writeText(first ? before : separator, run);
     }
 
-    /** Writes what stands after the last item, if there was any. */
+    /** Writes what is after the last item, if there was any. */
     void writeBehind(boolean none, GenerationRun run) {
       if (!none) {
         writeText(after, run);
@@ -177,7 +177,7 @@ final class Steps {
                     + (item instanceof org.eclipse.emf.ecore.EObject object
                         ? Texts.label(object)
                         : "'" + item + "'")
-                    + ", which is no "
+                    + ", which is not of type "
                     + typeName
                     + ".",
                 "Filter the collection: ->filter(" + typeName + ").");

@@ -54,7 +54,7 @@ final class Template extends Callable {
     return overridden;
   }
 
-  /** Whether this template stands in the place of another one, or of one that does so. */
+  /** Whether this template is in the place of another one, or of one that does so. */
   boolean overrides(Template other) {
     return overridden.stream().anyMatch(each -> each == other || each.overrides(other));
   }

@@ -38,7 +38,7 @@ public final class TemplateModule {
   }
 
   /**
-   * Compiles a file; modules that it imports or extends are looked for beside it.
+   * Compiles a file; modules that it imports or extends are looked for next to it.
    *
    * @param packages the metamodels that modules may name by their namespaces
    * @throws DiagnosticException reason INPUT, with every problem of every module
@@ -63,7 +63,7 @@ public final class TemplateModule {
 
   /**
    * Compiles a file; modules that it imports or extends, and those that these do, are looked for
-   * beside it, then elsewhere, and at last in other folders of its project.
+   * next to it, then elsewhere, and at last in other folders of its project.
    *
    * @param elsewhere finds modules by their qualified names, in the order of the imports
    * @param packages the metamodels that modules may name by their namespaces
@@ -143,14 +143,14 @@ public final class TemplateModule {
     return new TemplateModule(main, mains, warnings, services.isPresent());
   }
 
-  /** What the compiler warns of. */
+  /** What the compiler warns about. */
   public List<Diagnostic> warnings() {
     return warnings;
   }
 
   /**
    * Runs the templates marked {@code @main} on each element of the models that their parameter
-   * takes, roots and what they contain, in the order of the model. Text outside of file blocks goes
+   * takes, roots and what they contain, in the order of the model. Text outside file blocks goes
    * nowhere.
    *
    * @return the files, and a finding for all that went wrong; an undefined value is an error that

@@ -112,7 +112,7 @@ final class Tracing {
     files.remove(name);
   }
 
-  /** Adds the line at work, which may go on with the last one. */
+  /** Adds the line at work, which may continue with the last one. */
   private void add(Lines lines) {
     if (lines.open) {
       for (int origin : lines.origins.remove(lines.origins.size() - 1)) {

@@ -83,7 +83,7 @@ public class CaseServices {
     return List.of(URI.create("built"), Optional.of("held"), Optional.empty(), new int[] {1, 2});
   }
 
-  /** Puts a copy of an object beside it, in its file. */
+  /** Puts a copy of an object next to it, in its file. */
   public static String grow(EObject object) {
     object.eResource().getContents().add(EcoreUtil.copy(object));
     return "grown";

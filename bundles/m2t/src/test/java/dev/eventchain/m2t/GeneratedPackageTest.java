@@ -61,7 +61,7 @@ class GeneratedPackageTest {
     }
   }
 
-  /** Names of 64 characters, topics and units of several lines, fields inside of fields. */
+  /** Names of 64 characters, topics and units of several lines, fields inside fields. */
   @ParameterizedTest
   @ValueSource(strings = {"aeb", "fork-and-join", "hostile", "long", "names", "topics"})
   void linesAreAsShortAsAmentWantsAndFunctionsHaveTypes(String name) throws Exception {

@@ -61,7 +61,7 @@ class GenerationTraitsTest {
   @Test
   void aFileThatIsOverwrittenIsAnErrorOrLenientlyTheLast() {
     String body = "[file ('x')]1\n2\n[/file]\n[file ('./x')]3[/file]";
-    String where = "x' was written before in this run, by the block at t.mtl:4:8 for /.";
+    String where = "x' was already written in this run, by the block at t.mtl:4:8 for /.";
     GenerationResult strict = generate(body);
     assertFalse(strict.isWhole());
     assertEquals("t.mtl:7:8 error m2t.file.duplicate The file '" + where, findings(strict));
@@ -69,7 +69,7 @@ class GenerationTraitsTest {
     assertTrue(lenient.isWhole());
     assertEquals("3", new String(lenient.files().get("x"), UTF_8));
     assertEquals(
-        "t.mtl:7:8 warning m2t.file.duplicate The file '" + where + " What that wrote is lost.",
+        "t.mtl:7:8 warning m2t.file.duplicate The file '" + where + " That output is lost.",
         findings(lenient));
     List<Segment> traced = lenient.trace().files().get("x");
     assertEquals(1, traced.get(traced.size() - 1).lastLine(), "lines that are lost");

@@ -28,7 +28,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /**
  * Runs templates of which it is recorded what Acceleo does with them. One that comes out
- * differently must stand in {@code ACCELEO.md}, and what stands there must come out differently.
+ * differently must be in {@code ACCELEO.md}, and what is there must come out differently.
  */
 class RecordedCasesTest {
   private static final Path RECORDED = Path.of("src/test/resources/acceleo/recorded.json");

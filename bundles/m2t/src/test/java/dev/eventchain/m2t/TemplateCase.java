@@ -33,7 +33,7 @@ import org.eclipse.emf.ecore.xmi.impl.XMIResourceFactoryImpl;
  * A template, a metamodel ({@code *.ecore}) and a model ({@code model.xmi}) in a folder; what it
  * lacks of the last two is looked for in the folders around it. Instead of a template there may be
  * a {@code links.properties} that says where in the repository the {@code template} and the {@code
- * metamodel}s are, with commas between them. Files of an earlier run may stand in {@code earlier/}.
+ * metamodel}s are, with commas between them. Files of an earlier run may be in {@code earlier/}.
  * The templates may call {@link CaseServices}, and ask for what is in {@code texts.properties}.
  */
 record TemplateCase(Path folder) {

@@ -121,7 +121,7 @@ class TemplateFilesTest {
   @Test
   void aNulCharacterIsAnError() {
     assertEquals(
-        List.of("5:file.encoding: The file has a NUL character, which no text has."),
+        List.of("5:file.encoding: The file contains a NUL character, which text never does."),
         problems(HEAD + "a\0b" + FOOT, UTF_8));
   }
 

@@ -45,7 +45,7 @@ public final class CdrCodec {
    * Makes sure that bytes hold a message of this type and nothing else but up to three bytes of
    * padding, without reading its values.
    *
-   * @throws IllegalArgumentException if they end too early or go on after it, have another
+   * @throws IllegalArgumentException if they end too early or continue after it, have another
    *     representation or a truth value that is neither 0 nor 1, or the type has a {@code wstring}
    */
   public static void requireMessage(MessageType type, byte[] bytes) {

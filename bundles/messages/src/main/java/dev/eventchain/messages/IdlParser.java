@@ -97,7 +97,7 @@ final class IdlParser {
     if (!condition) {
       String place = scope.isEmpty() ? "outside of modules" : "in " + String.join("::", scope);
       throw tokens.refusal(
-          "'" + word.text() + "' " + place + " is no part of the definition of a message.",
+          "'" + word.text() + "' " + place + " is not part of a message definition.",
           word.offset());
     }
   }
@@ -134,8 +134,7 @@ final class IdlParser {
       boolean mutable = annotation.is("extensibility") && tokens.second().is("MUTABLE");
       if (CHANGE_BYTES.contains(annotation.text()) || mutable) {
         throw tokens.refusal(
-            "@" + annotation.text() + " is no part of the definition of a message.",
-            annotation.offset());
+            "@" + annotation.text() + " is not part of a message definition.", annotation.offset());
       }
       if (annotation.is("default")) {
         value = Optional.of(defaultValue());
@@ -181,8 +180,7 @@ final class IdlParser {
     }
     if (!first.is("TRUE") && !first.is("FALSE")) {
       throw tokens.refusal(
-          "Here has to be a number, a text, TRUE or FALSE, not " + first.text() + ".",
-          first.offset());
+          "Expected a number, a text, TRUE or FALSE, not " + first.text() + ".", first.offset());
     }
     return tokens.take().text();
   }

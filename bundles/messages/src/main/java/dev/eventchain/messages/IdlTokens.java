@@ -78,7 +78,7 @@ final class IdlTokens {
     while (offset < text.length()) {
       if (!matcher.region(offset, text.length()).lookingAt()) {
         String found = text.substring(offset, text.offsetByCodePoints(offset, 1));
-        throw refusal("'" + found + "' cannot stand here.", offset);
+        throw refusal("'" + found + "' is not allowed here.", offset);
       }
       for (Kind kind : List.of(Kind.TEXT, Kind.NUMBER, Kind.WORD, Kind.SIGN)) {
         if (matcher.group(kind.name().toLowerCase(java.util.Locale.ROOT)) != null) {
@@ -111,14 +111,14 @@ final class IdlTokens {
   Token take(Kind kind) {
     if (next().kind() != kind) {
       String wanted = kind == Kind.WORD ? "a name" : kind == Kind.NUMBER ? "a number" : "a text";
-      throw refusal("Here has to be " + wanted + ", not " + next().text() + ".", next().offset());
+      throw refusal("Expected " + wanted + ", not " + next().text() + ".", next().offset());
     }
     return take();
   }
 
   Token take(String sign) {
     if (!next().is(sign)) {
-      throw refusal("Here has to be " + sign + ", not " + next().text() + ".", next().offset());
+      throw refusal("Expected " + sign + ", not " + next().text() + ".", next().offset());
     }
     return take();
   }
@@ -151,7 +151,7 @@ final class IdlTokens {
     return Matcher.quoteReplacement(meant);
   }
 
-  /** A finding about what stands at an offset. */
+  /** A finding about what is at an offset. */
   DiagnosticException refusal(String message, int offset) {
     return refusal("message.syntax", message, offset, HINT);
   }

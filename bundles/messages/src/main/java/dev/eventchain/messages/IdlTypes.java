@@ -21,7 +21,7 @@ final class IdlTypes {
    */
   record Type(FieldType type, String base) {}
 
-  private static final String NO_PART = " of IDL is no part of the definition of a message.";
+  private static final String NO_PART = " of IDL is not part of a message definition.";
   private static final Set<String> REFUSED =
       Set.of(
           "any", "char", "enum", "fixed", "map", "native", "object", "struct", "union", "wchar",
@@ -102,7 +102,7 @@ final class IdlTypes {
     FieldType type = element.type();
     if (type.shape() != FieldType.Shape.SINGLE) {
       throw tokens.refusal(
-          "Arrays and sequences of arrays and sequences are no part of the definition of a message.",
+          "Arrays and sequences of arrays and sequences are not part of a message definition.",
           place.offset());
     }
     FieldType many = new FieldType(type.kind(), Optional.empty(), shape, size, type.stringBound());

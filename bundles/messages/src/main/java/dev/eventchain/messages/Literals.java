@@ -28,7 +28,7 @@ final class Literals {
       return Values.coerce(type, single(type.kind(), text.strip()));
     }
     if (constant || !text.startsWith("[") || !text.endsWith("]")) {
-      throw new IllegalArgumentException("The value of an array stands in brackets, [1, 2].");
+      throw new IllegalArgumentException("The value of an array is written in brackets, [1, 2].");
     }
     List<Object> items = new ArrayList<>();
     Matcher item = ITEM.matcher(text.substring(1, text.length() - 1));

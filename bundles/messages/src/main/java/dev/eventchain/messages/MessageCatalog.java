@@ -145,7 +145,7 @@ public final class MessageCatalog {
 
   /**
    * Everything that is wrong with the definitions in the user's folders; definitions that nobody
-   * can use because of their place or name ({@code message.place}) are warned of.
+   * can use because of their place or name ({@code message.place}) are warned about.
    */
   public List<Diagnostic> diagnostics() {
     Set<Diagnostic> found = new TreeSet<>();
@@ -238,9 +238,9 @@ public final class MessageCatalog {
           DiagnosticException.Reason.INPUT,
           Diagnostic.error(
                   "message.conflict",
-                  file.getFileName() + " beside this file defines " + name + " in another way.",
+                  file.getFileName() + " next to this file defines " + name + " differently.",
                   SourceLocation.of(beside))
-              .withHint("Remove one of both, or make it again from the other."));
+              .withHint("Remove one of them, or regenerate it from the other."));
     }
     return definition;
   }

@@ -14,7 +14,7 @@ import java.util.regex.Pattern;
 
 /**
  * Reads the message language of ROS 2 (docs.ros.org, "About ROS 2 interfaces"): a field or a
- * constant a line, and goes on after a line that is wrong.
+ * constant a line, and continues after a line that is wrong.
  */
 final class MessageParser {
 
@@ -96,7 +96,7 @@ final class MessageParser {
     } else if (field.matches()) {
       add(fields, field, typed.get(), restOffset);
     } else {
-      String found = rest.isEmpty() ? "a name is missing" : "'" + rest + "' is no name";
+      String found = rest.isEmpty() ? "a name is missing" : "'" + rest + "' is not a name";
       problem("message.syntax", "After the type, " + found + ".", restOffset);
     }
   }

@@ -56,7 +56,7 @@ public final class MessageValue {
   /**
    * The value of a field that is a number, unsigned ones as they are meant.
    *
-   * @throws IllegalArgumentException if there is no such field, or it is no number
+   * @throws IllegalArgumentException if there is no such field, or it is not a number
    */
   public double number(String path) {
     MessageValue owner = owner(path);

@@ -8,7 +8,7 @@ import java.util.Optional;
 /**
  * A unit of measurement, as vehicle signals are written: {@code m/s}, {@code km/h}, {@code m/s^2},
  * {@code m.s-2}, {@code degC}. The symbols are those of UCUM where it has them, with the spellings
- * that people use beside them. Immutable.
+ * that people use next to them. Immutable.
  */
 public final class Unit {
 

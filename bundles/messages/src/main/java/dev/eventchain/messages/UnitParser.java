@@ -42,7 +42,7 @@ final class UnitParser {
       int superscript = SUPERSCRIPTS.indexOf(written.charAt(i));
       text.append(superscript < 0 ? written.charAt(i) : PLAIN.charAt(superscript));
     }
-    // A blank is a product, but not beside another sign.
+    // A blank is a product, but not next to another sign.
     return text.toString().replaceAll("\\s*([*/.\u00B7])\\s*", "$1");
   }
 

@@ -44,7 +44,7 @@ final class UnitTable {
           Map.entry("G", 1e9),
           Map.entry("T", 1e12));
 
-  /** Where people use these prefixes: dB is no tenth of a byte. */
+  /** Where people use these prefixes: dB is not a tenth of a byte. */
   private static final Set<String> SMALL_STEPS = Set.of("m", "g", "l", "L", "Pa");
 
   /** An empty product. */

@@ -32,7 +32,7 @@ class MessageCatalogTest {
     }
   }
 
-  /** The findings of a folder stand beside it; a missing expectation is written. */
+  /** The findings of a folder stand next to it; a missing expectation is written. */
   @ParameterizedTest
   @MethodSource("folders")
   void findingsAreAsExpected(Path folder) throws IOException {

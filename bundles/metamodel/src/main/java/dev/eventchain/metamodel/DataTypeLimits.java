@@ -24,11 +24,11 @@ final class DataTypeLimits {
           EObjectValidator.DATA_VALUE__VALUE_IN_RANGE, "is out of its range",
           EObjectValidator.DATA_VALUE__LENGTH_IN_RANGE, "has a length that its type does not allow",
           EObjectValidator.DATA_VALUE__TYPE_CORRECT, "is of another type",
-          EObjectValidator.DATA_VALUE__VALUE_IN_ENUMERATION, "is none of the values of its type",
+          EObjectValidator.DATA_VALUE__VALUE_IN_ENUMERATION, "is not one of the values of its type",
           EObjectValidator.DATA_VALUE__MATCHES_PATTERN, "does not match the pattern of its type",
           EObjectValidator.DATA_VALUE__TOTAL_DIGITS_IN_RANGE, "has too many digits",
           EObjectValidator.DATA_VALUE__FRACTION_DIGITS_IN_RANGE,
-              "has too many digits after the point");
+              "has too many digits after the decimal point");
 
   /** What EMF calls the findings of its validators: other sources are code of metamodels. */
   private static final String SOURCE = EObjectValidator.DIAGNOSTIC_SOURCE;
@@ -118,6 +118,6 @@ final class DataTypeLimits {
       return Optional.empty();
     }
     String facet = FACETS.get(fault.getCode());
-    return Optional.of(facet != null ? facet : "is no value of its type");
+    return Optional.of(facet != null ? facet : "is not a value of its type");
   }
 }

@@ -153,7 +153,7 @@ public final class EcoreChecks {
         report(
             "ecore.required",
             element,
-            "`%s` has %s, and needs %d."
+            "`%s` has %s, but needs %d."
                 .formatted(
                     feature.getName(), Coverage.counted(size, "value"), feature.getLowerBound()),
             "Add what is missing, or lower the feature's lowerBound.");
@@ -165,9 +165,9 @@ public final class EcoreChecks {
           "ecore.required",
           element,
           isContainer(feature)
-              ? "The element is no part of a `%s`, and must be one."
+              ? "The element is not part of a `%s`, but must be."
                   .formatted(feature.getEType().getName())
-              : "`%s` has no value, and needs one.".formatted(feature.getName()),
+              : "`%s` has no value, but needs one.".formatted(feature.getName()),
           "Add what is missing, or declare the feature with lowerBound=\"0\".");
     }
   }
@@ -183,10 +183,10 @@ public final class EcoreChecks {
       report(
           "ecore.bound",
           element,
-          "`%s` has %s, and holds %d at most."
+          "`%s` has %s, but holds at most %d."
               .formatted(
                   feature.getName(), Coverage.counted(size, "value"), feature.getUpperBound()),
-          "Take some out, or raise the feature's upperBound.");
+          "Remove some, or raise the feature's upperBound.");
     }
   }
 
@@ -225,7 +225,7 @@ public final class EcoreChecks {
                     "The map `%s` has the key `%s` twice.".formatted(reference.getName(), key),
                     locator.apply(entry))
                 .withRelated(locator.apply(first))
-                .withHint("Leave one of the entries: a map finds one value for a key."));
+                .withHint("Keep one of the entries: a map has one value for each key."));
       }
     }
   }

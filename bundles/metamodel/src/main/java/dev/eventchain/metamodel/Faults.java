@@ -168,7 +168,7 @@ final class Faults {
       XmiResource file, EObject element, int tag, EStructuralFeature feature, String value) {
     return Diagnostic.error(
             "ecore.unique",
-            "`%s` of %s holds %s twice, and its values are unique."
+            "`%s` of %s holds %s twice, but its values must be unique."
                 .formatted(feature.getName(), ModelPath.of(element), value),
             place(file, tag, feature))
         .withHint("Name it once, or declare the feature with unique=\"false\".");

@@ -55,7 +55,7 @@ final class MetamodelChecks {
     checkName(ePackage);
     String uri = ePackage.getNsURI();
     if (EcorePackage.eNS_URI.equals(uri)) {
-      report(ePackage, "Package `" + ePackage.getName() + "` takes the nsURI of Ecore.");
+      report(ePackage, "Package `" + ePackage.getName() + "` uses the nsURI of Ecore.");
     }
     checkUnique(ePackage.getEClassifiers(), "package `" + ePackage.getName() + "`");
   }

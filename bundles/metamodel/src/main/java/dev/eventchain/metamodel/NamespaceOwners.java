@@ -30,7 +30,7 @@ final class NamespaceOwners {
                         .formatted(owner.getName(), ePackage.getName(), ePackage.getNsURI()),
                     origins.locate(ePackage))
                 .withRelated(origins.locate(owner))
-                .withHint("Give each package an nsURI of its own, and load each metamodel once."));
+                .withHint("Give each package its own nsURI, and load each metamodel once."));
       }
       check(ePackage.getESubpackages());
     }

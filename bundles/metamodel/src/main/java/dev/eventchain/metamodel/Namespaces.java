@@ -28,8 +28,8 @@ final class Namespaces {
   private static final String UML2 = "http://www.eclipse.org/uml2/";
 
   private static final String UML2_HINT =
-      "It is a model of UML2, which this program cannot read: what UML derives takes UML2's own"
-          + " classes. In Eclipse, export it as Ecore, or copy what is needed into a model of"
+      "It is a UML2 model, which this program cannot read: the derived features of UML need UML2's"
+          + " own classes. In Eclipse, export it as Ecore, or copy what you need into a model of"
           + " another metamodel.";
 
   /** The key of the metamodel of models without namespace. */

@@ -17,13 +17,13 @@ import org.eclipse.emf.ecore.xml.type.internal.RegEx.RegularExpression;
  */
 final class PatternTime {
 
-  /** A pattern was given up. */
+  /** A pattern was abandoned. */
   static final class SpentException extends RuntimeException {
 
     private static final long serialVersionUID = 1L;
 
     private SpentException() {
-      super("the time for patterns is spent", null, false, false);
+      super("the time for patterns is used up", null, false, false);
     }
   }
 
@@ -45,10 +45,10 @@ final class PatternTime {
   /** Of the processor's clock; what was used since then is not taken yet. */
   private long reading = UNKNOWN;
 
-  /** The time on the wall that matching has taken since then, but for the match that goes on. */
+  /** The time on the wall that matching has taken since then, but for the match that continues. */
   private long matching;
 
-  /** When the match that goes on was looked at last. */
+  /** When the match that continues was looked at last. */
   private long started;
 
   PatternTime(Duration limit) {

@@ -113,7 +113,7 @@ final class ProjectFiles {
     try {
       target = URI.createURI(reference).trimFragment();
     } catch (IllegalArgumentException e) {
-      return Optional.of("`" + reference + "` is no URI.");
+      return Optional.of("`" + reference + "` is not a URI.");
     }
     if (target.isEmpty() || isKnownMetamodel(target)) {
       return Optional.empty();

@@ -17,7 +17,7 @@ import org.eclipse.emf.ecore.resource.impl.ResourceSetImpl;
 import org.eclipse.emf.ecore.xml.namespace.XMLNamespacePackage;
 import org.eclipse.emf.ecore.xml.type.XMLTypePackage;
 
-/** The files of one project that are loaded together; it holds no file outside the project. */
+/** The files of one project that are loaded together; it contains no file outside the project. */
 final class ProjectResources extends ResourceSetImpl {
 
   private final ProjectFiles files;

@@ -95,10 +95,10 @@ final class References {
     file.problems()
         .add(
             "xmi.containment.twice",
-            "`%s` is a part of %s already."
+            "`%s` is already part of %s."
                 .formatted(shown(file, proxy), ModelPath.of(target.eContainer())),
             file.offsetOfProxy(proxy),
-            "Leave it in one of its places, and refer to it from the other.");
+            "Keep it in one place, and refer to it from the other.");
   }
 
   private static List<?> basic(List<?> values) {
@@ -172,7 +172,7 @@ final class References {
     try {
       target = resources.getEObject(proxy.eProxyURI(), true);
     } catch (RuntimeException e) {
-      // A fragment that is no path.
+      // A fragment that is not a path.
       problem = "cannot be followed (" + e.getMessage() + ")";
     }
     if (target != null && reference.getEType().isInstance(target)) {
@@ -200,7 +200,7 @@ final class References {
   private void reportWrongType(
       XmiResource file, EObject element, EReference reference, EObject target) {
     String message =
-        "A %s is no value for feature `%s` of type `%s`."
+        "A %s is not a valid value for feature `%s` of type `%s`."
             .formatted(
                 target.eClass().getName(), reference.getName(), reference.getEType().getName());
     file.problems()

@@ -46,7 +46,7 @@ final class Statements {
     return ends;
   }
 
-  /** Notes a reference whose other end must stand in the file of its target. */
+  /** Notes a reference whose other end must be in the file of its target. */
   void noteEnd(EObject element, EReference feature, Object target, int tag) {
     ends.add(new End(element, feature, target, tag));
   }
@@ -60,7 +60,7 @@ final class Statements {
     }
   }
 
-  /** The ids and URIs of a text, without the names of classes that may stand before URIs. */
+  /** The ids and URIs of a text, without the names of classes that may be before URIs. */
   static List<String> idsIn(String text) {
     List<String> ids = new ArrayList<>();
     for (StringTokenizer tokens = new StringTokenizer(text); tokens.hasMoreTokens(); ) {

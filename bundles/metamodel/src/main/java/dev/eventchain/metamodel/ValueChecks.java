@@ -61,7 +61,7 @@ final class ValueChecks {
   private Diagnostic limit(EDataType type, Unchecked left) {
     return Diagnostic.error(
             "ecore.limit",
-            "The type `%s` was given up at this `%s`: %s. It left %s unchecked."
+            "The type `%s` was abandoned at this `%s`: %s. It left %s unchecked."
                 .formatted(
                     type.getName(),
                     left.feature,
@@ -69,7 +69,7 @@ final class ValueChecks {
                     Coverage.counted(left.values, "value")),
             locator.apply(left.element))
         .withHint(
-            "Write its pattern so that it has one way through a text, or allow more:"
+            "Rewrite its pattern so that a text can match in only one way, or allow more:"
                 + " --time-limit SECONDS.");
   }
 

@@ -72,7 +72,7 @@ final class XmiProblems {
   /** Adds what stopped the parser. */
   void add(IOException stopped) {
     if (!(stopped.getCause() instanceof SAXParseException syntax)) {
-      add("xmi.syntax", "The file is no sound XMI: " + stopped.getMessage(), 0, "");
+      add("xmi.syntax", "The file is not valid XMI: " + stopped.getMessage(), 0, "");
       return;
     }
     int end = text.offset(syntax.getLineNumber(), syntax.getColumnNumber());
@@ -104,11 +104,12 @@ final class XmiProblems {
         "Leave the feature out.");
   }
 
-  /** Adds that a text is no finite number. */
+  /** Adds that a text is not a finite number. */
   void refuseNumber(EStructuralFeature feature, String value, int tag) {
     add(
         "xmi.number.nonfinite",
-        "`%s` is no finite number for feature `%s`.".formatted(value, feature.getName()),
+        "`%s` is not a finite number, which feature `%s` needs."
+            .formatted(value, feature.getName()),
         attributeIn(tag, feature.getName()),
         "Write a number, or leave the feature out.");
   }
@@ -117,7 +118,7 @@ final class XmiProblems {
   void refuseComputed(EStructuralFeature feature, int tag) {
     add(
         "xmi.feature.computed",
-        "Feature `%s` is volatile: its value is computed, and none can be given to it."
+        "Feature `%s` is volatile: its value is computed and cannot be set."
             .formatted(feature.getName()),
         attributeIn(tag, feature.getName()),
         "Leave it out, or declare the feature with volatile=\"false\".");
@@ -127,10 +128,10 @@ final class XmiProblems {
   void addSecondValue(EStructuralFeature feature, int tag) {
     add(
         "xmi.value.twice",
-        "Feature `%s` holds one value, and the file gives it another one here."
+        "Feature `%s` holds one value, but the file gives it another one here."
             .formatted(feature.getName()),
         attributeIn(tag, feature.getName()),
-        "Leave one of them, or declare the feature with upperBound=\"-1\".");
+        "Keep one of them, or declare the feature with upperBound=\"-1\".");
   }
 
   /** That two elements have one id, which leaves a model that can be checked all the same. */
@@ -147,14 +148,14 @@ final class XmiProblems {
   void addCircle(int offset) {
     add(
         "xmi.containment.circle",
-        "With this reference an element would be a part of itself.",
+        "With this reference an element would contain itself.",
         offset,
-        "Take the reference out.");
+        "Remove the reference.");
   }
 
   private void addUnknownFeature(FeatureNotFoundException problem, int tag) {
     if (problem.getObject() == null) {
-      add("xmi.feature.unknown", "There is an element where only text may stand.", tag, "");
+      add("xmi.feature.unknown", "There is an element where only text is allowed.", tag, "");
       return;
     }
     EClass type = problem.getObject().eClass();
@@ -231,7 +232,12 @@ final class XmiProblems {
             : List.of();
     add(
         "xmi.value.illegal",
-        shown + " is no value for feature `" + feature.getName() + "` of type `" + type + "`.",
+        shown
+            + " is not a valid value for feature `"
+            + feature.getName()
+            + "` of type `"
+            + type
+            + "`.",
         attributeIn(tag, feature.getName()),
         NearestName.hint(String.valueOf(value), literals));
   }

@@ -139,11 +139,11 @@ final class XmiResource extends XMIResourceImpl {
   private static String reason(RuntimeException e) {
     String message = e.getMessage();
     return message == null || message.contains("java.")
-        ? "the reader trips over its structure."
+        ? "the reader cannot handle its structure."
         : message;
   }
 
-  /** Reads the file. What is wrong with it stands in {@link #problems()}; nothing is thrown. */
+  /** Reads the file. What is wrong with it is in {@link #problems()}; nothing is thrown. */
   @Override
   public void load(Map<?, ?> options) {
     if (!isLoaded()) {
@@ -159,7 +159,7 @@ final class XmiResource extends XMIResourceImpl {
       load(new InputSource(new StringReader(problems.text().text())), Map.of());
       refuseCircles();
       if (getContents().isEmpty() && problems.found().isEmpty()) {
-        problems.add("xmi.empty", "The file holds no model element.", 0, "");
+        problems.add("xmi.empty", "The file contains no model element.", 0, "");
       }
     } catch (DiagnosticException e) {
       problems.found().addAll(e.diagnostics());
@@ -167,7 +167,7 @@ final class XmiResource extends XMIResourceImpl {
       problems.add(e);
     } catch (RuntimeException e) {
       // EMF's reader trusts its input; what it trips over is a fault of the file.
-      problems.add("xmi.syntax", "The file is no sound XMI: " + reason(e), 0, "");
+      problems.add("xmi.syntax", "The file is not valid XMI: " + reason(e), 0, "");
     }
   }
 

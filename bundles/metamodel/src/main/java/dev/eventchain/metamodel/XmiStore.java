@@ -27,7 +27,7 @@ import org.eclipse.emf.ecore.xmi.impl.EcoreResourceFactoryImpl;
  * <p>Files are read as data: no document type, no entity, no schema location and no Java class that
  * a file names is followed, and references between files only inside the project's folder, or into
  * a project of Eclipse that they name ({@code platform:/resource/NAME/}) and that lies above or
- * beside a folder that the file is in. Not meant for several threads.
+ * next to a folder that the file is in. Not meant for several threads.
  */
 public final class XmiStore {
 
@@ -115,7 +115,7 @@ public final class XmiStore {
       problems.add(
           Diagnostic.error(
               "xmi.metamodel.unsound",
-              "The file holds no EPackage.",
+              "The file contains no EPackage.",
               metamodels.origins().locate(file.getContents().get(0))));
     }
     refuse(problems.stream().sorted().toList());

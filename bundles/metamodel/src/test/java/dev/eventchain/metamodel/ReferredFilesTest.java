@@ -103,7 +103,7 @@ class ReferredFilesTest {
     assertEquals("Say which file that is: --map " + reference + "=FILE", refused.hint());
   }
 
-  /** As those that the plug-ins of EMF have, where Ecore lies beside them. */
+  /** As those that the plug-ins of EMF have, where Ecore lies next to them. */
   @Test
   void ecoreBesideAMappedMetamodelIsTheOneThatIsAlwaysThere() throws IOException {
     String ecore =

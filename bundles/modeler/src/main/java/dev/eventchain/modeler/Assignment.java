@@ -56,7 +56,7 @@ final class Assignment {
     if (!reference.isMany() && source.eGet(reference) != null && source.eGet(reference) != target) {
       return found(
           "modeler.multiplicity",
-          "Feature '%s' takes one value and has another already.".formatted(reference.getName()));
+          "Feature '%s' takes one value and already has another.".formatted(reference.getName()));
     }
     if (reference.isContainment()) {
       return containmentProblem(source, target);
@@ -77,7 +77,7 @@ final class Assignment {
     return elsewhere
         ? found(
             "modeler.containment.several",
-            "The %s is in the feature '%s' of a %s already."
+            "The %s is already in the feature '%s' of a %s."
                 .formatted(
                     content.eClass().getName(),
                     content.eContainmentFeature().getName(),

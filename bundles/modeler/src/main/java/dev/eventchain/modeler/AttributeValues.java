@@ -106,7 +106,7 @@ final class AttributeValues {
     if (attribute.isUnique() && values.contains(value)) {
       find(
           "modeler.value.duplicate",
-          "'" + attribute.getName() + "' holds this value already.",
+          "'" + attribute.getName() + "' already holds this value.",
           pointer,
           "");
     } else {
@@ -198,7 +198,7 @@ final class AttributeValues {
         return Optional.of(EcoreUtil.createFromString(type, value.asText()));
       }
     } catch (RuntimeException e) {
-      // EMF says in its own way that the text is no value; below it is said in ours.
+      // EMF says in its own way that the text is not a value; below it is said in ours.
     }
     find(
         "modeler.value.type",

@@ -45,7 +45,7 @@ final class EnumLimits {
     return sum;
   }
 
-  /** A property that is called "enum" holds no array. */
+  /** A property that is called "enum" contains no array. */
   private static void collect(JsonNode node, List<ObjectNode> found) {
     if (node instanceof ObjectNode object && object.path(ENUM).isArray()) {
       found.add(object);

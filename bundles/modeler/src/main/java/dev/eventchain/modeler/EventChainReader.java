@@ -182,7 +182,7 @@ public final class EventChainReader {
     read(EventChainSchema.objects(text, diagnostics::add));
     JsonNode components = EventChainSchema.components(text.root());
     if (components.isArray() && components.isEmpty()) {
-      find("modeler.chain.empty", "The description holds no component.", text.at(""));
+      find("modeler.chain.empty", "The description contains no component.", text.at(""));
     }
     linkNextSteps();
   }
@@ -252,10 +252,11 @@ public final class EventChainReader {
       port.find(
           Diagnostic.error(
                   "modeler.consumer.unknown",
-                  "'" + Names.printable(consumer.get()) + "' is no consumer.",
+                  "'" + Names.printable(consumer.get()) + "' is not a consumer.",
                   port.at("consumer"))
               .withHint(
-                  "Write \"external\" for an output that leaves the chain; leave it out otherwise."));
+                  "Write \"external\" for an output that leaves the chain; leave it out"
+                      + " otherwise."));
     }
     List<Requirement> asking = readRequirements(port);
     return value -> {
@@ -303,7 +304,7 @@ public final class EventChainReader {
     if (!names.add(value.getName()) && !value.getName().isEmpty()) {
       find(
           "modeler.name.duplicate",
-          "There is a value '" + value.getName() + "' on this side of the component already.",
+          "There is already a value '" + value.getName() + "' on this side of the component.",
           json.at("name"));
     }
     value.setFieldName(checked(json, "field", RosNames::isFieldPath, "modeler.field.illegal"));
@@ -347,7 +348,7 @@ public final class EventChainReader {
     String value = json.requiredText(property);
     if (!value.isBlank() && !legal.test(value)) {
       String message =
-          "'" + Names.printable(value) + "' is no legal " + property.replace('_', ' ') + ".";
+          "'" + Names.printable(value) + "' is not a legal " + property.replace('_', ' ') + ".";
       diagnostics.add(
           Diagnostic.error(id, message, json.at(property)).withHint(Names.ruleOf(property)));
     }
@@ -363,11 +364,11 @@ public final class EventChainReader {
         diagnostics.add(
             Diagnostic.error(
                     "modeler.name.duplicate",
-                    "There is a component '"
+                    "There is already a component '"
                         + earlier.getName()
                         + "' in line "
                         + origins.locate(earlier).line()
-                        + " already.",
+                        + ".",
                     origins.locate(node))
                 .withHint("Names of components differ in more than upper and lower case."));
       }

@@ -22,7 +22,7 @@ import org.eclipse.emf.common.util.Enumerator;
 /**
  * The JSON Schema of the event-chain descriptions that {@link EventChainReader} reads, as far as
  * somebody who designs a chain writes them. Since strict modes want an object at the root, the
- * array of components stands in its property {@code components}.
+ * array of components is in its property {@code components}.
  *
  * <p>Only what is closed is an enumeration: the ids of the requirements, the message types that
  * there are, the profiles and policies of quality of service, and {@code external}. Names and
@@ -84,7 +84,7 @@ public final class EventChainSchema {
     return isWrapped(description) ? description.get(COMPONENTS) : description;
   }
 
-  /** Readers of the components; what is no description of a chain is a finding. */
+  /** Readers of the components; what is not a description of a chain is a finding. */
   static List<ObjectReader> objects(Document description, Consumer<Diagnostic> findings) {
     if (!isWrapped(description.root())) {
       return description.objects(findings);

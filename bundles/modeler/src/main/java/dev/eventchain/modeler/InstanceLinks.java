@@ -62,7 +62,7 @@ final class InstanceLinks {
       find(
           link,
           "modeler.reference.duplicate",
-          "'" + link.id() + "' stands in '" + link.reference().getName() + "' already.",
+          "'" + link.id() + "' is already in '" + link.reference().getName() + "'.",
           "");
       return false;
     }

@@ -141,7 +141,7 @@ final class InstanceObjects {
     }
     find(
         "modeler.class.missing",
-        "The object does not say its class.",
+        "The object does not name its class.",
         pointer,
         "Add the property 'eClass'. " + NearestName.hint("", classes.concreteNames()));
     return Optional.empty();
@@ -191,7 +191,7 @@ final class InstanceObjects {
     if (earlier != null) {
       find(
           "modeler.id.duplicate",
-          "The id '%s' is that of the %s in line %d already."
+          "The id '%s' already belongs to the %s in line %d."
               .formatted(id.asText(), earlier.eClass().getName(), origins.locate(earlier).line()),
           Document.below(pointer, ID),
           "");

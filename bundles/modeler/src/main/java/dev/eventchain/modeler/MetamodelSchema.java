@@ -94,7 +94,7 @@ public final class MetamodelSchema {
    * An array for each class; features hold the ids of what they contain. There is no definition and
    * no recursion, and what the metamodel does not demand is not required: for services that know no
    * recursion, or count the alternatives of a schema. Objects of classes with a feature {@code id}
-   * that is no text and no whole number cannot be named, and are left out.
+   * that is not text and no whole number cannot be named, and are left out.
    */
   public ObjectNode flat() {
     return new Shape(false).flat();

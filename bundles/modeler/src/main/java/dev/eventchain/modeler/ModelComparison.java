@@ -169,7 +169,8 @@ public final class ModelComparison {
     differences.add(
         Diagnostic.warning(
             "modeler.comparison.order",
-            "'%s' has another order; expected is %s.".formatted(reference.getName(), names(wanted)),
+            "'%s' is in another order; expected is %s."
+                .formatted(reference.getName(), names(wanted)),
             locator.apply(actual)));
   }
 

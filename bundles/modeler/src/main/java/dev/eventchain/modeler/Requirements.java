@@ -16,7 +16,7 @@ import java.util.regex.Pattern;
 
 /**
  * Written requirements or design rules: the items {@code - REQ-1: text} of a Markdown file, in
- * their order. An item goes on in indented lines; everything else in the file is for people.
+ * their order. An item continues in indented lines; everything else in the file is for people.
  *
  * @param items the items
  * @param diagnostics what is wrong with the file: an id twice, an item without text, no item at
@@ -27,7 +27,7 @@ public record Requirements(List<Item> items, List<Diagnostic> diagnostics) {
   private static final Pattern ITEM =
       Pattern.compile("[-*+] +\\**([A-Za-z][A-Za-z0-9_.-]*)\\**:\\**\\s*(.*)");
 
-  /** An id as most people number them: what stands before the number, and the number. */
+  /** An id as most people number them: what is before the number, and the number. */
   private static final Pattern NUMBERED = Pattern.compile("(.*?[A-Za-z])[-_. ]?([0-9]+)");
 
   /**
@@ -88,7 +88,7 @@ public record Requirements(List<Item> items, List<Diagnostic> diagnostics) {
       if (items.isEmpty()) {
         diagnostics.add(
             Diagnostic.error(
-                    "modeler.requirements.none", "The file holds no requirement.", source.at(0))
+                    "modeler.requirements.none", "The file contains no requirement.", source.at(0))
                 .withHint("Write each as an item with an id: '- REQ-1: The system shall ...'"));
       }
       Map<String, Item> seen = new HashMap<>();
@@ -97,7 +97,7 @@ public record Requirements(List<Item> items, List<Diagnostic> diagnostics) {
         if (earlier != null) {
           find(
               "duplicate",
-              "The id " + item.id + " stands in line " + earlier.location.line() + " already.",
+              "The id " + item.id + " is already used in line " + earlier.location.line() + ".",
               item);
         }
         if (item.text.isEmpty()) {

@@ -188,7 +188,7 @@ final class ReuseCheck {
         .isPresent();
   }
 
-  /** The profile and what is set beside it: "sensor_data, depth 5". */
+  /** The profile and what is set next to it: "sensor_data, depth 5". */
   private static String quality(Data data) {
     QosProfile profile = data.getQos();
     if (profile == null) {

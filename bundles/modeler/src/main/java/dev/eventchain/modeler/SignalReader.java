@@ -40,7 +40,7 @@ final class SignalReader {
     if (!topic.isEmpty() && !topics.add(RosNames.resolve(topic, ""))) {
       json.find(
           "modeler.name.duplicate",
-          "There is a signal '" + topic + "' already.",
+          "There is already a signal '" + topic + "'.",
           json.at("Topic Name"));
     }
     String type = legal(json, "Message Type", RosNames::isMessageType, "modeler.type.illegal");
@@ -63,7 +63,7 @@ final class SignalReader {
       findings.add(
           Diagnostic.error(
                   "modeler.signal.direction",
-                  "'" + direction + "' is no direction.",
+                  "'" + direction + "' is not a direction.",
                   json.at("direction"))
               .withHint(NearestName.hint(direction, DIRECTIONS)));
     }
@@ -87,7 +87,7 @@ final class SignalReader {
       ObjectReader json, String property, Predicate<String> legal, String id) {
     String value = json.requiredText(property);
     if (!value.isBlank() && !legal.test(value)) {
-      json.find(id, "'" + value + "' is no legal " + property + ".", json.at(property));
+      json.find(id, "'" + value + "' is not a legal " + property + ".", json.at(property));
     }
     return value;
   }

@@ -35,7 +35,7 @@ final class Asts {
     };
   }
 
-  /** Whether its value stands in the source already. */
+  /** Whether its value is in the source already. */
   static boolean isLiteral(OCLExpression<EClassifier> node) {
     if (node instanceof CollectionLiteralExp<EClassifier> collection) {
       return collection.getPart().stream().allMatch(Asts::isLiteral);

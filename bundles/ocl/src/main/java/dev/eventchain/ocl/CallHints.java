@@ -47,7 +47,7 @@ final class CallHints {
   /**
    * A hint about a call.
    *
-   * @param owner the type of what stands before the operation
+   * @param owner the type of what is before the operation
    * @param features the names of the owner's features
    */
   String of(
@@ -60,7 +60,7 @@ final class CallHints {
           + name
           + "' joins truth values"
           + (name.equals("not") ? "" : " on both sides")
-          + ": compare first, or ask ->notEmpty() or ->forAll(...).";
+          + ": compare first, or use ->notEmpty() or ->forAll(...).";
     } else if (COMPARISONS.contains(name) || ARITHMETIC.contains(name)) {
       return hintForOperator(name, element.isPresent(), argumentIsCollection, owner);
     } else if (element.isPresent()) {
@@ -68,7 +68,7 @@ final class CallHints {
     } else if (operations(owner).contains(name)) {
       return "It takes " + signatures(owner, name) + ".";
     } else if (operations(anyCollection(owner)).contains(name) || isIterator(name)) {
-      return "'" + name + "' is asked of a whole collection: write ->" + name + "(...).";
+      return "'" + name + "' applies to a collection: write ->" + name + "(...).";
     } else if (features.contains(name)) {
       return "'" + name + "' is a feature: leave the parentheses out.";
     }
@@ -78,14 +78,14 @@ final class CallHints {
   private String hintForOperator(
       String name, boolean collection, boolean argumentIsCollection, EClassifier owner) {
     if (collection && argumentIsCollection) {
-      return "Compare their sizes, or ask one of them, with ->forAll(...) or ->includesAll(...).";
+      return "Compare their sizes, or test one of them with ->forAll(...) or ->includesAll(...).";
     } else if (collection) {
-      return "This is a collection. Ask its elements, with ->forAll(each | each "
+      return "This is a collection. Test its elements with ->forAll(each | each "
           + name
           + " ...) or ->exists(...), or compare its ->size().";
     } else if (argumentIsCollection) {
-      return "The argument is a collection. Ask its elements, with ->forAll(...) or ->exists(...), or"
-          + " compare its ->size().";
+      return "The argument is a collection. Test its elements with ->forAll(...) or ->exists(...),"
+          + " or compare its ->size().";
     }
     String signatures = signatures(owner, name);
     return signatures.isEmpty() ? "" : "It takes " + signatures + ".";
@@ -96,16 +96,18 @@ final class CallHints {
     if (operations(owner).contains(name)) {
       return "It takes " + signatures(owner, name) + ".";
     } else if (TYPE_TESTS.contains(name)) {
-      return "'%s' is asked of each value: write a dot for the arrow, or ->forAll(each | each.%s(...)) of all."
+      return ("'%s' applies to each value: write a dot instead of the arrow, or ->forAll(each"
+              + " | each.%s(...)) for all.")
           .formatted(name, name);
     } else if (name.equals("oclAsType")) {
-      return "'oclAsType' is asked of each value: write a dot for the arrow, or ->selectByKind(...) for"
-          + " the elements of that type.";
+      return "'oclAsType' applies to each value: write a dot instead of the arrow, or"
+          + " ->selectByKind(...) for the elements of that type.";
     } else if (operations(element).contains(name) || name.equals("allInstances")) {
       // A dot gets here, too, behind a collection of collections.
       return "'"
           + name
-          + "' is asked of each value, not of a collection: write a dot for the arrow, or ->flatten() before the dot.";
+          + "' applies to each value, not to a collection: write a dot instead of the arrow, or"
+          + " ->flatten() before the dot.";
     }
     return nearest(owner, name);
   }

@@ -32,7 +32,7 @@ public final class DeepStack {
   }
 
   /**
-   * Does some things at the same time, each in a thread of its own. If one fails, or this thread is
+   * Does some things at the same time, each in its own thread. If one fails, or this thread is
    * interrupted, the others are interrupted, too; none is left running.
    */
   public static void runAll(List<Runnable> tasks) {

@@ -25,7 +25,7 @@ final class DefinitionNodes {
     } else if (root instanceof LoopNodes.Collect loop && loop.body() instanceof LibraryCall call) {
       return loop.give(call, receiver, frame);
     }
-    throw new IllegalStateException("the outermost part is no call of a library's operation");
+    throw new IllegalStateException("the outermost part is not a call of a library's operation");
   }
 
   /** Calls a definition: an operation, or a property, which has no arguments. */
@@ -55,7 +55,7 @@ final class DefinitionNodes {
     }
   }
 
-  /** The value of a definition, whose object and arguments are in a frame of its own. */
+  /** The value of a definition, whose object and arguments are in its own frame. */
   static Object evaluate(Lowered definition, Frame called) {
     Evaluation run = called.run;
     run.step();

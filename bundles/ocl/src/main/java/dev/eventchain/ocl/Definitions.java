@@ -39,7 +39,7 @@ public final class Definitions {
       return new Tokens(text.text());
     }
 
-    /** Whether another one says the same in another document, which is no fault. */
+    /** Whether another one says the same in another document, which is not a fault. */
     private boolean repeats(Definition other) {
       return text.source() != other.text.source()
           && tokens().words().equals(other.tokens().words());
@@ -265,7 +265,7 @@ public final class Definitions {
                       + nameOf(tokens)
                       + "' of "
                       + definition.owner().getName()
-                      + " is there twice.",
+                      + " is declared twice.",
                   definition.location())
               .withHint("Give one of them another name.")
               .withRelated(first.location()));

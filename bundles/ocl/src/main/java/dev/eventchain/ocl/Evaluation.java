@@ -157,7 +157,7 @@ public final class Evaluation {
     return values;
   }
 
-  /** The regular expressions that were used last, which are dear to compile. */
+  /** The regular expressions that were used last, which are expensive to compile. */
   Map<String, Matcher> matchers() {
     return matchers;
   }

@@ -89,7 +89,7 @@ public final class Expression {
   /**
    * A call of a library's operation.
    *
-   * @param sourceType the static type of what stands before the dot or the arrow; of nothing, an
+   * @param sourceType the static type of what is before the dot or the arrow; of nothing, an
    *     arbitrary type
    * @param implementation what the library does for it
    */

@@ -348,7 +348,7 @@ public final class ExpressionLanguage {
         : Optional.empty();
   }
 
-  /** Whether every value of a type can stand where the other type is asked for. */
+  /** Whether every value of a type can be where the other type is asked for. */
   public synchronized boolean conforms(EClassifier type, EClassifier required) {
     return TypeUtil.compatibleTypeMatch(root, type(type), type(required));
   }

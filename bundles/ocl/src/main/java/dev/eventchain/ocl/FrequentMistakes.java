@@ -20,16 +20,17 @@ final class FrequentMistakes {
   /** Two characters that stand together and what is wrong with them. */
   private static final Map<String, Mistake> OPERATORS =
       Map.ofEntries(
-          Map.entry("==", new Mistake("'==' is no operator.", "Equality is written =.")),
-          Map.entry("!=", new Mistake("'!=' is no operator.", "Inequality is written <>.")),
-          Map.entry("&&", new Mistake("'&&' is no operator.", "Write and.")),
-          Map.entry("||", new Mistake("'||' is no operator.", "Write or.")),
+          Map.entry("==", new Mistake("OCL has no operator '=='.", "Equality is written =.")),
+          Map.entry("!=", new Mistake("OCL has no operator '!='.", "Inequality is written <>.")),
+          Map.entry("&&", new Mistake("OCL has no operator '&&'.", "Write and.")),
+          Map.entry("||", new Mistake("OCL has no operator '||'.", "Write or.")),
           Map.entry(
-              "=>", new Mistake("'=>' is no operator.", "Write implies, or >= for a comparison.")),
+              "=>",
+              new Mistake("OCL has no operator '=>'.", "Write implies, or >= for a comparison.")),
           Map.entry(
               ":=", new Mistake("'=' is written without a colon.", "Nothing is assigned in OCL.")),
-          Map.entry("=<", new Mistake("'=<' is no operator.", "Write <=.")),
-          Map.entry("=~", new Mistake("'=~' is no operator.", "Write text.matches('...').")),
+          Map.entry("=<", new Mistake("OCL has no operator '=<'.", "Write <=.")),
+          Map.entry("=~", new Mistake("OCL has no operator '=~'.", "Write text.matches('...').")),
           Map.entry(
               "//", new Mistake("Comments start with two hyphens.", "Write -- instead of //.")),
           Map.entry(
@@ -42,11 +43,11 @@ final class FrequentMistakes {
 
   private static final Map<String, Mistake> CHARACTERS =
       Map.of(
-          "!", new Mistake("'!' is no operator.", "Write not."),
-          "%", new Mistake("'%' is no operator.", "Write a.mod(b)."),
-          "^", new Mistake("'^' is no operator for numbers.", "Multiply."),
+          "!", new Mistake("OCL has no operator '!'.", "Write not."),
+          "%", new Mistake("OCL has no operator '%'.", "Write a.mod(b)."),
+          "^", new Mistake("'^' is not an operator on numbers.", "Multiply."),
           "#", new Mistake("'#' is not written before a literal.", "Write Type::LITERAL."),
-          "?", new Mistake("'?' is no operator.", "Write if ... then ... else ... endif."));
+          "?", new Mistake("OCL has no operator '?'.", "Write if ... then ... else ... endif."));
 
   private static final Set<String> INFIX =
       Set.of("mod", "div", "max", "min", "concat", "AND", "OR", "XOR", "IMPLIES");
@@ -108,7 +109,7 @@ final class FrequentMistakes {
     } else if ("'\"".indexOf(token.charAt(0)) >= 0 && !tokens.isString(at)) {
       add(at, unclosed(token));
     } else if (token.equals("[") && endsOperand(at - 1)) {
-      add(at, new Mistake("Brackets do not give an element here.", "Write ->at(1) for the first."));
+      add(at, new Mistake("Brackets select no element here.", "Write ->at(1) for the first."));
     } else if (token.equals(";") && depth() == 0) {
       add(at, new Mistake("';' does not end an expression.", "Leave it out."));
     } else if (INFIX.contains(token) && endsOperand(at - 1) && startsOperand(at + 1)) {
@@ -120,7 +121,8 @@ final class FrequentMistakes {
     } else if (token.equals(".") && isIteration(at + 1)) {
       add(
           at,
-          new Mistake("'" + tokens.text(at + 1) + "' follows an arrow.", "Write -> for the dot."));
+          new Mistake(
+              "'" + tokens.text(at + 1) + "' follows an arrow.", "Write -> instead of the dot."));
     }
     at++;
   }
@@ -143,7 +145,7 @@ final class FrequentMistakes {
 
   private static Mistake unclosed(String token) {
     if (token.startsWith("\"")) {
-      return new Mistake("A string stands in single quotes.", "Write '...'.");
+      return new Mistake("Strings are written in single quotes.", "Write '...'.");
     }
     return new Mistake(
         "The string is not closed.",
@@ -163,8 +165,8 @@ final class FrequentMistakes {
 
   private static Mistake infix(String word) {
     return Character.isUpperCase(word.charAt(0))
-        ? new Mistake("'" + word + "' is written in small letters.", "")
-        : new Mistake("'" + word + "' is no infix operator.", "Write a." + word + "(b).");
+        ? new Mistake("'" + word + "' is written in lower case.", "")
+        : new Mistake("'" + word + "' is not an infix operator.", "Write a." + word + "(b).");
   }
 
   private void lookAtArrow() {
@@ -198,7 +200,7 @@ final class FrequentMistakes {
    */
   private void lookForColon() {
     if (tokens.isName(at + 3) && tokens.is(at + 4, ":")) {
-      add(at + 4, new Mistake("A bar separates the variable from what is asked.", "Write x | ..."));
+      add(at + 4, new Mistake("A bar separates the variable from the body.", "Write x | ..."));
     }
   }
 

@@ -18,8 +18,8 @@ abstract class GuardedNode extends Node {
   }
 
   /**
-   * Whether an exception says more than the value does that the work was done on. That a text is no
-   * number can be seen; which classes of Java do not fit is of no use to anybody.
+   * Whether an exception says more than the value does that the work was done on. That a text is
+   * not a number can be seen; which classes of Java do not fit is of no use to anybody.
    */
   boolean tells(RuntimeException e) {
     return !(e instanceof ClassCastException || e instanceof NumberFormatException);

@@ -33,7 +33,7 @@ record InvalidOrigin(
   static final class Source extends AdapterImpl {
     private final SourceText text;
 
-    /** Why the expression stands in the place of another one; empty if it does not. */
+    /** Why the expression is in the place of another one; empty if it does not. */
     private final String reason;
 
     Source(SourceText text) {
@@ -102,7 +102,7 @@ record InvalidOrigin(
       String name = String.valueOf(Names.of(call.getReferredOperation()));
       return operationReason(name);
     } else if (node instanceof PropertyCallExp<?, ?> call) {
-      return "'" + Names.of(call.getReferredProperty()) + "' is asked of " + described(source);
+      return "'" + Names.of(call.getReferredProperty()) + "' is called on " + described(source);
     } else if (node instanceof LoopExp<?, ?> loop) {
       return source == null
           ? "'" + loop.getName() + "' is applied to null"

@@ -31,7 +31,9 @@ final class KeyedElements extends Node {
     this.wanted = wanted;
   }
 
-  /** The elements that matter, in their order, or all of them; invalid if it is no collection. */
+  /**
+   * The elements that matter, in their order, or all of them; invalid if it is not a collection.
+   */
   @Override
   Object evaluate(Frame frame) {
     Collection<?> elements = source.elements(frame);

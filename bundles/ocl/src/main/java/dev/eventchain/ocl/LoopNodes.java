@@ -11,7 +11,7 @@ final class LoopNodes {
 
   private LoopNodes() {}
 
-  /** Goes through the elements of a source; one that is no collection makes it invalid. */
+  /** Goes through the elements of a source; one that is not a collection makes it invalid. */
   private abstract static class Walk extends Node {
     final Node source;
 
@@ -282,7 +282,7 @@ final class LoopNodes {
         if (key == INVALID || !(key instanceof Comparable<?>)) {
           if (key != null && key != INVALID) {
             String shown = InvalidOrigin.described(key);
-            run.fail("is " + shown + " for an element, which has no order", null);
+            run.fail("is " + shown + " for an element, which cannot be ordered", null);
           }
           return INVALID;
         }
@@ -323,7 +323,7 @@ final class LoopNodes {
     }
   }
 
-  /** {@code iterate}. An invalid result goes on being computed with, as in Eclipse OCL. */
+  /** {@code iterate}. An invalid result continues being computed with, as in Eclipse OCL. */
   static final class Iterate extends Walk {
     private final int slot;
     private final int result;

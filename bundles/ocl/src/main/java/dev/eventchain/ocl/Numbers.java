@@ -94,7 +94,7 @@ final class Numbers {
    */
   static Double real(String text) {
     if (!REAL.matcher(text).matches()) {
-      throw new NumberFormatException("'" + text + "' is no Real");
+      throw new NumberFormatException("'" + text + "' is not a Real");
     }
     return Double.valueOf(text);
   }

@@ -127,7 +127,8 @@ final class OclAnalyzer extends OCLAnalyzer {
       return createDummyInvalidLiteralExp(environment, name);
     }
     if (collector().isAt('"', name.getStartOffset())) {
-      problem = new ProblemTexts.Problem(problem.message(), "A string stands in single quotes.");
+      problem =
+          new ProblemTexts.Problem(problem.message(), "Strings are written in single quotes.");
     }
     reportMissing(simpleName, problem, name.getStartOffset());
     return createDummyInvalidLiteralExp(environment, name);

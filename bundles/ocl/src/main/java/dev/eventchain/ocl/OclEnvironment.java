@@ -48,7 +48,7 @@ final class OclEnvironment extends EcoreEnvironment {
     this.factory = parent.factory;
     this.declaring = parent.declaring;
     if (parent.getInternalParent() != null) {
-      // All environments of one parse share what node stands where.
+      // All environments of one parse share what node is where.
       setASTNodeToCSTNodeMap(parent.getASTNodeToCSTNodeMap());
     }
   }
@@ -92,7 +92,9 @@ final class OclEnvironment extends EcoreEnvironment {
     return factory.statics().contains(definition);
   }
 
-  /** Remembers a definition that could not be declared: to miss its name is no error of its own. */
+  /**
+   * Remembers a definition that could not be declared: to miss its name is not an error of its own.
+   */
   void addFailedName(String name) {
     factory.failedNames().add(name);
   }
@@ -196,7 +198,7 @@ final class OclEnvironment extends EcoreEnvironment {
 
   /**
    * What a name means from inside the context's package and those around it. Eclipse OCL would take
-   * the first package of a name that is anywhere, and say nothing of the others.
+   * the first package of a name that is anywhere, and say nothing about the others.
    */
   private EClassifier nearest(List<String> names) {
     if (names.size() == 1) {

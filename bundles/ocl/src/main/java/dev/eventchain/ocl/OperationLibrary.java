@@ -11,7 +11,7 @@ import org.eclipse.emf.ecore.EClassifier;
  * hence the type of a result can depend on the types of the arguments, as that of {@code
  * filter(T)}.
  *
- * <p>A type literal given as argument has a type of its own; {@link
+ * <p>A type literal given as argument has its own type; {@link
  * ExpressionLanguage#referredType(EClassifier)} gives the type that it names, and at run time the
  * argument is that {@link EClassifier} itself.
  */

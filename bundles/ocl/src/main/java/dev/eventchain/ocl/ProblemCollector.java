@@ -77,7 +77,7 @@ final class ProblemCollector extends AbstractProblemHandler {
 
   /** Only the first: what follows a syntax error is its echo. */
   private void addSyntaxProblem(boolean error, String message, int startOffset) {
-    // A quoted name is unusual but right; one that means nothing is an error of its own.
+    // A quoted name is unusual but right; one that means nothing is a separate error.
     if (!syntaxErrorFound && !message.startsWith("Usage of non-standard quoted")) {
       syntaxErrorFound = error;
       String words = SyntaxTexts.message(message);

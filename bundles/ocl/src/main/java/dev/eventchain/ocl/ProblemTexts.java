@@ -28,7 +28,7 @@ import org.eclipse.ocl.types.VoidType;
 import org.eclipse.ocl.util.TypeUtil;
 import org.eclipse.ocl.utilities.TypedElement;
 
-/** Says what is wrong with an expression in words that help to mend it. */
+/** Says what is wrong with an expression in words that help to fix it. */
 final class ProblemTexts {
 
   /** What is wrong, and what was probably meant. */
@@ -39,9 +39,9 @@ final class ProblemTexts {
       Map.of(
           "true", "true",
           "false", "false",
-          "null", "null, or ask ->isEmpty()",
-          "nil", "null, or ask ->isEmpty()",
-          "none", "null, or ask ->isEmpty()",
+          "null", "null, or use ->isEmpty()",
+          "nil", "null, or use ->isEmpty()",
+          "none", "null, or use ->isEmpty()",
           "undefined", "x.oclIsUndefined()");
 
   private static final Pattern UNKNOWN_LITERAL =
@@ -159,7 +159,7 @@ final class ProblemTexts {
       return Optional.empty();
     } else if (elementType(left).isPresent() && right instanceof VoidType<?>) {
       return Optional.of(
-          new Problem("A collection is never null.", "Ask ->isEmpty() or ->notEmpty()."));
+          new Problem("A collection is never null.", "Use ->isEmpty() or ->notEmpty()."));
     } else if (isPlain(left)
         && isPlain(right)
         && !TypeUtil.compatibleTypeMatch(root, left, right)
@@ -217,8 +217,7 @@ final class ProblemTexts {
           : new Problem("There is no type, literal or feature '" + name + "'.", types.of(names));
     }
     if (message.startsWith("Qualifiers do not conform")) {
-      return new Problem(
-          "Brackets do not give an element here.", "Write ->at(1) for the first one.");
+      return new Problem("Brackets select no element here.", "Write ->at(1) for the first one.");
     }
     return new Problem(message, "");
   }

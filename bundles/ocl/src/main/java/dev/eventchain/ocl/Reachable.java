@@ -12,7 +12,7 @@ final class Reachable {
   private Reachable() {}
 
   /**
-   * What can be reached. Depth first, like Eclipse OCL, but with a stack of its own, so that a long
+   * What can be reached. Depth first, like Eclipse OCL, but with its own stack, so that a long
    * chain of elements does not need a deep Java stack. As there, the sources themselves are left
    * out unless they are reached again.
    *

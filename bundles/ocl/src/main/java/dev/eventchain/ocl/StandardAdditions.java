@@ -70,7 +70,7 @@ final class StandardAdditions implements OperationLibrary {
 
   private static Object given(Object source) {
     if (source == null) {
-      throw new IllegalArgumentException("it is asked of null");
+      throw new IllegalArgumentException("it is called on null");
     }
     return source;
   }

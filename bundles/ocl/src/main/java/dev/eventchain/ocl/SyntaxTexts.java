@@ -41,8 +41,8 @@ final class SyntaxTexts {
     } else if (character.matches()) {
       text =
           character.group(1).equals(DOUBLE_QUOTE)
-              ? "A double quote is no character of OCL."
-              : character.group(1) + " is no character of OCL.";
+              ? "A double quote is not a character of OCL."
+              : character.group(1) + " is not a character of OCL.";
     } else {
       text = RULE_NAME.matcher(message).replaceAll(m -> described(m.group(1)));
       text = text.replaceFirst(" expected ", " is expected ");

@@ -15,7 +15,7 @@ final class TextNodes {
 
   private TextNodes() {}
 
-  /** An operation of a source; one that is no string makes it invalid. */
+  /** An operation of a source; one that is not a string makes it invalid. */
   private abstract static class Operation extends GuardedNode {
     final int code;
     private final Node source;

@@ -3,7 +3,7 @@ package dev.eventchain.ocl;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.ocl.expressions.OCLExpression;
 
-/** The body of a loop that asks a question, which remembers an answer that is no Boolean. */
+/** The body of a loop that asks a question, which remembers an answer that is not a Boolean. */
 final class TracedCondition extends Node {
   private final OCLExpression<EClassifier> loop;
   private final Node body;
@@ -19,7 +19,7 @@ final class TracedCondition extends Node {
     if (value == null || value == INVALID || value instanceof Boolean) {
       return value;
     }
-    String detail = "is " + InvalidOrigin.described(value) + " for an element, and no Boolean";
+    String detail = "is " + InvalidOrigin.described(value) + " for an element, not a Boolean";
     frame.run.setOrigin(new InvalidOrigin(loop, value, detail, null));
     return INVALID;
   }

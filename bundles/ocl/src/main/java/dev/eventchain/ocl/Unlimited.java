@@ -1,6 +1,8 @@
 package dev.eventchain.ocl;
 
-/** The UnlimitedNatural that is above all numbers, {@code *}; it is no operand of arithmetic. */
+/**
+ * The UnlimitedNatural that is above all numbers, {@code *}; it is not an operand of arithmetic.
+ */
 enum Unlimited {
   UNLIMITED;
 

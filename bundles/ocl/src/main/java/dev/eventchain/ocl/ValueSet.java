@@ -6,7 +6,7 @@ import java.util.LinkedHashSet;
 import java.util.Map;
 
 /**
- * An OCL OrderedSet, which holds no two values that are equal in OCL, though Java may tell them
+ * An OCL OrderedSet, which contains no two values that are equal in OCL, though Java may tell them
  * apart, as it does 1 and 1.0.
  */
 final class ValueSet<E> extends LinkedHashSet<E> {

@@ -129,7 +129,7 @@ final class Values {
     return true;
   }
 
-  /** Counted from one; 0 if the value is no element. */
+  /** Counted from one; 0 if the value is not an element. */
   static int indexOf(Collection<?> elements, Object value) {
     boolean object = isPlainObject(value);
     int index = 1;

@@ -46,7 +46,7 @@ class ReasonsTest {
             + " | the condition of an 'if' is null",
         "let c : Boolean = null in books->select(c)->isEmpty() | x:1:27 | NULL"
             + " | the body of 'select' is null for an element",
-        "(let b : Book = null in b.title.size()) > 0 | x:1:27 | NULL | 'title' is asked of null",
+        "(let b : Book = null in b.title.size()) > 0 | x:1:27 | NULL | 'title' is called on null",
         "1 / (2 - 2) > 0                | x:1:3  | OTHER"
             + " | '/' divides 1 by zero or by nothing",
         "(1 / 0).oclIsUndefined() and null.oclAsType(Integer) > 0 | x:1:54 | NULL"

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.DynamicTest;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestFactory;
 
-/** What is left out of the comparison with Eclipse OCL differs indeed, and stands in a table. */
+/** What is left out of the comparison with Eclipse OCL differs indeed, and is in a table. */
 class StockDifferencesTest {
 
   private static final Path TABLE = Path.of("src", "test", "resources", "stock-differences.md");

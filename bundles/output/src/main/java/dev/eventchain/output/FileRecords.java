@@ -159,7 +159,7 @@ final class FileRecords {
     return bytes.toByteArray();
   }
 
-  /** What the records keep of a content: a hash of what is outside of its protected areas. */
+  /** What the records keep of a content: a hash of what is outside its protected areas. */
   static String fingerprint(byte[] content) {
     return new Sha256().add(ProtectedAreas.withoutAreas(content)).hex();
   }

@@ -29,7 +29,7 @@ final class OutputFindings {
   }
 
   Diagnostic abandoned(String path) {
-    return edited(path, "is no longer produced but may hold a person's work, and was kept.")
+    return edited(path, "is no longer produced but may contain changes made by hand, and was kept.")
         .withHint("Delete the file if it is not needed.");
   }
 

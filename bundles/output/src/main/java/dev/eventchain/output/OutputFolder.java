@@ -39,7 +39,7 @@ public final class OutputFolder implements AutoCloseable {
     WRITTEN,
     /** It held the content already. */
     UNCHANGED,
-    /** A person's file stands in its place. */
+    /** A person's file is in its place. */
     KEPT,
     /** Its name leads out of the folder or cannot be a file's. */
     REFUSED
@@ -196,7 +196,7 @@ public final class OutputFolder implements AutoCloseable {
   }
 
   /**
-   * Accepts a file as it stands, for a run that goes on from a person's version of it.
+   * Accepts a file as it stands, for a run that continues from a person's version of it.
    *
    * @return the warning {@code eventchain.file.edited} if a person changed it; nothing if it is as
    *     we wrote it or does not exist
@@ -370,7 +370,7 @@ public final class OutputFolder implements AutoCloseable {
                     "The records of the files written earlier cannot be read.",
                     SourceLocation.of(storage.shown(OutputPath.RESERVED + "/files.json")))
                 .withHint(
-                    "Files that differ count as edited by a person; delete them to have them"
+                    "Files that differ count as edited by hand; delete them to have them"
                         + " written again."))
         : Optional.empty();
   }

@@ -18,8 +18,8 @@ public final class ProtectedAreas {
   /**
    * An area of a text.
    *
-   * @param line what stands behind the start mark on its line: the id, and perhaps text of the
-   *     template such as the end of a comment
+   * @param line what is behind the start mark on its line: the id, and perhaps text of the template
+   *     such as the end of a comment
    * @param start where the content starts, at the end of that line
    * @param end where the content ends, before the end mark; the start if the area has one line only
    */

@@ -22,7 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What a run knows of those before it, and of one that goes on beside it. */
+/** What a run knows of those before it, and of one that continues next to it. */
 class EarlierRunsTest {
 
   @TempDir Path temporary;

@@ -6,7 +6,7 @@ import java.io.InputStreamReader;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 
-/** A run in a process of its own that changes a file and then waits to be killed. */
+/** A run in its own process that changes a file and then waits to be killed. */
 final class KilledRun {
 
   private KilledRun() {}

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Files that are written piece by piece beside the output folder's others, and then moved. */
+/** Files that are written piece by piece next to the output folder's others, and then moved. */
 class LargeFilesTest {
 
   @TempDir Path temporary;

@@ -25,7 +25,7 @@ import org.eclipse.emf.ecore.EPackage;
 public final class AnyModel {
 
   /**
-   * A template that stands in no project, and what it needs.
+   * A template that is in no project, and what it needs.
    *
    * @param main the main module
    * @param sources the source roots of its modules; folders that it is in need not be named
@@ -56,11 +56,11 @@ public final class AnyModel {
    *     others print is all there is
    * @param overwrite whether files that a person has edited are replaced
    * @param trace whether {@code trace.json} is written, too, which says where each line comes from
-   * @param lenient whether what Acceleo goes on after without failing is a warning
+   * @param lenient whether what Acceleo continues after without failing is a warning
    * @param suppressions what is wrong with the models and is not to count
    * @param timeLimit the processor time that the patterns of a data type may take
    * @return what was found, and nothing written if one of it is an error, other than that values
-   *     are undefined: also where a model is no instance of its metamodel
+   *     are undefined: also where a model is not an instance of its metamodel
    * @throws DiagnosticException INPUT if a file cannot be read, or the output not written
    */
   public static WrittenFiles generate(

@@ -117,7 +117,7 @@ final class Conclusion {
     return judged ? Verdict.PASSED : Verdict.INCOMPLETE;
   }
 
-  /** Whether all that was found wanting is that something was not tested. */
+  /** Whether all that was found wrong is that something was not tested. */
   private static boolean onlyUntested(List<Diagnostic> found) {
     return Diagnostic.anyError(found)
         && found.stream()

@@ -62,7 +62,7 @@ final class DiagramImage {
    *
    * @param text what a template of templates/plantuml wrote
    * @param longest the processor time that it may take
-   * @return nothing if it takes longer; the library cannot be stopped, and goes on in a daemon
+   * @return nothing if it takes longer; the library cannot be stopped, and continues in a daemon
    *     thread
    * @throws IllegalStateException if the library cannot draw it: the template is wrong then
    */

@@ -53,7 +53,7 @@ final class EarlierRun {
       throw unreadable(
           path,
           Files.exists(path)
-              ? "It cannot be read as what a run has measured."
+              ? "It cannot be read as the measurements of a run."
               : "There is no such file.");
     }
   }

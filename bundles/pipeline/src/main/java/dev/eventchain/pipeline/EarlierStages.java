@@ -165,7 +165,7 @@ final class EarlierStages {
   private Diagnostic unfinished(Stage stage) {
     return error(
         stage,
-        "The stage '" + stage.id() + "' was begun and did not end well: its results are older.",
+        "The stage '" + stage.id() + "' was started but did not finish: its results are older.",
         results(stage));
   }
 
@@ -187,7 +187,7 @@ final class EarlierStages {
                 + (unknown.size() == 1 ? " was" : " were")
                 + " made from, so nobody can tell whether it is out of date.",
             SourceLocation.of(run.options().output()))
-        .withHint("Run '" + run.command("") + "' to have everything made of today's files.");
+        .withHint("Run '" + run.command("") + "' to have everything made from the current files.");
   }
 
   private Diagnostic error(Stage stage, String message, Path place) {

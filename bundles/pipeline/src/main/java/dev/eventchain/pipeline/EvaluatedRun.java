@@ -15,11 +15,11 @@ import java.util.TreeSet;
  *     checks
  * @param overall whether all of that holds, and the verdict of the scenarios is PASSED
  * @param implementedFor the chain that the components are for
- * @param authored whether people wrote any of the answers, so that it is no measurement
+ * @param authored whether people wrote any of the answers, so that it is not a measurement
  * @param answeredBy the models that answered, as their providers name them
  * @param usage what the answers cost
  * @param failures what the run failed by, as {@code stage: id}
- * @param returned what was wrong with answers that a model could mend
+ * @param returned what was wrong with answers that a model could fix
  * @param host what depends on this machine
  */
 record EvaluatedRun(

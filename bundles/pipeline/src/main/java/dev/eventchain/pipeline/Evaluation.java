@@ -34,7 +34,7 @@ public final class Evaluation {
   private static final Set<String> LASTING =
       Set.of("llm.service.unreachable", "llm.key.missing", "llm.key.refused", "llm.quota.spent");
 
-  /** Is told how an evaluation goes on, on any thread. */
+  /** Is told how an evaluation continues, on any thread. */
   public interface Listener {
     /** A run does something. */
     void step(String model, int run, String message);
@@ -76,12 +76,13 @@ public final class Evaluation {
      */
     public Options {
       models = models.stream().map(String::strip).toList();
-      require(runs >= 1 && runs <= MOST_RUNS, "runs are 1 to " + MOST_RUNS + ": --runs 5");
+      require(
+          runs >= 1 && runs <= MOST_RUNS, "the number of runs is 1 to " + MOST_RUNS + ": --runs 5");
       require(
           parallel >= 1 && parallel <= MOST_PARALLEL,
           "1 to " + MOST_PARALLEL + " runs can be done at once: --parallel 2");
       require(models.stream().noneMatch(String::isEmpty), "a model has no name: --models a,b");
-      require(!models.contains(ModelStage.DIRECT), "'direct' is no language model");
+      require(!models.contains(ModelStage.DIRECT), "'direct' is not a language model");
       Set<String> seen = new LinkedHashSet<>();
       models.forEach(model -> require(seen.add(model), "'" + model + "' is named twice"));
     }
@@ -140,7 +141,7 @@ public final class Evaluation {
 
   /**
    * Evaluates. What has ended before and was made from the same is taken as it is; what was begun
-   * goes on with the answers that it has got.
+   * continues with the answers that it has got.
    *
    * @throws IllegalArgumentException if the options do not fit the project
    * @throws DiagnosticException if the project or this machine is to blame for what went wrong
@@ -263,7 +264,7 @@ public final class Evaluation {
     return done;
   }
 
-  /** Everything is made anew, of answers that are recorded; nobody edits in this folder. */
+  /** Everything is made again, of answers that are recorded; nobody edits in this folder. */
   private RunOptions runOptions(String name) {
     String source = options.source(project);
     boolean ownFolder = source.startsWith(HANDOFF) && source.length() > HANDOFF.length();

@@ -88,7 +88,7 @@ final class EvaluationFolder implements AutoCloseable {
     write(run + "/" + RESULT, JsonLayout.of(json) + "\n");
   }
 
-  /** Replaces whatever stands there: it is a result. */
+  /** Replaces whatever is there: it is a result. */
   void write(String name, String text) {
     byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
     output.write(name, bytes, OutputFolder.OnEdit.OVERWRITE);

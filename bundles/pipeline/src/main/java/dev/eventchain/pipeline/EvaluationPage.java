@@ -71,7 +71,8 @@ final class EvaluationPage {
     String title = project.configuration().title();
     add("<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n");
     raw(
-        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'sha256-");
+        "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src"
+            + " 'sha256-");
     raw(hash + "'; base-uri 'none'; form-action 'none'\">\n");
     add("<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n");
     add("<title>Evaluation · %s · Eventchain</title>\n", title);
@@ -89,7 +90,8 @@ final class EvaluationPage {
     }
     if (!anyCounted()) {
       add("<div class=\"verdict failed\"><p class=\"word\">Nothing was counted</p>");
-      add("<p class=\"summary\">No run counts, so nothing can be said of any model.</p></div>\n");
+      add(
+          "<p class=\"summary\">No run counts, so nothing can be said about any model.</p></div>\n");
     }
     long counted = runs.stream().filter(EvaluatedRun::isCounted).count();
     add("<dl class=\"figures\">");
@@ -147,7 +149,8 @@ final class EvaluationPage {
   /** The interval on a line from 0 to 1, and the rate in it. */
   private void picture(Rate rate, WilsonInterval interval) {
     add(
-        "<svg class=\"ranges\" viewBox=\"-1 0 102 10\" preserveAspectRatio=\"none\" aria-hidden=\"true\">");
+        "<svg class=\"ranges\" viewBox=\"-1 0 102 10\" preserveAspectRatio=\"none\""
+            + " aria-hidden=\"true\">");
     add("<line class=\"base\" x1=\"0\" x2=\"100\" y1=\"5\" y2=\"5\"/>");
     String low = percent(interval.low());
     String high = percent(interval.high());
@@ -163,9 +166,10 @@ final class EvaluationPage {
   private void failures() {
     add("<section id=\"failures\"><h2>What was wrong</h2>\n");
     add(
-        "<p class=\"lead\">By stage and finding, with the number of runs; a run may have several.</p>\n");
+        "<p class=\"lead\">By stage and finding, with the number of runs; a run may have"
+            + " several.</p>\n");
     add("<div class=\"scroll\"><table>\n<thead><tr><th>Model</th><th>Failed by</th>");
-    add("<th>Mended by repair</th></tr></thead>\n<tbody>\n");
+    add("<th>Fixed by repair</th></tr></thead>\n<tbody>\n");
     for (EvaluationRow row : rows) {
       if (!row.counted().isEmpty()) {
         add("<tr><th scope=\"row\">%s%s</th>", row.model(), row.authored() ? " (authored)" : "");
@@ -192,7 +196,8 @@ final class EvaluationPage {
     add("<th>Run</th>");
     TITLES.forEach(title -> add("<th>%s</th>", title));
     add(
-        "<th>Failed by</th><th>Components for</th><th class=\"number\">Seconds</th></tr></thead>\n");
+        "<th>Failed by</th><th>Components for</th><th"
+            + " class=\"number\">Seconds</th></tr></thead>\n");
     add("<tbody>\n");
     runs.forEach(this::run);
     add("</tbody></table></div></section>\n");

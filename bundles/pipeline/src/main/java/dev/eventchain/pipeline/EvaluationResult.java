@@ -87,7 +87,7 @@ final class EvaluationResult {
           finding(
               Diagnostic.error(
                   "evaluation.nothing.counted",
-                  "No run counts, so nothing can be said of any model.",
+                  "No run counts, so nothing can be said about any model.",
                   place()),
               "Let the models answer: --llm live, or handoff:FOLDER."));
     }

@@ -14,7 +14,7 @@ import java.util.stream.Collectors;
 final class EvaluationText {
 
   /** What is said of answers that people wrote. */
-  static final String LABEL = "authored by people: no evaluation of a language model";
+  static final String LABEL = "authored by people: not an evaluation of a language model";
 
   private final Configuration configuration;
   private final StringBuilder out = new StringBuilder();
@@ -61,7 +61,7 @@ final class EvaluationText {
       line(name, cells.get(0), cells.get(1), cells.get(2));
     }
     classes("failed by", row.classes(EvaluatedRun::failures));
-    classes("mended by repair", row.classes(EvaluatedRun::returned));
+    classes("fixed by repair", row.classes(EvaluatedRun::returned));
   }
 
   /** How many runs of a row count, and what they took. */

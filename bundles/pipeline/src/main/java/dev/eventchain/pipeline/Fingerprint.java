@@ -34,7 +34,7 @@ final class Fingerprint {
     add(PROGRAM);
   }
 
-  /** Adds a value that is no source. */
+  /** Adds a value that is not a source. */
   Fingerprint add(Object value) {
     byte[] bytes = String.valueOf(value).getBytes(StandardCharsets.UTF_8);
     digest.add(bytes.length + ":").add(bytes);

@@ -27,7 +27,7 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 
 /**
- * The model to a package for the middleware: the nodes by templates, and the components beside
+ * The model to a package for the middleware: the nodes by templates, and the components next to
  * them.
  */
 final class GenerateStage implements StageWork {

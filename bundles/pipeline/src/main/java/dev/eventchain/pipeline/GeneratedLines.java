@@ -25,7 +25,7 @@ final class GeneratedLines {
     this.files = files;
   }
 
-  /** Nothing where the output has no trace, or one that somebody spoiled. */
+  /** Nothing where the output has no trace, or where it is unreadable. */
   static GeneratedLines of(RunContext run) {
     Optional<byte[]> trace = run.output().read(TraceFile.NAME);
     try {

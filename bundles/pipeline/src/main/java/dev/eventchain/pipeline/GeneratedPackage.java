@@ -91,7 +91,7 @@ record GeneratedPackage(String folder, NodeManifest manifest) {
                 NodeManifest.ID,
                 "The template writes no "
                     + NodeManifest.FILE
-                    + ", so that nobody knows which nodes there are to simulate.",
+                    + ", so it is not known which nodes there are to simulate.",
                 SourceLocation.of(template))
             .withHint(
                 "Import python::manifest and call [chain.manifestFile()/] where names are those of"

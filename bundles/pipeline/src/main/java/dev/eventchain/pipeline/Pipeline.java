@@ -59,7 +59,7 @@ public final class Pipeline {
   /**
    * Runs stages of a project.
    *
-   * @return how the run ended, with everything that was found; also when a stage could not go on
+   * @return how the run ended, with everything that was found; also when a stage could not continue
    * @throws DiagnosticException INPUT if the output folder cannot be written or is in use
    */
   public static RunResult run(Project project, RunOptions options, Progress progress) {
@@ -84,7 +84,7 @@ public final class Pipeline {
 
   /**
    * Withdraws the verdict that an earlier run has left in an output folder, for a run that was to
-   * reach one and could not even be begun. Nothing happens where there is no verdict, or another
+   * reach one and could not even be begun. Nothing happens where there is not a verdict, or another
    * run is at work.
    */
   public static void withdrawVerdict(Path output) {

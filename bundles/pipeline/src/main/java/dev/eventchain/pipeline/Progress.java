@@ -3,7 +3,7 @@ package dev.eventchain.pipeline;
 import java.nio.file.Path;
 import java.time.Duration;
 
-/** Is told how a run goes on, on the thread that runs it. */
+/** Is told how a run continues, on the thread that runs it. */
 public interface Progress {
 
   /** How a stage ended. */
@@ -11,7 +11,7 @@ public interface Progress {
     DONE("done"),
     UNCHANGED("unchanged"),
     FAILED("failed"),
-    /** An answer from outside is awaited; the same command goes on when it is there. */
+    /** An answer from outside is awaited; the same command continues when it is there. */
     WAITING("waiting"),
     NOT_RUN("not run");
 
@@ -21,7 +21,7 @@ public interface Progress {
       this.words = words;
     }
 
-    /** Whether later stages cannot go on. */
+    /** Whether later stages cannot continue. */
     boolean isStopped() {
       return this == FAILED || this == WAITING;
     }
@@ -36,7 +36,7 @@ public interface Progress {
   /** A stage begins. */
   void started(Stage stage);
 
-  /** Something inside of a stage begins or is worth knowing, in a few words. */
+  /** Something inside a stage begins or is worth knowing, in a few words. */
   void step(Stage stage, String message);
 
   /**

@@ -24,7 +24,7 @@ public final class Project extends ProjectFolder {
    * Opens a project.
    *
    * @param folder the folder that holds {@code eventchain.yaml}
-   * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if it is no project, or its
+   * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if it is not a project, or its
    *     configuration is not understood
    */
   public static Project open(Path folder) {

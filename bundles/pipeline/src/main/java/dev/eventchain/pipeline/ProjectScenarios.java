@@ -57,7 +57,7 @@ final class ProjectScenarios {
   private static Diagnostic unknown(Scenario scenario, String id, List<String> known) {
     return Diagnostic.error(
             "project.requirement.unknown",
-            "The scenario '%s' tests '%s', which is no requirement of this project."
+            "The scenario '%s' tests '%s', which is not a requirement of this project."
                 .formatted(scenario.name(), id),
             scenario.requirementsLocation())
         .withHint(NearestName.question(id, known));

@@ -70,7 +70,7 @@ public final class ProjectStart {
 
   private List<String> create() {
     if (exists("eventchain.yaml")) {
-      throw refused("project.exists", "This is a project already.", "Run it: eventchain run DIR");
+      throw refused("project.exists", "This is already a project.", "Run it: eventchain run DIR");
     }
     Map<String, String> files = new LinkedHashMap<>();
     if (exists(SIGNALS)) {
@@ -80,7 +80,7 @@ public final class ProjectStart {
     } else {
       throw refused(
           "project.foreign",
-          "The folder holds something, but no software-base/signals.json.",
+          "The folder is not empty, but has no software-base/signals.json.",
           "Name a new folder, or describe your signals there first.");
     }
     List<String> written = new ArrayList<>();

@@ -29,7 +29,7 @@ final class PropertyFiles {
     Map<String, Map<String, String>> all = new LinkedHashMap<>();
     for (Path file : files) {
       if (all.put(file.getFileName().toString(), read(file)) != null) {
-        throw refused("properties.duplicate", "Another file of properties has this name.", file);
+        throw refused("properties.duplicate", "Another properties file has this name.", file);
       }
     }
     return all;
@@ -37,7 +37,7 @@ final class PropertyFiles {
 
   private static Map<String, String> read(Path file) {
     if (!Files.exists(file)) {
-      throw refused("file.missing", "There is no such file of properties.", file);
+      throw refused("file.missing", "There is no such properties file.", file);
     }
     Properties properties = new Properties();
     try (InputStream stream = Files.newInputStream(file)) {

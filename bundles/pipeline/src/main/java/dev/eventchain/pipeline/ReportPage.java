@@ -31,10 +31,10 @@ import java.util.stream.Collectors;
  * and its Content-Security-Policy lets only exactly this style and this script take effect.
  *
  * <p>The templates of templates/report make the page from the model; what they are told besides is
- * text, which they escape. The data of the script is untrusted, too: it stands in the page as JSON
- * in which nothing can end the element or start another, and the script turns it into text nodes
- * only. A viewer that runs no script shows the verdict, the chain, the requirements and the
- * measured values.
+ * text, which they escape. The data of the script is untrusted, too: it is in the page as JSON in
+ * which nothing can end the element or start another, and the script turns it into text nodes only.
+ * A viewer that runs no script shows the verdict, the chain, the requirements and the measured
+ * values.
  */
 final class ReportPage {
 
@@ -124,7 +124,7 @@ final class ReportPage {
     return text.toString();
   }
 
-  /** A part of the pages that stands in a file of its own. */
+  /** A part of the pages that is in its own file. */
   static String resource(String name) {
     try (InputStream stream = ReportPage.class.getResourceAsStream("report/" + name)) {
       return new String(stream.readAllBytes(), StandardCharsets.UTF_8);

@@ -91,7 +91,7 @@ final class RequirementCoverage {
             item ->
                 untested(
                     item,
-                    "Something that " + item.id() + " hangs on could not be judged.",
+                    "Something that " + item.id() + " depends on could not be judged.",
                     "Let its scenarios test it"))
         .toList();
   }
@@ -99,7 +99,7 @@ final class RequirementCoverage {
   private static Diagnostic untested(Requirements.Item item, String message, String hint) {
     return Diagnostic.error(UNTESTED, message, item.location())
         .withRule(item.id())
-        .withHint(hint + ", or suppress this finding with a reason and a last day.");
+        .withHint(hint + ", or suppress this finding with a reason and an expiry date.");
   }
 
   /**
@@ -143,7 +143,7 @@ final class RequirementCoverage {
       if (satisfying.isEmpty()) {
         unproven.put(
             item.id(),
-            "No component of the chain is said to satisfy %s, so that no criterion can be about it."
+            "No component of the chain is said to satisfy %s, so no criterion can be about it."
                 .formatted(item.id()));
       } else if (about(item.id()).stream().noneMatch(it -> it.dependsOn(influenced, bench))) {
         unproven.put(

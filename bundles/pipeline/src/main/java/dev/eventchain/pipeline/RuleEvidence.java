@@ -88,7 +88,8 @@ final class RuleEvidence {
             .withRule(constraint.qualifiedName())
             .withHint(
                 "Write it about what the scenarios measure, add what it is about to the model or"
-                    + " the scenarios, or suppress this finding with a reason and a last day."));
+                    + " the scenarios, or suppress this finding with a reason and an expiry"
+                    + " date."));
   }
 
   /**

@@ -116,7 +116,8 @@ final class RunContext {
   /**
    * The project's chain as its files say it now.
    *
-   * @throws DiagnosticException INPUT if there is no model, it cannot be read, or is no event chain
+   * @throws DiagnosticException INPUT if there is no model, it cannot be read, or is not an event
+   *     chain
    */
   ChainSnapshot chain() {
     return ChainSnapshot.of(this);
@@ -125,7 +126,7 @@ final class RunContext {
   /**
    * A chain's model.
    *
-   * @throws DiagnosticException INPUT if it cannot be read, or is no event chain
+   * @throws DiagnosticException INPUT if it cannot be read, or is not an event chain
    */
   ChainModel loadChain(Path model) {
     return snapshots.of("model " + model, List.of(model), () -> readModel(model));
@@ -224,7 +225,7 @@ final class RunContext {
   /**
    * Says once that the output folder has lost its records of what it wrote.
    *
-   * @param restored whether what the stages remember stands in for them
+   * @param restored whether what the stages remember replaces them
    */
   void findLostRecords(boolean restored) {
     boolean used = Files.exists(file(IGNORE));
@@ -239,8 +240,8 @@ final class RunContext {
                   SourceLocation.of(options.output()))
               .withHint(
                   restored
-                      ? "What the stages remember of their files stands in for them."
-                      : "Files that differ count as edited by a person; delete them to have them"
+                      ? "What the stages remember of their files is used instead."
+                      : "Files that differ count as edited by hand; delete them to have them"
                           + " written again."));
     }
   }
@@ -254,7 +255,7 @@ final class RunContext {
     Diagnostic kept =
         Diagnostic.warning(
                 "eventchain.file.edited",
-                "Kept, because nobody remembers whether a person edited it: '"
+                "Kept, because there is no record of whether it was edited by hand: '"
                     + first
                     + "'"
                     + more

@@ -46,7 +46,7 @@ public record RunOptions(
   public enum Driver {
     /** All nodes in one process, messages in its memory. */
     LOCKSTEP,
-    /** Each node in a process of its own on Cyclone DDS, in simulated time. */
+    /** Each node in its own process on Cyclone DDS, in simulated time. */
     DDS,
     /** The same in real time. */
     DDS_IN_REAL_TIME,

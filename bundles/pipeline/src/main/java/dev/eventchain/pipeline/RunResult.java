@@ -18,7 +18,7 @@ import java.util.Optional;
  * @param suppressed what was found and is suppressed
  * @param coverage what was checked
  * @param report the report, when one was written
- * @param failure why the run could not go on, when it could not
+ * @param failure why the run could not continue, when it could not
  * @param recordings the messages of scenarios, where they were recorded
  * @param faults a line for each run with a fault
  */
@@ -91,7 +91,7 @@ public record RunResult(
   public enum Verdict {
     /** Every stage asked for ran, no finding is an error, and every scenario met its criteria. */
     PASSED,
-    /** Something was found wanting. */
+    /** Something was found wrong. */
     FAILED,
     /**
      * Nothing was found wrong, but not everything was run or tested that a verdict needs: then it

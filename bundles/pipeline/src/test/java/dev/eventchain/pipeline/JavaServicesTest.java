@@ -169,7 +169,7 @@ class JavaServicesTest {
   void aClassOfTheProgramIsAbsentAndStaysUninitialised() throws IOException {
     String name = Sleeper.class.getName();
     String reason = refused(call(name, "wake()"));
-    assertTrue(reason.endsWith("is absent: the services have no such class"), reason);
+    assertTrue(reason.endsWith("is missing: the services have no such class"), reason);
     assertEquals(null, System.getProperty(INITIALISED));
     assertEquals("awake", Sleeper.wake());
     assertEquals("Sleeper", System.getProperty(INITIALISED));
@@ -183,7 +183,7 @@ class JavaServicesTest {
       Files.copy(original, copy);
     }
     String reason = refused(call(Sleeper.class.getName(), "wake()"));
-    assertTrue(reason.endsWith("is absent: the services have no such class"), reason);
+    assertTrue(reason.endsWith("is missing: the services have no such class"), reason);
     assertEquals(null, System.getProperty(INITIALISED));
   }
 
@@ -192,7 +192,7 @@ class JavaServicesTest {
     compile("public class Words { public static String word() { return \"w\"; } }");
     for (String name : List.of("[Ldemo.Words;", "demo/Words", "../classes/demo.Words", "", "int")) {
       String reason = refused(call(name, "word()"));
-      assertEquals("'" + name + ".word()' is absent: the services have no such class", reason);
+      assertEquals("'" + name + ".word()' is missing: the services have no such class", reason);
     }
   }
 

@@ -6,7 +6,7 @@ import java.util.List;
 /** An element of a planted model, which starts on a line of its own. */
 final class PlantedElement {
 
-  /** A reference to another element; {@code more} is text that stands behind it. */
+  /** A reference to another element; {@code more} is text that is behind it. */
   private record Link(String feature, PlantedElement to, String more) {}
 
   private final PlantedMetamodel.Type type;
@@ -41,7 +41,7 @@ final class PlantedElement {
     return this;
   }
 
-  /** A value as an element of its own, as several in one attribute cannot be. */
+  /** A value as its own element, as several in one attribute cannot be. */
   PlantedElement value(String feature, String value) {
     links.add(new Link(feature, null, value));
     return this;

@@ -6,7 +6,7 @@ import java.util.stream.Stream;
 /**
  * A rule about a feature {@code $} that holds Targets, and Targets with which it is satisfied or
  * violated or has no value: the marks of those that are held, or none for {@code -}; several cases
- * stand beside each other, between bars. A mark of ten or more is that of a Special; the colour of
+ * stand next to each other, between bars. A mark of ten or more is that of a Special; the colour of
  * a Target goes by its mark.
  */
 record PlantedRule(String text, String satisfying, String violating, String undefined) {

@@ -59,7 +59,7 @@ class ProjectTest {
         "name: Aeb|1:7|'Aeb'",
         "name: 12|1:7|a text, not a number 12",
         "name: aeb; nam: x|2:1|no key 'nam'",
-        "name: aeb; name: b|2:1|'name' stands here a second time",
+        "name: aeb; name: b|2:1|'name' is duplicated",
         "name: aeb; title: 5|2:8|a text, not a number 5",
         "name: aeb; title: true|2:8|a text, not a truth value",
         "name: aeb; title: \"a\\0b\"|2:8|control character U+0000",
@@ -75,16 +75,16 @@ class ProjectTest {
         "name: aeb; repairs: 1000|2:10|from 0 to 20, not 1000",
         "name: aeb; repairs: 2.5|2:10|a whole number, not a number 2.5",
         "name: aeb; repairs: '2'|2:10|a whole number",
-        "name: aeb; repairs:|2:9|nothing stands here",
+        "name: aeb; repairs:|2:9|there is nothing here",
         "name: aeb; models: {dessign: x}|2:10|no key 'dessign'",
         "name: aeb; models: [1]|2:9|a mapping",
-        "name: aeb; models: {design: }|2:17|nothing stands here",
+        "name: aeb; models: {design: }|2:17|there is nothing here",
         "name: aeb; models: {design: ''}|2:18|'design' is empty",
         "name: aeb; models: &m {design: *m}|2:21|Aliases are not read",
         "name: aeb; package: MIT|2:10|a mapping",
         "name: aeb; package: {licence: MIT}|2:11|no key 'licence'",
         "name: aeb; ---; name: b|2:1|A second document",
-        "name: [|2:1|not YAML",
+        "name: [|2:1|not valid YAML",
       })
   void whatIsNotUnderstoodIsSaidWithItsPlace(String yaml, String place, String message) {
     DiagnosticException e =

@@ -83,7 +83,7 @@ public final class ComponentProbe {
 
   /**
    * The same for components that people wrote: they may import and call what generated ones must
-   * not, and import what lies beside them.
+   * not, and import what lies next to them.
    */
   public ComponentProbe ofExisting() {
     return new ComponentProbe(environment, timeLimit, wallTime, confinement, true);

@@ -191,9 +191,9 @@ public final class ConfinedProcess implements AutoCloseable {
     }
 
     /**
-     * The program calls components through {@code component_client.py}: each then lives in a
-     * process of its own, which may write nothing but a folder of its own in the work folder, and
-     * has these limits for itself.
+     * The program calls components through {@code component_client.py}: each then lives in its own
+     * process, which may write nothing but a folder of its own in the work folder, and has these
+     * limits for itself.
      *
      * @param turn which of several such processes this is: each stays on one processor, and they
      *     should not meet there

@@ -97,7 +97,7 @@ public enum Confinement {
         DiagnosticException.Reason.INPUT,
         Diagnostic.error(
                 "python.confinement.unknown",
-                VARIABLE + " is '" + wanted + "', which is no way to confine foreign Python.",
+                VARIABLE + " is '" + wanted + "', which is not a way to confine foreign Python.",
                 SourceLocation.NONE)
             .withHint(
                 "Write bubblewrap or audit-hooks, or unset it to use the stronger that works."));

@@ -160,7 +160,7 @@ final class EnvironmentFinder {
     if (!Files.isExecutable(executable) || Files.isDirectory(executable)) {
       throw unavailable(
           SourceLocation.of(python),
-          python + " is no Python: it answered with nothing that can be started.",
+          python + " is not Python: it named nothing that can be started.",
           "Name a Python 3.10 or later in EVENTCHAIN_PYTHON, or unset it.");
     }
     try {
@@ -171,7 +171,7 @@ final class EnvironmentFinder {
       throw unavailable(
           SourceLocation.of(executable),
           "The Python environment cannot be read: " + SourceText.reason(e) + ".",
-          "Remove " + executable.getParent().getParent() + "; it is made anew.");
+          "Remove " + executable.getParent().getParent() + "; it is created again.");
     }
   }
 

@@ -98,7 +98,7 @@ record ProbeReport(String output, ConfinedProcess.Termination end, String errors
   private Diagnostic unfinished(SourceText source) {
     String message =
         switch (end.cause()) {
-          case OUTPUT -> "The component writes without end.";
+          case OUTPUT -> "The component writes endlessly.";
           case WALL_TIME -> "The check of the component did not end.";
           default -> "The check of the component ended with " + end.exitCode() + ".";
         };
@@ -108,6 +108,6 @@ record ProbeReport(String output, ConfinedProcess.Termination end, String errors
   private Diagnostic ended(String message, SourceText source) {
     String last = errors.substring(Math.max(0, errors.length() - LAST_LINES)).strip();
     return Diagnostic.error("component.ended", message, source.at(1, 1))
-        .withHint(last.isEmpty() ? "It says nothing about why." : "Its last output:\n" + last);
+        .withHint(last.isEmpty() ? "It gave no reason." : "Its last output:\n" + last);
   }
 }

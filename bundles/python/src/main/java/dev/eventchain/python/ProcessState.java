@@ -16,7 +16,7 @@ record ProcessState(char letter) {
   static ProcessState of(long pid) {
     try {
       String line = Files.readString(Path.of("/proc", Long.toString(pid), "stat"));
-      // The name before it stands in parentheses, and may hold some.
+      // The name before it is in parentheses, and may hold some.
       int end = line.lastIndexOf(')');
       return new ProcessState(end < 0 || end + 2 >= line.length() ? ' ' : line.charAt(end + 2));
     } catch (IOException e) {

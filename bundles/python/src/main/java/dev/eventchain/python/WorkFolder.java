@@ -19,8 +19,8 @@ import java.util.concurrent.ConcurrentHashMap;
 /**
  * A temporary folder for foreign code, for its owner only, that goes with all that is in it.
  *
- * <p>It stands in a folder of its own beside a file that this process keeps locked. A process that
- * is killed cannot delete anything; but its locks end with it, and the first folder that a later
+ * <p>It stands in its own folder next to a file that this process keeps locked. A process that is
+ * killed cannot delete anything; but its locks end with it, and the first folder that a later
  * process makes sweeps those that nobody holds any more.
  */
 public final class WorkFolder implements AutoCloseable {
@@ -86,7 +86,7 @@ public final class WorkFolder implements AutoCloseable {
     return Path.of(place).toAbsolutePath().normalize();
   }
 
-  /** The folder; the lock is outside of it, so that what is confined to it cannot reach it. */
+  /** The folder; the lock is outside it, so that what is confined to it cannot reach it. */
   public Path path() {
     return whole.resolve("work");
   }
@@ -101,7 +101,8 @@ public final class WorkFolder implements AutoCloseable {
     return new DiagnosticException(
         DiagnosticException.Reason.UNAVAILABLE,
         Diagnostic.error("temporary.unwritable", message, SourceLocation.of(place))
-            .withHint("Make room in it, or name another folder: TMPDIR=/other/folder eventchain."));
+            .withHint(
+                "Free some space in it, or name another folder: TMPDIR=/other/folder eventchain."));
   }
 
   private static String reason(IOException problem) {
@@ -112,7 +113,7 @@ public final class WorkFolder implements AutoCloseable {
       return "it does not exist";
     }
     if (problem instanceof NotDirectoryException) {
-      return "it is no folder";
+      return "it is not a folder";
     }
     boolean told = problem instanceof FileSystemException file && file.getReason() != null;
     String reason = told ? ((FileSystemException) problem).getReason() : problem.getMessage();

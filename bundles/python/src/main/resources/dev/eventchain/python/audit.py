@@ -8,7 +8,7 @@ A program gets hold of the hook's frames by the traceback of each refusal, and t
 So there is nothing to change there: the functions of a check have no closure, no name that is looked up in a module,
 and no table that could be written; all they use are defaults of parameters, which are numbers, strings, tuples, frozen
 sets, functions in C, and each other. To replace their code or their defaults is refused like everything else. From
-Python 3.13 on (PEP 667) a frame's local variables can be written. Those of a check that is over change nothing, and no
+Python 3.13 on (PEP 667) a frame's local variables can be written. Those of a finished check change nothing, and no
 other thread gets hold of one that is under way; a signal's handler or a finalizer that runs in the middle of it does.
 """
 
@@ -185,7 +185,7 @@ def _check_path(
     elif is_kind(type_of(path), text):
         path = "".join((path,))
     else:
-        raise refuse(f"confinement refuses {event} on something that is no path")
+        raise refuse(f"confinement refuses {event} on something that is not a path")
     real = real_path(path)
     if inside(real, writable) or real == harmless:
         return

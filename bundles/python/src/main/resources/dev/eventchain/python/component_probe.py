@@ -131,7 +131,7 @@ class Probe:
         ]
 
     def _check_state(self, process: ComponentProcess) -> list[Finding]:
-        """What a component remembers outside of its object shows in a second one."""
+        """What a component remembers outside its object shows in a second one."""
         process.make()
         for call, first in zip(self._calls, self._returned, strict=False):
             arguments = {key: decode(value) for key, value in call["arguments"].items()}

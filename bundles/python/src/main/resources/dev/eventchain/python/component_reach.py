@@ -197,7 +197,7 @@ class _Reader(ast.NodeVisitor):
         return False
 
     def _modules_of(self, node: ast.expr) -> set[str]:
-        """The modules that an expression can stand for; empty if it is no module."""
+        """The modules that an expression can refer to; empty if it is not a module."""
         if isinstance(node, ast.Name):
             return set() if self._is_own(node.id) else self._modules.get(node.id, set())
         if isinstance(node, ast.Attribute):
@@ -309,7 +309,7 @@ class _Reader(ast.NodeVisitor):
 
 
 def _fields(text: str) -> Iterator[str]:
-    """The fields of a format, also those inside of its specifications; something wrong if it is no format."""
+    """The fields of a format, also those inside its specifications; something wrong if it is not a format."""
     try:
         for _, field, specification, _ in string.Formatter().parse(text):
             yield field or ""

@@ -185,5 +185,5 @@ class _Reader:
 
 def _text(value: Any) -> str:
     if type(value) is not str:
-        raise MalformedError("a name that is no text")
+        raise MalformedError("a name that is not text")
     return value

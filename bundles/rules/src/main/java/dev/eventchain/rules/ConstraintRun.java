@@ -14,7 +14,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 /**
  * One invariant on all elements it is about, part by part and perhaps by several threads. The
  * findings are those of one thread that goes through the elements in order: at the first element at
- * which the invariant is given up, it ends.
+ * which the invariant is abandoned, it ends.
  */
 final class ConstraintRun {
 
@@ -67,7 +67,7 @@ final class ConstraintRun {
   void evaluate(int from, int to, Evaluation evaluation) {
     evaluation.withBudget(budget);
     if (evaluation.isOutOfTime() && !Thread.currentThread().isInterrupted()) {
-      // What was to be evaluated before this part, or beside it, took all the time there is.
+      // What was to be evaluated before this part, or alongside it, took all the time there is.
       give(from, from, findings.limit(constraint, elements, from, limit(budget.shortage())));
       return;
     }
@@ -82,12 +82,12 @@ final class ConstraintRun {
     }
   }
 
-  /** What wants more memory than there is must not end the other constraints, too. */
+  /** What wants more memory than is available must not end the other constraints, too. */
   private Object valueFor(Object element, Evaluation evaluation) {
     try {
       return constraint.evaluate(element, evaluation);
     } catch (OutOfMemoryError e) {
-      return limit("it needs more memory than there is");
+      return limit("it needs more memory than is available");
     }
   }
 

@@ -53,7 +53,7 @@ final class Contexts {
       problems.add(
           Diagnostic.error(
                   "ocl.import.unknown",
-                  "The import names no loaded metamodel and no document of rules: '"
+                  "The import names neither a loaded metamodel nor a rules document: '"
                       + wanted.target()
                       + "'.",
                   wanted.location())

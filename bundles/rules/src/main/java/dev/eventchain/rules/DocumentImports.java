@@ -16,7 +16,7 @@ import java.util.Set;
 /**
  * The files of rule documents that others import: {@code import 'other.ocl'}. A path is one from
  * the importing document; of a URI, which means a place in somebody's workspace, the file of that
- * name beside the importing document.
+ * name next to the importing document.
  */
 final class DocumentImports {
 

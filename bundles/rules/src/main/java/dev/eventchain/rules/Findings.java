@@ -73,12 +73,12 @@ final class Findings {
     return switch (kind) {
       case NULL -> "Guard it: x <> null implies ...";
       case EMPTY -> "Guard it: x->notEmpty() implies ...";
-      default -> "Say what holds then: if ... then ... else ... endif.";
+      default -> "Say what holds in that case: if ... then ... else ... endif.";
     };
   }
 
   /**
-   * An invariant that was given up at an element.
+   * An invariant that was abandoned at an element.
    *
    * @param index of the element: those before it were checked
    * @param limit what it went beyond
@@ -87,7 +87,7 @@ final class Findings {
     return new Diagnostic(
         "ocl.limit",
         Severity.ERROR,
-        "'%s' was given up at %s: %s. It left %d of %s unchecked."
+        "'%s' was abandoned at %s: %s. It left %d of %s unchecked."
             .formatted(
                 constraint.name(),
                 HeldValue.label(elements.get(index)),
@@ -96,7 +96,7 @@ final class Findings {
                 Coverage.counted(elements.size(), "element")),
         constraint.location(),
         limit.kind() == Invalid.Kind.RECURSION
-            ? "Mend the recursion: closure() follows references and ends by itself."
+            ? "Fix the recursion: closure() follows references and terminates."
             : "Make it cheaper, or allow more: --time-limit SECONDS, EVENTCHAIN_MEMORY=4g.",
         constraint.qualifiedName(),
         List.of(locate(elements.get(index))));
@@ -115,7 +115,7 @@ final class Findings {
                     + (documents.isEmpty() ? "." : " in " + String.join(", ", documents) + ".")
                 : "Nothing was checked: none of "
                     + Coverage.counted(constraints, "constraint")
-                    + " is about the class of one of "
+                    + " applies to the class of any of "
                     + Coverage.counted(elements, "element")
                     + ".",
             documents.size() == 1 && constraints == 0

@@ -11,8 +11,8 @@ import org.eclipse.emf.ecore.EObject;
 
 /**
  * A value of an attribute, which the constraints of its data type are evaluated on. Those of a
- * class are evaluated on the objects themselves, so both may stand in a list of what a constraint
- * is about.
+ * class are evaluated on the objects themselves, so both may be in a list of what a constraint is
+ * about.
  *
  * @param value as the model has it
  */

@@ -91,7 +91,7 @@ final class MetamodelRules {
       problems.add(
           Diagnostic.warning(
                   "ocl.java.missing",
-                  "The constraint '%s' of %s is not checked: only Java code knows it."
+                  "The constraint '%s' of %s is not checked: it is defined only in Java code."
                       .formatted(name, Names.of(type)),
                   places.apply(type))
               .withHint("Write it in OCL to have it checked here."));
@@ -102,7 +102,7 @@ final class MetamodelRules {
     problems.add(
         Diagnostic.warning(
                 "ocl.unsupported",
-                "The annotation '%s' of %s is not understood, and nothing is done with it."
+                "The annotation '%s' of %s is not understood and is ignored."
                     .formatted(unknown.getSource(), Names.of(type)),
                 places.apply(unknown))
             .withHint("The source of constraints is http://www.eclipse.org/emf/2002/Ecore/OCL."));
@@ -112,7 +112,7 @@ final class MetamodelRules {
     problems.add(
         Diagnostic.error(
                 "ocl.duplicate",
-                "'%s' of %s is there twice.".formatted(again.key(), Names.of(element)),
+                "'%s' of %s is declared twice.".formatted(again.key(), Names.of(element)),
                 places.apply(again.entry()))
             .withHint("Give one of them another name, or leave one of them out."));
   }
@@ -125,7 +125,7 @@ final class MetamodelRules {
       problems.add(
           Diagnostic.warning(
                   "ocl.unsupported",
-                  "The annotation '%s' of %s is not understood, and nothing is done with it."
+                  "The annotation '%s' of %s is not understood and is ignored."
                       .formatted(text.key(), Names.of(element)),
                   places.apply(text.entry()))
               .withHint(

@@ -74,9 +74,9 @@ public final class OclConstraint {
    * Which of these ids its comment names, so that a reader can tell what it stands for: the lines
    * and blocks right above it, but for {@code @message} and the other annotations; or, if those
    * name none, the comment right above its context, which then is about all of its invariants.
-   * Where it stands in several documents, the comments of all of them count.
+   * Where it is in several documents, the comments of all of them count.
    *
-   * @param ids as of written rules; one is not found inside of another
+   * @param ids as of written rules; one is not found inside another
    */
   public Set<String> named(Collection<String> ids) {
     return comments.named(ids);

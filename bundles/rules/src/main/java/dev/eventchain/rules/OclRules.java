@@ -18,7 +18,7 @@ import org.eclipse.emf.ecore.EPackage;
  *
  * <p>A document may do without {@code package} clause; its classes are then looked for in all given
  * packages. {@code import} lines must name a given metamodel or document. A definition can be used before it
- * and in other documents. An invariant that stands in several documents word for word counts once.
+ * and in other documents. An invariant that is in several documents word for word counts once.
  * Comments above an invariant say how its violations are reported: {@code --
  * @severity warning}, {@code -- @message {self.name} is wrong}, {@code -- @hint ...}.
  */
@@ -37,7 +37,7 @@ public final class OclRules {
 
   /**
    * The files of documents and of those that they import, {@code import 'other.ocl'}: each once,
-   * the given ones first. An import that is no file is left to {@link #parse}, which reports it.
+   * the given ones first. An import that is not a file is left to {@link #parse}, which reports it.
    *
    * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if a file cannot be read
    */

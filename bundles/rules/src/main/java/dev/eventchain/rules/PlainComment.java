@@ -8,7 +8,7 @@ import java.util.regex.Pattern;
 
 /**
  * What the comment right above a clause says to people: its lines without the annotations, and its
- * blocks. A blank line parts it from what stands above; a comment behind other code is not above.
+ * blocks. A blank line parts it from what is above; a comment behind other code is not above.
  */
 final class PlainComment {
 
@@ -29,7 +29,7 @@ final class PlainComment {
     return new PlainComment().read(part);
   }
 
-  /** Which of these ids a text holds as a word of its own, in the order given. */
+  /** Which of these ids a text holds as a separate word, in the order given. */
   static List<String> named(String text, Collection<String> ids) {
     return ids.stream()
         .filter(

@@ -41,7 +41,7 @@ record ResolvedClause(RuleDocument.Clause clause, EClassifier context, EPackage 
     return new Tokens(clause.text().text()).words();
   }
 
-  /** Whether another clause says the same in another document, which is no fault. */
+  /** Whether another clause says the same in another document, which is not a fault. */
   boolean repeats(ResolvedClause other) {
     return source() != other.source() && words().equals(other.words());
   }

@@ -17,7 +17,7 @@ import java.util.regex.Pattern;
 /**
  * What the comments above an invariant say about its findings: {@code -- @severity warning}, {@code
  * -- @message text with {expressions}}, {@code -- @hint text}. A comment line that follows and
- * starts with more than one space goes on with the text.
+ * starts with more than one space continues with the text.
  */
 final class RuleComments {
 

@@ -96,7 +96,7 @@ final class RuleDocument {
     if (comment >= 0) {
       problems.add(
           Diagnostic.error("ocl.syntax", "This comment has no end.", source.at(comment))
-              .withHint("Close it with */; all that follows counts as comment."));
+              .withHint("Close it with */; everything after it counts as comment."));
     }
     while (document.at < document.tokens.size()) {
       document.readNext();

@@ -133,7 +133,7 @@ final class RuleParser {
     boolean blank = document.text().isBlank();
     return Diagnostic.error(
             "ocl.document.empty",
-            blank ? "The document is empty." : "The document holds nothing but comments.",
+            blank ? "The document is empty." : "The document contains only comments.",
             SourceLocation.of(document.name()))
         .withHint("Write invariants: context Class inv Name: ..., or leave it out.");
   }
@@ -219,7 +219,7 @@ final class RuleParser {
       problems.add(
           Diagnostic.error(
                   "ocl.duplicate",
-                  "The invariant '" + name + "' of " + context + " is there twice.",
+                  "The invariant '" + name + "' of " + context + " is declared twice.",
                   resolved.location())
               .withHint("Give one of them another name.")
               .withRelated(first.location()));

@@ -60,7 +60,7 @@ class AnnotationSourcesTest {
     }
     OclRules rules = rules();
     assertEquals(
-        List.of("'Same' of Shop is there twice."),
+        List.of("'Same' of Shop is declared twice."),
         errors(rules).stream().map(Diagnostic::message).toList());
     assertTrue(rules.constraintNames().containsAll(List.of("Shop::Own14", "Shop::Own15")));
   }
@@ -73,8 +73,7 @@ class AnnotationSourcesTest {
     OclRules rules = rules();
     assertTrue(rules.constraintNames().contains("Shop::Own"));
     assertEquals(
-        List.of(
-            "The annotation 'urn:my:ocl' of Shop is not understood, and nothing is done with it."),
+        List.of("The annotation 'urn:my:ocl' of Shop is not understood and is ignored."),
         rules.diagnostics().stream()
             .filter(each -> each.id().equals("ocl.unsupported"))
             .map(Diagnostic::message)

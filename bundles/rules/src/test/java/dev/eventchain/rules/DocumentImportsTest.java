@@ -65,7 +65,7 @@ class DocumentImportsTest {
     List<Diagnostic> found = rules(main, folder.resolve("parts/other.ocl")).diagnostics();
     assertEquals(List.of("ocl.import.unknown"), found.stream().map(Diagnostic::id).toList());
     assertEquals(
-        "The import names no loaded metamodel and no document of rules: 'other.ocl'.",
+        "The import names neither a loaded metamodel nor a rules document: 'other.ocl'.",
         found.get(0).message());
     assertEquals(1, found.get(0).location().line());
   }

@@ -15,7 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What grows or runs without end is given up: no want of memory, nothing that hangs. */
+/** What grows or runs without end is abandoned: no want of memory, nothing that hangs. */
 class LimitsTest {
 
   private static final String DEFINITIONS =

@@ -91,7 +91,7 @@ class MetamodelRulesTest {
     assertEquals("ocl.java.missing", said.id());
     assertEquals(Severity.WARNING, said.severity());
     assertEquals(
-        "The constraint 'Audited' of Shop is not checked: only Java code knows it.",
+        "The constraint 'Audited' of Shop is not checked: it is defined only in Java code.",
         said.message());
   }
 
@@ -334,7 +334,7 @@ class MetamodelRulesTest {
             .map(Diagnostic::message)
             .toList());
     assertEquals(
-        List.of("The annotation 'bdoy' of total is not understood, and nothing is done with it."),
+        List.of("The annotation 'bdoy' of total is not understood and is ignored."),
         said.stream()
             .filter(each -> each.id().equals("ocl.unsupported"))
             .map(Diagnostic::message)

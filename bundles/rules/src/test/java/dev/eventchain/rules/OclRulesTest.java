@@ -101,7 +101,7 @@ class OclRulesTest {
             element -> dev.eventchain.diagnostics.SourceLocation.NONE);
     assertEquals("ocl.nothing-evaluated", result.diagnostics().get(0).id());
     assertEquals(
-        "Nothing was checked: none of 1 constraint is about the class of one of 1 element.",
+        "Nothing was checked: none of 1 constraint applies to the class of any of 1 element.",
         result.diagnostics().get(0).message());
   }
 
@@ -110,7 +110,8 @@ class OclRulesTest {
     OclResult result =
         OclValidator.validate(
             rules(
-                "context Book inv A: true context AudioBook inv B: true context Library inv C: true"),
+                "context Book inv A: true context AudioBook inv B: true context Library inv C:"
+                    + " true"),
             library.eContents().subList(0, 2),
             element -> dev.eventchain.diagnostics.SourceLocation.NONE);
     assertEquals(

@@ -62,7 +62,7 @@ class ScaleTest {
     assertEquals("ocl.limit", slow.id());
     assertEquals("Machine::Slow", slow.rule());
     assertEquals(
-        "'Slow' was given up at Machine /: it takes more than 200 ms of processor time. It left 1"
+        "'Slow' was abandoned at Machine /: it takes more than 200 ms of processor time. It left 1"
             + " of 1 element unchecked.",
         slow.message());
     assertEquals(2, result.evaluations());

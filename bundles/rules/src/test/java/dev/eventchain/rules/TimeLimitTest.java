@@ -25,7 +25,7 @@ class TimeLimitTest {
   private final EPackage metamodel = new TestModels("machine").metamodel();
   private final EObject machine = TestModels.machine(metamodel, STATES);
 
-  /** Clocks that go on with each look at them. */
+  /** Clocks that continue with each look at them. */
   private static final class Clock implements TimeBudget.Clock {
     private final long wallStep;
     private final long processorStep;
@@ -81,8 +81,8 @@ class TimeLimitTest {
     Diagnostic found = result.diagnostics().get(0);
     assertEquals("ocl.limit State::Waiting", found.id() + " " + found.rule());
     assertEquals(
-        "'Waiting' was given up at State 's5': it takes more than 600 s. It left 195 of 200 elements"
-            + " unchecked.",
+        "'Waiting' was abandoned at State 's5': it takes more than 600 s. It left 195 of 200"
+            + " elements unchecked.",
         found.message());
   }
 
@@ -102,7 +102,7 @@ class TimeLimitTest {
     long checked = result.evaluations() - 1;
     assertTrue(checked > 1 && checked < STATES - 1, () -> checked + " of " + STATES);
     assertEquals(
-        "'Quadratic' was given up at State 's%d': it takes more than 300 ms of processor time. It"
+        "'Quadratic' was abandoned at State 's%d': it takes more than 300 ms of processor time. It"
                 .formatted(checked)
             + " left %d of 200 elements unchecked.".formatted(STATES - checked),
         found.message());

@@ -20,7 +20,7 @@ enum ActorKind {
   BICYCLE(true, 1.9, 0.5, 0.0, 1.85, 0.5f),
   /** An adult who walks, as the target of ISO 19206-2. */
   PEDESTRIAN(true, 0.6, 0.5, 0.0, 1.8, 0.4f),
-  /** A passenger car that stands beside the lane. */
+  /** A passenger car that stands next to the lane. */
   PARKED_CAR(false, 4.5, 1.8, 0.0, 1.5, 0.8f),
   /** A sign on a gantry, with the clearance over motorways of German RWBA (5.0 m). */
   OVERHEAD_SIGN(false, 0.3, 6.0, 5.0, 7.5, 0.9f),

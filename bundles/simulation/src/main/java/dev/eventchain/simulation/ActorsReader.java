@@ -141,7 +141,7 @@ final class ActorsReader {
     if (bottom >= top) {
       section.find(
           RANGE_FINDING,
-          "Its lower side is not below its upper one.",
+          "Its lower bound is not below its upper one.",
           section.at(section.has("height_m") ? "height_m" : "bottom_m"));
     }
     return new Actor.Size(
@@ -159,7 +159,7 @@ final class ActorsReader {
     if (name.get().isBlank() || !names.add(name.get())) {
       section.find(
           RANGE_FINDING,
-          name.get().isBlank() ? "This is no name." : "Two have the name '" + name.get() + "'.",
+          name.get().isBlank() ? "This is not a name." : "Two have the name '" + name.get() + "'.",
           section.at("name"));
     }
     return name.get();
@@ -208,7 +208,8 @@ final class ActorsReader {
       double rate = each.number("lateral_speed_mps", LATERAL_SPEED).orElse(1.5);
       each.refuseOthers();
       if (speed.speed(time) == 0.0) {
-        each.find(RANGE_FINDING, "It stands then, and cannot move aside.", each.at("at_s"));
+        each.find(
+            RANGE_FINDING, "It is standing still then, and cannot change lanes.", each.at("at_s"));
       }
       changes.add(new LateralProfile.Change(time, offset, rate));
     }
@@ -219,7 +220,7 @@ final class ActorsReader {
     double time = maneuver.requiredNumber("at_s", NumberRange.of(0, duration));
     boolean isNumber = maneuver.value("at_s").map(JsonNode::isNumber).orElse(false);
     if (isNumber && time < earliest) {
-      String message = Criterion.format("The one before is not over until %.2f s.", earliest);
+      String message = Criterion.format("The previous one does not end until %.2f s.", earliest);
       maneuver.find(RANGE_FINDING, message, maneuver.at("at_s"));
     }
     return time;

@@ -122,7 +122,8 @@ final class AttachedFindings {
       found.add(
           Diagnostic.warning(
                   "simulation.attached.state",
-                  "%d scenarios were driven with the same nodes, which nobody started anew: from the second one on they remember what was before."
+                  ("%d scenarios were driven with the same nodes, which nobody started anew:"
+                          + " from the second one on they remember what happened before.")
                       .formatted(runs.size()),
                   SourceLocation.NONE)
               .withHint(
@@ -138,7 +139,8 @@ final class AttachedFindings {
         silent.isEmpty() ? "" : " Nothing was received on " + String.join(", ", silent) + ".";
     return Diagnostic.info(
             "simulation.attached.unseen",
-            "Others started the nodes (%s): their executions, periods, execution times, latencies and ages of inputs were not measured.%s"
+            ("Others started the nodes (%s): their executions, periods, execution times,"
+                    + " latencies and ages of inputs were not measured.%s")
                 .formatted(setup.driverWords(), unheard),
             SourceLocation.NONE)
         .withHint("Simulate with a driver that starts the nodes to measure them.");

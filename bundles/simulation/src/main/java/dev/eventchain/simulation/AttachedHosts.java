@@ -54,7 +54,7 @@ final class AttachedHosts implements NodeHosts {
     int domain = text.isEmpty() ? 0 : text.matches("[0-9]{1,3}") ? Integer.parseInt(text) : -1;
     if (domain < 0 || domain > HIGHEST_DOMAIN) {
       throw unusable(
-          DOMAIN + " is '" + text + "', which is no domain.",
+          DOMAIN + " is '" + text + "', which is not a domain.",
           "Domains have numbers from 0 to " + HIGHEST_DOMAIN + "; without one, 0 is meant.");
     }
     boolean local =

@@ -23,8 +23,8 @@ import java.util.stream.Collectors;
 
 /**
  * Nodes that others run, in real time: the world publishes what is due, hears what the nodes
- * publish, and sees nothing of what happens inside of them. The clock shows the time of the wall,
- * so that it never goes back, and nodes that do not follow it have the same time.
+ * publish, and sees nothing of what happens inside them. The clock shows the time of the wall, so
+ * that it never goes back, and nodes that do not follow it have the same time.
  */
 final class AttachedSession implements NodeSession {
 
@@ -174,7 +174,7 @@ final class AttachedSession implements NodeSession {
     overrun = Math.max(overrun, wall() - start - due);
   }
 
-  /** Lets the clock go on until a time of the scenario. */
+  /** Lets the clock continue until a time of the scenario. */
   private void waitFor(long time) {
     do {
       requireAll();

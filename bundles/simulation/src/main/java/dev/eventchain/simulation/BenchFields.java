@@ -24,8 +24,8 @@ final class BenchFields {
   private static final String VALUE = "value";
   private static final String CONSTANT = "constant";
 
-  /** Of what is no text, number, truth value or list. */
-  static final String NO_VALUE = "This is no value that a field can have.";
+  /** Of what is not text, number, truth value or list. */
+  static final String NO_VALUE = "This is not a value that a field can have.";
 
   private static final String UNIT = "unit";
   private static final String NOISE = "noise";
@@ -293,7 +293,7 @@ final class BenchFields {
           && BenchInputs.fits(term, Unit.parse("1").orElseThrow())) {
         return Optional.of(term);
       }
-      section.find("bench.unit", "'" + text.get() + "' is no part, such as 5 %.", place);
+      section.find("bench.unit", "'" + text.get() + "' is not a fraction, such as 5 %.", place);
     } catch (DiagnosticException e) {
       e.diagnostics().forEach(section::find);
     }

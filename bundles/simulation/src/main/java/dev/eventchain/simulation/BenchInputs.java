@@ -131,7 +131,7 @@ final class BenchInputs implements Signal.Source {
 
   private void checkName(String name) {
     if (WORLD.find(name).isPresent()) {
-      String message = "The world has a '" + name + "' already.";
+      String message = "The world already has a '" + name + "'.";
       section.find("bench.value.range", message, section.atKey(name));
     } else if (!FormulaTokens.isName(name)) {
       String message = "No formula can name an input '" + name + "'.";
@@ -154,7 +154,7 @@ final class BenchInputs implements Signal.Source {
     if (part instanceof Term term && fits(term, unit)) {
       return Optional.of(term);
     }
-    String message = "'" + text + "' is no quantity in " + input.text(UNIT).orElse("1") + ".";
+    String message = "'" + text + "' is not a quantity in " + input.text(UNIT).orElse("1") + ".";
     input.find("bench.unit", message, input.at(FORMULA));
     return Optional.empty();
   }

@@ -32,7 +32,7 @@ final class BenchListing {
     bench.signals().inputs().values().forEach(it -> row(it.name(), it.unit(), it.meaning()));
     line("and these sensors:");
     row("lidar", "", "roof lidar, sensor_msgs/msg/PointCloud2");
-    row("objects", "", "list of the objects ahead that are not wholly hidden, with for each:");
+    row("objects", "", "list of the objects ahead that are not completely hidden, with for each:");
     for (ObjectSensor.Property property : ObjectSensor.Property.values()) {
       row("  " + property.id(), property.unitText(), property.meaning());
     }

@@ -57,7 +57,7 @@ final class BenchProposal {
   String text() {
     text.append(
         "# How the simulated road and this project are connected; `eventchain bench DIR` lists\n");
-    text.append("# what there is. What stands in a comment could not be guessed.\n");
+    text.append("# what there is. What is commented out could not be guessed.\n");
     section("provides:", Direction.PROVIDED);
     section("consumes:", Direction.CONSUMED);
     return text.toString();

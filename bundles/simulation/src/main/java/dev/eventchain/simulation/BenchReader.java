@@ -105,7 +105,7 @@ final class BenchReader {
         .read(section, provided, consumed);
   }
 
-  /** The text of a resource beside this class. */
+  /** The text of a resource next to this class. */
   static String resource(String name) {
     try (InputStream input = BenchReader.class.getResourceAsStream(name)) {
       return new String(input.readAllBytes(), StandardCharsets.UTF_8);

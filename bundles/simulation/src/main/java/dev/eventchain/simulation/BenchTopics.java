@@ -80,10 +80,10 @@ final class BenchTopics {
       Optional<ObjectReader> topic = part.object(written);
       String name = BenchReader.fullName(written);
       if (!RosNames.isTopic(written) || RosNames.isPrivate(written)) {
-        String message = "'" + written + "' is no name of a topic.";
+        String message = "'" + written + "' is not the name of a topic.";
         part.find("bench.value.range", message, part.atKey(written));
       } else if (!read.add(name)) {
-        String message = "The topic " + name + " stands here a second time.";
+        String message = "The topic " + name + " is duplicated.";
         part.find("bench.key.duplicate", message, part.atKey(written));
       } else {
         place = part.atKey(written);
@@ -129,7 +129,7 @@ final class BenchTopics {
                   "bench.value.range",
                   "There is no sensor '" + sensor.get() + "'.",
                   section.at(SENSOR))
-              .withHint("The sensors are: " + LIDAR + ". Others are built of quantities."));
+              .withHint("The sensors are: " + LIDAR + ". Others are built from quantities."));
     }
     return sensor.filter(LIDAR::equals).isPresent();
   }
@@ -142,7 +142,7 @@ final class BenchTopics {
     if (written.isEmpty() && known.isEmpty() && usual.isEmpty()) {
       section.find(
           "bench.key.missing",
-          "'type' is missing, and signals.json says nothing of " + topic + ".",
+          "'type' is missing, and signals.json says nothing about " + topic + ".",
           section.location());
       return "";
     }

@@ -1,7 +1,7 @@
 package dev.eventchain.simulation;
 
 /**
- * What a vehicle has besides its pedals, and how it stands in its lane at the start.
+ * What a vehicle has besides its pedals, and how it is placed in its lane at the start.
  *
  * @param wheelbase in m
  * @param maximalSteeringAngle of the front wheels, in rad

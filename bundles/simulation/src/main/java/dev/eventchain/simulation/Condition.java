@@ -285,7 +285,7 @@ interface Condition extends FormulaParser.Part {
       if (!cut || best >= Truth.UNKNOWN) {
         return found;
       }
-      // After the run the second may still come, unless the first was given up before.
+      // After the run the second may still come, unless the first was abandoned before.
       if (worst < Truth.UNKNOWN) {
         return worst >= best ? new Step(0, worstAt) : found;
       }

@@ -29,7 +29,7 @@ record Contact(long time, Actor other, double speed, Side side, boolean driven) 
     }
   }
 
-  /** Whether somebody drove into the ego's rear: that is no impact of the ego's. */
+  /** Whether somebody drove into the ego's rear: that is not an impact of the ego's. */
   boolean fromBehind() {
     return side == Side.REAR && !driven;
   }

@@ -55,7 +55,7 @@ record Criterion(CriterionKind kind, double limit, Tolerances tolerances, Source
     }
   }
 
-  /** What holds for every scenario says nothing of a requirement. */
+  /** What holds for every scenario says nothing about a requirement. */
   @Override
   public boolean dependsOn(Set<String> topics, boolean commanding) {
     return commanding && !kind.always();

@@ -17,7 +17,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.function.BooleanSupplier;
 
-/** Nodes on DDS, each in a process of its own; how time passes is left to others. */
+/** Nodes on DDS, each in its own process; how time passes is left to others. */
 abstract class DdsSession implements NodeSession {
 
   private static final ByteBuffer NOTHING = ByteBuffer.allocate(0);
@@ -252,7 +252,7 @@ abstract class DdsSession implements NodeSession {
     return deliveries.lost();
   }
 
-  /** Leaves the wire; processes go on. */
+  /** Leaves the wire; processes continue. */
   private void leave() {
     if (world != null) {
       world.close();

@@ -60,12 +60,12 @@ final class Deliveries {
     }
   }
 
-  /** What comes after it was given up is waited for no more, and takes the place of no other. */
+  /** What comes after it was abandoned is waited for no more, and takes the place of no other. */
   private void reconcile() {
     forgiven.replaceAll((reader, count) -> count - Math.min(count, Math.max(0, -underway(reader))));
   }
 
-  /** How many samples were given up, by topic, whether they came too late or not at all. */
+  /** How many samples were abandoned, by topic, whether they came too late or not at all. */
   Map<String, Long> lost() {
     return new TreeMap<>(lost);
   }

@@ -17,8 +17,8 @@ import java.util.Set;
 /**
  * What tells of a fault in a run that does not do so in the run without it. That components did not
  * work at all is no such thing: that is known here because the fault is. Nor is what DDS notices of
- * deadlines and liveliness: its clock is not the simulated one. Nor is that a run could not go on,
- * which a limit of the simulation itself may have ended.
+ * deadlines and liveliness: its clock is not the simulated one. Nor is that a run could not
+ * continue, which a limit of the simulation itself may have ended.
  */
 final class FaultDetections {
 

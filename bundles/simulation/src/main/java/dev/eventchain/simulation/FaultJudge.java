@@ -151,7 +151,7 @@ final class FaultJudge {
     String measured =
         !effective
             ? "the fault had no effect"
-            : first.map(it -> measured(it, start)).orElse("nothing told of it");
+            : first.map(it -> measured(it, start)).orElse("nothing reported it");
     return new CriterionResult(
         text(wanted), effective, passed, measured, Optional.empty(), List.of(), wanted.location());
   }

@@ -8,7 +8,7 @@ import java.util.List;
 enum FaultKind {
   /** A node's process ends. */
   KILL("kill", Target.NODE, "", 0),
-  /** A node's process stops and goes on, as by SIGSTOP and SIGCONT. */
+  /** A node's process stops and continues, as by SIGSTOP and SIGCONT. */
   STOP("stop", Target.NODE, "", 0),
   /** Each activation of a node takes longer. */
   DELAY("delay", Target.NODE, "ms", 1e6),
@@ -72,7 +72,7 @@ enum FaultKind {
     return unit;
   }
 
-  /** Whether its amount stands beside its target. */
+  /** Whether its amount stands next to its target. */
   boolean hasAmount() {
     return !amount.isEmpty();
   }

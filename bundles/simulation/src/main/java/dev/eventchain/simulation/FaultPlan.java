@@ -10,8 +10,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The faults that scenarios are run with besides, each alone in a run of its own. Read from a YAML
- * file. Immutable.
+ * The faults that scenarios are run with besides, each alone in its own run. Read from a YAML file.
+ * Immutable.
  */
 public final class FaultPlan {
 

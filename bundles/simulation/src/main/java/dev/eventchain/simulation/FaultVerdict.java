@@ -59,7 +59,7 @@ public record FaultVerdict(
    *
    * @param impactSpeed in m/s; empty if there was no impact
    * @param impact who hit whom; empty if nobody did
-   * @param stopped since when it stands at the end, in s; empty if it moves
+   * @param stopped since when it stands still at the end, in s; empty if it moves
    * @param minimalGap to a vehicle in its path, in m; empty if there was none
    * @param speed at the end, in m/s
    * @param end when the run ended, in s
@@ -86,7 +86,7 @@ public record FaultVerdict(
     SOFTWARE,
     /** A check of the simulation or of DDS, of which the software knows nothing. */
     CHECK,
-    /** A node ended by an error of its own. */
+    /** A node ended by its own error. */
     FAILURE
   }
 

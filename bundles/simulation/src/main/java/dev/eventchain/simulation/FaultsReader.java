@@ -182,7 +182,7 @@ final class FaultsReader {
     if (kind.target() == FaultKind.Target.NOTHING) {
       double jump = section.requiredNumber(kind.key(), kind.range());
       if (jump == 0) {
-        String message = "A jump by nothing is none.";
+        String message = "A jump of 0 ms is not a jump.";
         section.find("fault.value.range", message, section.at(kind.key()));
       }
       return new What(kind, "", amount(kind, jump));
@@ -238,7 +238,7 @@ final class FaultsReader {
     OptionalDouble length = section.number("for_s", LENGTH);
     for (Scenario scenario : where) {
       if (start >= scenario.duration()) {
-        String message = "The scenario " + scenario.name() + " is over before this.";
+        String message = "The scenario " + scenario.name() + " ends before this.";
         section.find("fault.value.range", message, section.at("at_s"));
       }
     }

@@ -42,7 +42,9 @@ final class FormulaParser {
     Part part = parser.formula(false);
     if (part instanceof Condition condition && !condition.ofOneMoment()) {
       throw parser.tokens.syntax(
-          first, "Only what holds at one moment can be sent.", "Leave out such as `always`.");
+          first,
+          "Only what holds at one moment can be sent.",
+          "Leave out operators such as `always`.");
     }
     return part;
   }
@@ -55,13 +57,14 @@ final class FormulaParser {
   private Part formula(boolean isCondition) {
     Token first = tokens.peek();
     if (first.kind() == Kind.END) {
-      throw tokens.syntax(first, "The formula is empty.", "Write such as `always gap > 1 m`.");
+      throw tokens.syntax(
+          first, "The formula is empty.", "Write, for example, `always gap > 1 m`.");
     }
     Part part = part();
     Part formula = isCondition ? condition(part, first) : part;
     Token rest = tokens.peek();
     if (tokens.nextIs(")") || tokens.nextIs("]")) {
-      throw tokens.syntax(rest, "Nothing was opened that '" + rest.text() + "' closes.", "");
+      throw tokens.syntax(rest, "There is nothing for '" + rest.text() + "' to close.", "");
     }
     if (rest.kind() != Kind.END) {
       String message = "Expected the end of the formula, but found " + FormulaTokens.shown(rest);
@@ -84,7 +87,7 @@ final class FormulaParser {
     }
     throw tokens.syntax(
         first,
-        "'" + tokens.textSince(first) + "' is a quantity, and neither true nor false.",
+        "'" + tokens.textSince(first) + "' is a quantity, not true or false.",
         "Compare it with another quantity by <, <=, > or >=.");
   }
 
@@ -93,7 +96,7 @@ final class FormulaParser {
       return term;
     }
     throw tokens.syntax(
-        first, "'" + tokens.textSince(first) + "' is true or false, and no quantity.", "");
+        first, "'" + tokens.textSince(first) + "' is true or false, not a quantity.", "");
   }
 
   private Part part() {
@@ -178,7 +181,7 @@ final class FormulaParser {
   }
 
   private Condition edgeOf(Token operator) {
-    String hint = "Write such as `" + operator.text() + "(brake > 0)`.";
+    String hint = "Write, for example, `" + operator.text() + "(brake > 0)`.";
     tokens.require("(", hint);
     Token first = tokens.peek();
     Condition operand = condition(part(), first);
@@ -225,7 +228,7 @@ final class FormulaParser {
     terms.requireSameDimension(before, after, second);
     String text = tokens.textSince(first);
     if (isRelation(tokens.peek())) {
-      throw tokens.syntax(tokens.peek(), "Comparisons come one by one.", "Join two by `and`.");
+      throw tokens.syntax(tokens.peek(), "Comparisons cannot be chained.", "Join two by `and`.");
     }
     boolean strict = relation.text().length() == 1;
     return relation.text().startsWith("<")

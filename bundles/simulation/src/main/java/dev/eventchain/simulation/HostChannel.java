@@ -108,7 +108,7 @@ final class HostChannel {
    * Waits for the next frame.
    *
    * @throws EOFException the other side has ended
-   * @throws GarbageException what arrived is no frame
+   * @throws GarbageException what arrived is not a frame
    */
   Frame receive() throws IOException {
     byte[] header = new byte[HEADER];

@@ -72,9 +72,9 @@ record HostFailures(String who, Supplier<LastWords> lastWords, UserFiles files) 
     }
     return switch (last.cause()) {
       case OUTPUT ->
-          ended("simulation.limit", "The nodes write to standard error without end.", last);
+          ended("simulation.limit", "The nodes write to standard error endlessly.", last);
       case WALL_TIME, CPU_TIME ->
-          ended("simulation.run.timeout", "The simulation took longer than it may.", last);
+          ended("simulation.run.timeout", "The simulation took longer than is allowed.", last);
       default -> ended("simulation.process.ended", who + " ended before the scenario did.", last);
     };
   }
@@ -94,9 +94,7 @@ record HostFailures(String who, Supplier<LastWords> lastWords, UserFiles files) 
   private static String text(LastWords words) {
     List<String> lines = words.standardError().lines().toList();
     List<String> last = lines.subList(Math.max(0, lines.size() - LAST_LINES), lines.size());
-    return last.isEmpty()
-        ? "It said nothing about why."
-        : "It wrote at last:\n" + String.join("\n", last);
+    return last.isEmpty() ? "It gave no reason." : "Its last output:\n" + String.join("\n", last);
   }
 
   private static DiagnosticException finding(Diagnostic diagnostic) {

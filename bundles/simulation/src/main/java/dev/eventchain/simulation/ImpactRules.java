@@ -62,7 +62,7 @@ final class ImpactRules {
 
   static Outcome stops(Trace trace) {
     if (trace.states().get(0).speed() == 0.0) {
-      return Outcome.untested("the vehicle stood from the start");
+      return Outcome.untested("the vehicle was stationary from the start");
     }
     double speed = trace.end().speed();
     boolean stands = speed == 0.0 && trace.impactSpeed().isEmpty();

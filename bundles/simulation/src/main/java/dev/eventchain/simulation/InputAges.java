@@ -105,7 +105,8 @@ final class InputAges {
     String words =
         String.format(
             Locale.ROOT,
-            "no command came on %s for more than the usual %.0f ms, and the vehicle followed the last one",
+            "no command came on %s for more than the usual %.0f ms, and the vehicle followed the"
+                + " last one",
             topic,
             limit);
     return new TooOld(writer, topic, since, true, words);
@@ -190,7 +191,8 @@ final class InputAges {
             String.format(
                 Locale.ROOT,
                 "Scenario %s: the last command on %s was %.0f ms old after %.2f s, and the vehicle"
-                    + " still followed it; %.0f ms are usual. In all scenarios, that was so %d times.",
+                    + " still followed it; %.0f ms are usual. In all scenarios, this happened %d"
+                    + " times.",
                 worst.scenario(),
                 topic,
                 worst.age(),
@@ -229,7 +231,7 @@ final class InputAges {
         String.format(
             Locale.ROOT,
             "Scenario %s: %s was %.0f ms old when '%s' was due after %.2f s; at most %.0f ms are"
-                + " allowed. In all scenarios, that was so %d times.",
+                + " allowed. In all scenarios, this happened %d times.",
             worst.scenario(),
             topic,
             worst.age(),
@@ -243,7 +245,7 @@ final class InputAges {
     }
     return Diagnostic.warning("simulation.input.too-old", text, place)
         .withHint(
-            "Write the topic more often, allow a greater maximumAge, or state safe values for what the"
-                + " component writes.");
+            "Write the topic more often, allow a greater maximumAge, or state safe values for what"
+                + " the component writes.");
   }
 }

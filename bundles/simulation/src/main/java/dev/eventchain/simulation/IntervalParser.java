@@ -25,7 +25,7 @@ final class IntervalParser {
     if (!tokens.take("[")) {
       return Interval.ALL;
     }
-    String hint = "Write such as `[0, 0.25]`, in seconds.";
+    String hint = "Write, for example, `[0, 0.25]`, in seconds.";
     int from = bound(hint);
     tokens.require(",", hint);
     int to = bound(hint);
@@ -77,7 +77,7 @@ final class IntervalParser {
             () ->
                 tokens.unitProblem(
                     unit,
-                    "'" + unit.text() + "' is no unit of time.",
+                    "'" + unit.text() + "' is not a unit of time.",
                     "Intervals are in seconds, or in s or ms as is written."));
   }
 

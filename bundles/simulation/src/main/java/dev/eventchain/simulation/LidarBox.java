@@ -64,7 +64,7 @@ final class LidarBox {
     return enter <= exit && enter > 0.0 ? enter : Double.POSITIVE_INFINITY;
   }
 
-  /** When a ray enters a slab; never if it runs beside it, and always if it runs within. */
+  /** When a ray enters a slab; never if it runs next to it, and always if it runs within. */
   private static double entry(double low, double high, double direction) {
     if (direction == 0.0) {
       return low <= 0.0 && high >= 0.0 ? Double.NEGATIVE_INFINITY : Double.POSITIVE_INFINITY;

@@ -74,7 +74,7 @@ final class MeasuredModel {
     return measurement(figure.name(), figure.unit(), statistic, figure.value(), figure.time());
   }
 
-  /** A margin without a bound is no number of a model. */
+  /** A margin without a bound is not a number of a model. */
   private static Optional<Measurement> margin(ScenarioVerdict.CriterionResult criterion) {
     return criterion
         .margin()

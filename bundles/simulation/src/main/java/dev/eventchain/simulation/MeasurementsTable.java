@@ -127,7 +127,7 @@ final class MeasurementsTable {
     cells(of.scenario(), of.kind(), of.name(), name, statistic, number(value), unit, time);
   }
 
-  /** Four decimals, as in the other file; what is no number is nothing. */
+  /** Four decimals, as in the other file; what is not a number is nothing. */
   private static String number(double value) {
     if (!Double.isFinite(value)) {
       return "";

@@ -291,7 +291,7 @@ final class MeasurementsWriter {
     number(value);
   }
 
-  /** Four decimals; what is no number becomes null. */
+  /** Four decimals; what is not a number becomes null. */
   private void number(double value) throws IOException {
     if (Double.isFinite(value)) {
       json.writeNumber(rounded(value));

@@ -19,7 +19,7 @@ import java.util.OptionalLong;
  */
 public record MessageFlow(List<Hop> hops, List<Processing> processing, List<Topic> topics) {
 
-  /** Who reads or writes a topic where it is no component; no component can have this name. */
+  /** Who reads or writes a topic where it is not a component; no component can have this name. */
   public static final String VEHICLE = "the vehicle";
 
   /** Copies the lists. */

@@ -51,8 +51,8 @@ final class Movement {
   }
 
   /**
-   * The touch with an actor: the search goes on in steps in which the two cannot meet (conservative
-   * advancement), so that nothing is passed through.
+   * The touch with an actor: the search continues in steps in which the two cannot meet
+   * (conservative advancement), so that nothing is passed through.
    */
   Optional<Contact> contact(Actor actor) {
     double closing = fastest + actor.fastest();
@@ -85,7 +85,7 @@ final class Movement {
     return Contact.of(time, ego.front(), ego.velocity(), actor, road);
   }
 
-  /** Whether the front touches a wall beside the road. */
+  /** Whether the front touches a wall next to the road. */
   boolean leavesTheRoad(long time) {
     Road.Place front = at(time).front();
     double across = road.station(front.x(), front.y(), travelled).across();

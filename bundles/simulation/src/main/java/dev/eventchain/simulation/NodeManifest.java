@@ -14,7 +14,7 @@ import java.util.Optional;
 
 /**
  * What a template set generated for a chain: the module and the class of each node, and the
- * component that it executes. The templates write it beside the package; nobody else knows their
+ * component that it executes. The templates write it next to the package; nobody else knows their
  * rules for names.
  *
  * @param location the file
@@ -30,7 +30,7 @@ public record NodeManifest(SourceLocation location, String packageName, List<Nod
   public static final String ID = "simulation.manifest";
 
   static final String GENERATE_AGAIN =
-      "Generate again with a template that writes it as the rule's page says.";
+      "Generate again with a template that writes it as the rule's page describes.";
 
   /**
    * A node around a component.
@@ -136,7 +136,7 @@ public record NodeManifest(SourceLocation location, String packageName, List<Nod
   private Optional<Diagnostic> missingFile(Path folder, String file, String place) {
     return Files.isRegularFile(folder.resolve(file))
         ? Optional.empty()
-        : Optional.of(problem("There is no file " + file + " beside it.", place));
+        : Optional.of(problem("There is no file " + file + " next to it.", place));
   }
 
   private Diagnostic problem(String message, String element) {

@@ -19,7 +19,7 @@ import java.util.Set;
 import java.util.function.IntFunction;
 
 /**
- * Reads a {@link NodeManifest}; problems are collected, and reading goes on with a neutral value.
+ * Reads a {@link NodeManifest}; problems are collected, and reading continues with a neutral value.
  */
 final class NodeManifestReader {
 
@@ -149,7 +149,7 @@ final class NodeManifestReader {
     for (int i = 0; i < names.size(); i++) {
       String name = names.get(i);
       if (!name.isEmpty() && !seen.add(name)) {
-        String message = "The " + what + " '" + name + "' is there twice.";
+        String message = "The " + what + " '" + name + "' is declared twice.";
         add(Diagnostic.error(NodeManifest.ID, message, places.apply(i)));
       }
     }

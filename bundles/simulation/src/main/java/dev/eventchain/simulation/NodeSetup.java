@@ -281,7 +281,7 @@ final class NodeSetup {
 
   /**
    * How old a sample of a topic may be where the model does not say it, in ms: five periods of the
-   * slowest of its writers; 0, which is no limit, if they are not known.
+   * slowest of its writers; 0, which is not a limit, if they are not known.
    */
   double usualAge(String topic) {
     List<Double> periods =

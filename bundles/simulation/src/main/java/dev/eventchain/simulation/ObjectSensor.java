@@ -12,9 +12,9 @@ import java.util.SplittableRandom;
 
 /**
  * A list of the objects ahead, as radars and cameras give it: each of its fields is a sequence with
- * a number for each object, the nearest first. What hangs above the road or lies flat on it is no
- * object. What is wholly hidden behind others, as the middle of the front bumper sees it, is left
- * out ({@link Sight}); walls and posts hide nothing.
+ * a number for each object, the nearest first. What hangs above the road or lies flat on it is not
+ * an object. What is wholly hidden behind others, as the middle of the front bumper sees it, is
+ * left out ({@link Sight}); walls and posts hide nothing.
  *
  * @param range how far it sees, in m
  * @param halfView to each side, in rad
@@ -134,7 +134,7 @@ record ObjectSensor(double range, double halfView, double missed, List<Column> c
     }
   }
 
-  /** Also what is beside the ego, or flat, or high, may stand before an object. */
+  /** Also what is next to the ego, or flat, or high, may stand before an object. */
   private static boolean hidden(World world, Actor actor) {
     double seconds = World.seconds(world.now());
     Road.Place eye = world.ego().front();

@@ -47,7 +47,7 @@ final class ObjectsReader {
         .ifPresent(
             part -> part.names().forEach(path -> column(part, path).ifPresent(columns::add)));
     if (section.has("fields") && section.value("fields").map(JsonNode::isEmpty).orElse(false)) {
-      section.find("bench.key.missing", "No field gets anything.", section.at("fields"));
+      section.find("bench.key.missing", "No field gets a value.", section.at("fields"));
     }
     section.refuseOthers();
     return new ObjectSensor(range, StrictMath.toRadians(view / 2), missed / 100, columns);

@@ -20,7 +20,7 @@ import java.util.stream.Stream;
  * @param peers those on topics of the world
  * @param nodes the names of all nodes that were found, whatever their topics are
  * @param isEmpty whether nobody was found, on whatever topic
- * @param graph the ends of the peers, each of an owner of its own, and a world that suits them
+ * @param graph the ends of the peers, each of its owner, and a world that suits them
  */
 record Outside(List<Peer> peers, NavigableSet<String> nodes, boolean isEmpty, WireGraph graph) {
 

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What a sensor can see besides the road and the walls: all that is on the road, and posts beside
+ * What a sensor can see besides the road and the walls: all that is on the road, and posts next to
  * it.
  *
  * @param ego where the ego's front bumper is, and where it looks

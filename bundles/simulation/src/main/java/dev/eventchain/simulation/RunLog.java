@@ -73,14 +73,14 @@ record RunLog(
   private static long number(JsonNode array, int index) {
     JsonNode number = array.required(index);
     if (!number.isIntegralNumber() || !number.canConvertToLong()) {
-      throw new IllegalArgumentException("something that is no whole number");
+      throw new IllegalArgumentException("something that is not a whole number");
     }
     return number.longValue();
   }
 
   private static String text(JsonNode json) {
     if (!json.isTextual()) {
-      throw new IllegalArgumentException("something that is no text");
+      throw new IllegalArgumentException("something that is not a string");
     }
     return json.textValue();
   }

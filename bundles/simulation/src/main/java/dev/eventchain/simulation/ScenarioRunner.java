@@ -14,10 +14,10 @@ import java.util.Optional;
 /** Drives one scenario: the vehicle senses, the nodes think, the vehicle moves. */
 final class ScenarioRunner {
 
-  /** How long it goes on after the ego has stopped, in ns. */
+  /** How long it continues after the ego has stopped, in ns. */
   private static final long AFTER_STOP = 1_000_000_000L;
 
-  /** How long it goes on after a fault, at least, in ns. */
+  /** How long it continues after a fault, at least, in ns. */
   private static final long AFTER_FAULT = 2_000_000_000L;
 
   /**
@@ -83,7 +83,7 @@ final class ScenarioRunner {
   }
 
   /**
-   * Drives the scenario of a fault with it. A node that fails is gone, and the run goes on; what
+   * Drives the scenario of a fault with it. A node that fails is gone, and the run continues; what
    * ends the run besides is a part of the result. Nothing is recorded.
    */
   FaultRun run(Fault fault) {

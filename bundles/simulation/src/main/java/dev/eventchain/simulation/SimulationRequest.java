@@ -56,9 +56,9 @@ public record SimulationRequest(
     /** All nodes in one process, messages in memory. */
     LOCKSTEP("lock-step"),
     /**
-     * Each node in a process of its own on Cyclone DDS, in simulated time. Faults that kill or stop
-     * a node act within its host, at an instant of simulated time, so that they do the same as in
-     * lock-step; the host itself goes on.
+     * Each node in its own process on Cyclone DDS, in simulated time. Faults that kill or stop a
+     * node act within its host, at an instant of simulated time, so that they do the same as in
+     * lock-step; the host itself continues.
      */
     DDS("Cyclone DDS in simulated time"),
     /** The same in real time: one scenario after the other, and nobody waits for anybody. */

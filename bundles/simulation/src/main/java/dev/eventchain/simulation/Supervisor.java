@@ -88,7 +88,8 @@ final class Supervisor {
    * The next event, a {@link Said} or an {@link Arrived}; empty if there was none for a moment.
    *
    * @param deliveries what is underway; empty before anything is
-   * @throws dev.eventchain.diagnostics.DiagnosticException if a node, or the wire, does not go on
+   * @throws dev.eventchain.diagnostics.DiagnosticException if a node, or the wire, does not
+   *     continue
    */
   Optional<Object> await(long now, Optional<Deliveries> deliveries) {
     Optional<Object> event = poll(LOOK);

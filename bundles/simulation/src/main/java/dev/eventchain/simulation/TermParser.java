@@ -111,16 +111,16 @@ final class TermParser {
   }
 
   private Term absolute() {
-    tokens.require("(", "Write such as `abs(ego.acceleration)`.");
+    tokens.require("(", "Write, for example, `abs(ego.acceleration)`.");
     Term inner = argument();
-    tokens.require(")", "`abs` has one argument.");
+    tokens.require(")", "`abs` takes one argument.");
     return inner.mapped(Math::abs);
   }
 
   private Term extreme(DoubleBinaryOperator operator) {
-    tokens.require("(", "Write such as `min(gap, 10 m)`.");
+    tokens.require("(", "Write, for example, `min(gap, 10 m)`.");
     Term all = argument();
-    tokens.require(",", "`min` and `max` have two arguments or more.");
+    tokens.require(",", "`min` and `max` take two or more arguments.");
     do {
       Token second = tokens.peek();
       Term other = argument();
@@ -155,7 +155,7 @@ final class TermParser {
       return term;
     }
     String text = tokens.textSince(first);
-    throw tokens.syntax(first, "'" + text + "' is true or false, and no quantity.", "");
+    throw tokens.syntax(first, "'" + text + "' is true or false, not a quantity.", "");
   }
 
   /** Refuses metres beside seconds. */

@@ -5,7 +5,7 @@ import java.util.Map;
 /**
  * What the software asks of the vehicle.
  *
- * @param throttle 0.0 to 1.0; what lies outside is limited, what is no number does not drive
+ * @param throttle 0.0 to 1.0; what lies outside is limited, what is not a number does not drive
  * @param brake 0.0 to 1.0, as the software wrote it: what lies outside is limited where it takes
  *     effect
  * @param steering -1.0 (left) to 1.0 (right); what lies outside is limited

@@ -20,7 +20,7 @@ import java.util.Optional;
  */
 record WireEnd(int owner, int index, String topic, String type, QosSettings qos) {
 
-  /** The owner that is no node. */
+  /** The owner that is not a node. */
   static final int WORLD = -1;
 
   /**

@@ -115,7 +115,7 @@ final class WireRecord {
   private static long number(JsonNode array, int index) {
     JsonNode number = array.required(index);
     if (!number.isIntegralNumber() || !number.canConvertToLong()) {
-      throw new IllegalArgumentException("something that is no whole number");
+      throw new IllegalArgumentException("something that is not a whole number");
     }
     return number.longValue();
   }

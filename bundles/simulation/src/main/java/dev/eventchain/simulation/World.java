@@ -61,7 +61,7 @@ final class World {
     return ego.speed();
   }
 
-  /** Whether the ego hit somebody or a wall beside the road, or was hit, but not from behind. */
+  /** Whether the ego hit somebody or a wall next to the road, or was hit, but not from behind. */
   boolean impacted() {
     return trace.impactSpeed().isPresent();
   }

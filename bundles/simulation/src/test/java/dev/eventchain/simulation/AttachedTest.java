@@ -296,7 +296,7 @@ class AttachedTest {
               .diagnostics()
               .get(0);
       assertEquals("dds.domain.unusable", found.id());
-      assertEquals("ROS_DOMAIN_ID is '" + number + "', which is no domain.", found.message());
+      assertEquals("ROS_DOMAIN_ID is '" + number + "', which is not a domain.", found.message());
     }
   }
 

@@ -22,7 +22,7 @@ import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Nodes as processes of their own, with Cyclone DDS between them. */
+/** Nodes as their own processes, with Cyclone DDS between them. */
 class DdsDriverTest {
 
   private static final ObjectMapper JSON = new ObjectMapper();

@@ -227,7 +227,7 @@ class FaultsTest {
     FaultVerdict dead = fault("sensor-dies");
     assertFalse(dead.detected(), "the model states no age of what the world sends");
     assertEquals(List.of("simulation.fault.failed"), ids(dead.diagnostics()));
-    assertTrue(dead.diagnostics().get(0).message().endsWith("but found: nothing told of it."));
+    assertTrue(dead.diagnostics().get(0).message().endsWith("but found: nothing reported it."));
   }
 
   @Test

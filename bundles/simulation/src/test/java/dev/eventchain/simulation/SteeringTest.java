@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/** The vehicle beside its pedals: steering, hand brake, gears and drag. */
+/** The vehicle next to its pedals: steering, hand brake, gears and drag. */
 class SteeringTest {
 
   private static final long SECOND = 1_000_000_000L;

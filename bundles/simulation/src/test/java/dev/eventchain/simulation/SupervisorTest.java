@@ -21,7 +21,7 @@ import java.util.Optional;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 
-/** Who is to blame when nothing goes on, by a clock that the test sets. */
+/** Who is to blame when nothing continues, by a clock that the test sets. */
 class SupervisorTest {
 
   private static final Duration PATIENCE = Duration.ofSeconds(30);

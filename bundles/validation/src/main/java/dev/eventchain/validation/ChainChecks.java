@@ -127,8 +127,8 @@ public final class ChainChecks {
   }
 
   /**
-   * The checks of a chain that is in no project: the standard constraints, the contracts inside of
-   * the chain, and the metamodel. Nothing is known of the vehicle and of existing components.
+   * The checks of a chain that is in no project: the standard constraints, the contracts inside the
+   * chain, and the metamodel. Nothing is known of the vehicle and of existing components.
    *
    * @param timeLimit as for a project
    */

@@ -65,7 +65,7 @@ public final class ChainModel {
    * @param file in the project, or among its results
    * @param output the folder of the project's results
    * @param timeLimit the processor time that the patterns of a data type may take
-   * @throws DiagnosticException INPUT if it cannot be read, or is no event chain
+   * @throws DiagnosticException INPUT if it cannot be read, or is not an event chain
    */
   public static ChainModel read(ProjectFolder folder, Path output, Path file, Duration timeLimit) {
     Path root = file.startsWith(output) ? output : folder.folder();
@@ -87,7 +87,7 @@ public final class ChainModel {
     throw new DiagnosticException(
         DiagnosticException.Reason.INPUT,
         Diagnostic.error(
-            "project.model", "The model's root is no EventChain.", SourceLocation.of(model)));
+            "project.model", "The model's root is not an EventChain.", SourceLocation.of(model)));
   }
 
   /** The chain. */

@@ -108,7 +108,7 @@ public final class Constraints {
             item ->
                 Diagnostic.error(
                         "project.rule.uncovered",
-                        "No constraint stands for the design rule " + item.id() + ".",
+                        "No constraint implements the design rule " + item.id() + ".",
                         item.location())
                     .withRule(item.id())
                     .withHint(

@@ -97,9 +97,9 @@ public final class ModelValidation {
    * without any, what the metamodels demand has to do.
    *
    * @param metamodels the models' metamodels; none for event chains, for which the standard
-   *     constraints are evaluated and the contracts inside of each chain checked, too
+   *     constraints are evaluated and the contracts inside each chain checked, too
    * @param map the folders that beginnings of references stand for: {@code platform:/resource/}
-   * @param messages folders of {@code PACKAGE/msg/NAME.msg} that event chains use, beside the
+   * @param messages folders of {@code PACKAGE/msg/NAME.msg} that event chains use, next to the
    *     standard types of ROS 2
    * @param timeLimit the processor time that a constraint, or the patterns of a data type, may take
    *     on all of the models
@@ -156,7 +156,7 @@ public final class ModelValidation {
     return Stream.concat(given, referred).distinct().toList();
   }
 
-  /** The contracts inside of each chain: nothing is known of the vehicle around it. */
+  /** The contracts inside each chain: nothing is known of the vehicle around it. */
   private Validation contracts(MessageCatalog messages) {
     ChainAnalysis analysis = ChainAnalysis.of(messages, Optional.empty());
     Coverage coverage = Coverage.NONE;

@@ -58,7 +58,7 @@ public class ProjectFolder {
   /**
    * What the configuration says.
    *
-   * @throws DiagnosticException INPUT if it is no project ({@code project.missing}), or the file
+   * @throws DiagnosticException INPUT if it is not a project ({@code project.missing}), or the file
    *     cannot be read
    */
   public final SourceText configurationText() {
@@ -73,7 +73,7 @@ public class ProjectFolder {
           DiagnosticException.Reason.INPUT,
           Diagnostic.error(
                   "project.missing",
-                  "The folder is no project: it holds no eventchain.yaml.",
+                  "The folder is not a project: it contains no eventchain.yaml.",
                   SourceLocation.of(folder))
               .withHint("Name the folder of a project, for example examples/aeb."));
     }

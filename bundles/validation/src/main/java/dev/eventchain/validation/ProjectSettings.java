@@ -29,7 +29,7 @@ public record ProjectSettings(String name, double frequency) {
   /**
    * Reads these settings of a project. Nothing is said about the others.
    *
-   * @throws DiagnosticException INPUT if it is no project ({@code project.missing}), its file
+   * @throws DiagnosticException INPUT if it is not a project ({@code project.missing}), its file
    *     cannot be read, or with everything that is not understood ({@code project.configuration})
    */
   public static ProjectSettings read(ProjectFolder folder) {

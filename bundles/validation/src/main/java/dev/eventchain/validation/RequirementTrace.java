@@ -68,7 +68,7 @@ final class RequirementTrace {
       BiFunction<EObject, EStructuralFeature, SourceLocation> locator) {
     return Diagnostic.warning(
             "project.requirement.changed",
-            "requirements.md says of %s: %s".formatted(requirement.getId(), text),
+            "requirements.md says this about %s: %s".formatted(requirement.getId(), text),
             locator.apply(requirement, Literals.REQUIREMENT__TEXT))
         .withHint("Write the same into the model, once the components satisfy it.");
   }

@@ -91,7 +91,7 @@ public final class SuppressionFile {
       return written.isEmpty() ? Optional.empty() : Optional.of(LocalDate.parse(written));
     } catch (DateTimeException e) {
       entry.find(
-          INVALID, "'" + written + "' is no day; write it as 2027-03-31.", entry.at("expires"));
+          INVALID, "'" + written + "' is not a date; write it as 2027-03-31.", entry.at("expires"));
       return Optional.empty();
     }
   }

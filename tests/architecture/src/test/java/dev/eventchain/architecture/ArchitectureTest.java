@@ -188,7 +188,7 @@ class ArchitectureTest {
     assertEquals(Set.of(), unneeded);
   }
 
-  /** What is generated stands in a package of its own, and is not counted. */
+  /** What is generated is in its own package, and is not counted. */
   private static Stream<JavaClass> shownTypes(JavaClasses classes) {
     return classes.stream()
         .filter(

@@ -167,7 +167,7 @@ class RulePagesTest {
     }
   }
 
-  /** Fixtures may hold what is no UTF-8. */
+  /** Fixtures may hold what is not UTF-8. */
   private static String text(Path file) {
     try {
       return new String(Files.readAllBytes(file), StandardCharsets.UTF_8);

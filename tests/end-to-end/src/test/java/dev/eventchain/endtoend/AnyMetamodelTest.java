@@ -114,7 +114,7 @@ class AnyMetamodelTest {
     new Program()
         .run("validate", "--metamodel", ecore, model)
         .expect(1)
-        .says("model.xmi:4:3: error: `pages` has no value, and needs one. [ecore.required]")
+        .says("model.xmi:4:3: error: `pages` has no value, but needs one. [ecore.required]")
         .says("0 constraints evaluated 0 times, 2 metamodel checks");
     Path template = Files.writeString(folder.resolve("main.mtl"), TEMPLATE);
     Path out = folder.resolve("made");
@@ -158,7 +158,7 @@ class AnyMetamodelTest {
     new Program()
         .run(command)
         .expect(1)
-        .says("rules.ocl:2:3: error: 'Slow' was given up")
+        .says("rules.ocl:2:3: error: 'Slow' was abandoned")
         .says("it takes more than 1 s of processor time. It left 2 of 2 elements unchecked.")
         .says("[ocl.limit Book::Slow]")
         .says("1 error, 0 warnings")

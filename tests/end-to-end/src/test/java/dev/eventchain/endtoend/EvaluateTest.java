@@ -30,7 +30,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class EvaluateTest {
 
   private static final ObjectMapper MAPPER = new ObjectMapper();
-  private static final String LABEL = "authored by people: no evaluation of a language model";
+  private static final String LABEL = "authored by people: not an evaluation of a language model";
 
   private static final String KEY = "sk-not-to-be-seen-anywhere";
 
@@ -265,8 +265,8 @@ class EvaluateTest {
   void wrongUsageIsRefused() {
     evaluate("--models", "a,a").expect(2).says("'a' is named twice");
     evaluate("--models", "a,,b").expect(2).says("a model has no name");
-    evaluate("--models", "direct").expect(2).says("'direct' is no language model");
-    evaluate("--runs", "0").expect(2).says("runs are 1 to 99");
+    evaluate("--models", "direct").expect(2).says("'direct' is not a language model");
+    evaluate("--runs", "0").expect(2).says("the number of runs is 1 to 99");
     evaluate("--parallel", "0").expect(2).says("at once");
     evaluate("--llm", "groq/x", "--models", "y").expect(2).says("names a model");
     evaluate("--llm", "telepathy").expect(2).says("[llm.provider.unknown]");

@@ -60,7 +60,7 @@ class HandoffRunTest {
     design()
         .expect(4)
         .says("design-02.prompt.md")
-        .says("The answer before went back: The file must hold an array, not an object.")
+        .says("The previous answer was sent back: The file must hold an array, not an object.")
         .says("[agents.answer.returned]");
   }
 

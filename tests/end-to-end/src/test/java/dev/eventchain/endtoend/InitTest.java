@@ -47,7 +47,7 @@ class InitTest {
     assertEquals(
         """
         # How the simulated road and this project are connected; `eventchain bench DIR` lists
-        # what there is. What stands in a comment could not be guessed.
+        # what there is. What is commented out could not be guessed.
         provides:
           /radar/target:
             rate_hz: 20

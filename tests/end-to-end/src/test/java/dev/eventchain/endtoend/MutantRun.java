@@ -31,7 +31,7 @@ import java.util.stream.Stream;
 
 /**
  * Simulates an example whose components change from scenario to scenario. A scenario reads them
- * anew, so one simulation does for many mutants, and nothing is generated or started for each.
+ * again, so one simulation does for many mutants, and nothing is generated or started for each.
  */
 final class MutantRun {
 

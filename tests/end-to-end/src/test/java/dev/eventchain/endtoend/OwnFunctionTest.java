@@ -113,7 +113,8 @@ class OwnFunctionTest {
         .run()
         .expect(1)
         .says(
-            "INCOMPLETE: 1 of 2 scenarios passed, but not all was tested: 4 requirements not tested,")
+            "INCOMPLETE: 1 of 2 scenarios passed, but not all was tested: 4 requirements not"
+                + " tested,")
         .says("the driver is warned")
         .says("[simulation.criterion.untested]");
     project.requireNotPassed();
@@ -124,7 +125,8 @@ class OwnFunctionTest {
     project.replace(
         CHAIN,
         "topicName=\"/cluster/collision_warning\"",
-        "topicName=\"/cluster/collision_warning\" external=\"true\" satisfies=\"//@requirements.1\"");
+        "topicName=\"/cluster/collision_warning\" external=\"true\""
+            + " satisfies=\"//@requirements.1\"");
     project.run().expect(0).says("PASSED: 2 of 2 scenarios passed, 4 requirements proved");
     project.replace(SCENARIO, "/cluster/collision_warning.data", "gap < 80 m");
     project
@@ -146,7 +148,8 @@ class OwnFunctionTest {
         .expect(1)
         .says("requirements.md:3:")
         .says(
-            "No criterion of the scenarios that name RAD-2 depends on what 'Collision_Warning' writes")
+            "No criterion of the scenarios that name RAD-2 depends on what 'Collision_Warning'"
+                + " writes")
         .says("[project.requirement.untested RAD-2]")
         .says("3 requirements proved, 1 not tested, 1 error");
     project.requireNotPassed();
@@ -170,7 +173,7 @@ class OwnFunctionTest {
     project
         .run()
         .expect(1)
-        .says("requirements.md says of RAD-2: The system shall warn")
+        .says("requirements.md says this about RAD-2: The system shall warn")
         .says("[project.requirement.changed]")
         .says("The model has the requirement 'RAD-5', which requirements.md does not have.")
         .says("[project.requirement.unknown]");
@@ -300,7 +303,7 @@ class OwnFunctionTest {
         .run("run", project.path(), "--date", "2026-11-30")
         .expect(1)
         .says("INCOMPLETE")
-        .says("Something that RAD-4 hangs on could not be judged.")
+        .says("Something that RAD-4 depends on could not be judged.")
         .says("[project.requirement.untested RAD-4]");
     project.requireNotPassed();
     Files.writeString(

@@ -108,7 +108,7 @@ class OwnTemplateTest {
     assertTrue(Files.readString(simulated).contains("\"passed\" : false,"));
   }
 
-  /** The one of the README; a module beside it stands in for one that ships. */
+  /** The one of the README; a module next to it replaces one that ships. */
   @Test
   void aTemplateThatImportsAShippedSetRunsFromStartToVerdict() throws IOException {
     Path own = Program.exampleIn(folder.resolve("importing"));

@@ -207,7 +207,11 @@ class StaleResultsTest {
     run("generate").expect(2);
     Files.writeString(components, written);
     new Program().with("EVENTCHAIN_PYTHON", "/nowhere/python3").run("implement", project).expect(3);
-    run("simulate").expect(2).says(OUTDATED).says("'implement' was begun").says("--from implement");
+    run("simulate")
+        .expect(2)
+        .says(OUTDATED)
+        .says("'implement' was started")
+        .says("--from implement");
     run("run --from implement").expect(0).says("PASSED");
   }
 

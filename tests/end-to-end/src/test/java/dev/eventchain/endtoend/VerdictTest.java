@@ -94,7 +94,8 @@ class VerdictTest {
         .says("INCOMPLETE: nothing was simulated: 2 errors")
         .says("reads /carla/ego_vehicle/vehicle_status, which no entry of the bench provides.")
         .says(
-            "writes /carla/ego_vehicle/vehicle_control_cmd to the vehicle, but the bench does not take it.")
+            "writes /carla/ego_vehicle/vehicle_control_cmd to the vehicle, but the bench does not"
+                + " take it.")
         .says("[bench.topic.unconnected]");
     assertNoPass();
   }
@@ -129,7 +130,7 @@ class VerdictTest {
         .run("run", project, "--llm", "handoff:" + folder.resolve("handoff"))
         .expect(1)
         .says("stopped-vehicle-50.yaml:")
-        .says("tests 'AEB2', which is no requirement of this project.")
+        .says("tests 'AEB2', which is not a requirement of this project.")
         .says("[project.requirement.unknown]")
         .says("Did you mean `AEB-2`?");
     assertFalse(Files.exists(folder.resolve("handoff")));

@@ -33,7 +33,7 @@ public final class EventchainBuilder extends IncrementalProjectBuilder {
     return NO_OTHERS;
   }
 
-  /** Nothing outside of the project is changed, so that others need not wait for a long check. */
+  /** Nothing outside the project is changed, so that others need not wait for a long check. */
   @Override
   public ISchedulingRule getRule(int kind, Map<String, String> arguments) {
     return getProject();

@@ -101,7 +101,7 @@ public record FindingMarker(IResource resource, Map<String, Object> attributes) 
     return text.length() <= MOST_CHARACTERS ? text : text.substring(0, MOST_CHARACTERS) + " ...";
   }
 
-  /** The file in the project of what was checked: others have markers of their own builds only. */
+  /** The file in the project of what was checked: others have their own markers builds only. */
   private static IResource fileOf(SourceLocation place, IResource subject) {
     if (place.file().isEmpty()) {
       return null;

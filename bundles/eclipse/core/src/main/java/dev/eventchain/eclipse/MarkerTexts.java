@@ -43,7 +43,7 @@ final class MarkerTexts {
       return Math.min(offset, end);
     }
 
-    /** The offset after the last character of a line that is no line break. */
+    /** The offset after the last character of a line that is not a line break. */
     int end(int line) {
       int end = line < starts.size() ? starts.get(line) : text.length();
       while (end > starts.get(line - 1) && "\r\n".indexOf(text.charAt(end - 1)) >= 0) {

@@ -18,7 +18,7 @@ final class Metamodels {
 
   /**
    * Those of files, and those of event chains and of message definitions unless a file has their
-   * namespace. A file that is no sound metamodel is left out: it has findings of its own.
+   * namespace. A file that is not a valid metamodel is left out: it has findings of its own.
    */
   static List<EPackage> of(List<Path> ecores) {
     List<EPackage> packages = new ArrayList<>();

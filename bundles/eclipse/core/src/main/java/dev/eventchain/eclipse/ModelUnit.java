@@ -18,7 +18,8 @@ import org.eclipse.core.resources.IResource;
 /**
  * A model that stands for itself.
  *
- * @param metamodels those of the Eclipse project, which it is checked with if it is no event chain
+ * @param metamodels those of the Eclipse project, which it is checked with if it is not an event
+ *     chain
  * @param rules the documents that are evaluated on it, too, if it is in no folder of ours
  */
 record ModelUnit(IFile file, Path path, List<Path> metamodels, List<Path> rules)
@@ -86,7 +87,7 @@ record ModelUnit(IFile file, Path path, List<Path> metamodels, List<Path> rules)
   private Diagnostic unchecked() {
     return Diagnostic.info(
             "eclipse.model.unchecked",
-            "The model was not checked: it is no event chain, and its metamodel is not here.",
+            "The model was not checked: it is not an event chain, and its metamodel is not here.",
             SourceLocation.of(path))
         .withHint("Put the metamodel, an .ecore file, into the same project.");
   }

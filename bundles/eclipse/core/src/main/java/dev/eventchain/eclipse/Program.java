@@ -18,8 +18,8 @@ import org.eclipse.core.runtime.IProgressMonitor;
 import org.eclipse.core.runtime.OperationCanceledException;
 
 /**
- * The program {@code eventchain} as a process of its own: what runs Python, asks language models
- * and simulates stays out of the workbench.
+ * The program {@code eventchain} as its own process: what runs Python, asks language models and
+ * simulates stays out of the workbench.
  *
  * @param file the launcher
  */
@@ -48,7 +48,7 @@ public record Program(Path file) {
     String problem =
         set.isEmpty()
             ? "There is no program 'eventchain' on the path."
-            : "'" + set + "' is no program that can be started.";
+            : "'" + set + "' is not a program that can be started.";
     throw new CoreException(
         EventchainCore.failure(problem + " Set it under Window > Preferences > Eventchain.", null));
   }

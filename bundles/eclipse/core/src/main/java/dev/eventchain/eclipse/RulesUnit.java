@@ -53,7 +53,7 @@ record RulesUnit(IFile file, Path path, List<Path> metamodels) implements CheckU
       found.add(
           Diagnostic.warning(
                   "eclipse.rules.none",
-                  "The document holds no invariant, so it checks nothing.",
+                  "The document contains no invariant, so it checks nothing.",
                   SourceLocation.of(path))
               .withHint("Write one: context SoftwareNode inv HasName: name <> ''"));
     }

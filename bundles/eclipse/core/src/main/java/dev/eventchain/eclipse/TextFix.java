@@ -9,7 +9,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
 /**
- * A change of a file's text that mends a finding.
+ * A change of a file's text that fixes a finding.
  *
  * @param start the offset of the first character that goes
  * @param end the offset after the last one

@@ -22,7 +22,7 @@ final class BlockParser {
   private final List<Syntax.Text> texts;
   private int next;
 
-  /** Whether the block that is read stands in a protected area of its file. */
+  /** Whether the block that is read is in a protected area of its file. */
   private boolean inArea;
 
   BlockParser(Problems problems, List<Token> tokens, List<Syntax.Text> texts) {
@@ -76,7 +76,7 @@ final class BlockParser {
     }
   }
 
-  /** The same for the inside of a block that begins or ends a protected area. */
+  /** The same for the inside a block that begins or ends a protected area. */
   private List<Node> body(boolean area) {
     boolean outer = inArea;
     inArea = area;
@@ -150,7 +150,7 @@ final class BlockParser {
 
   private Optional<Node> forBlock(Token token) {
     HeaderReader reader = reader(token);
-    Optional<SourceRange> inside = reader.parentheses("what to go through");
+    Optional<SourceRange> inside = reader.parentheses("a collection");
     Decoration decoration = inside.isEmpty() ? NONE : reader.decoration();
     List<Node> body = body();
     if (inside.isEmpty()) {
@@ -191,7 +191,7 @@ final class BlockParser {
     while (tokens.get(next).kind() == Kind.MIDDLE) {
       Token middle = tokens.get(next++);
       if (last) {
-        problems.syntax(middle.start(), "Nothing follows [else] but [/if].", "");
+        problems.syntax(middle.start(), "Only [/if] may follow [else].", "");
       }
       if (middle.keyword().equals("else")) {
         last = true;
@@ -222,7 +222,7 @@ final class BlockParser {
     while (tokens.get(next).kind() == Kind.MIDDLE) {
       Token middle = tokens.get(next++);
       if (last) {
-        problems.syntax(middle.start(), "Nothing follows [else] but [/let].", "");
+        problems.syntax(middle.start(), "Only [/let] may follow [else].", "");
       }
       if (middle.keyword().equals("else")) {
         last = true;

@@ -71,7 +71,7 @@ final class Blocks {
     } else if (open.isEmpty()) {
       problems.syntax(
           token.start(),
-          "A '" + token.keyword() + "' block stands outside of any template.",
+          "A '" + token.keyword() + "' block is outside any template.",
           "Put it between [template ...] and [/template].");
       return;
     }
@@ -91,7 +91,7 @@ final class Blocks {
     } else {
       problems.syntax(
           token.start(),
-          "An '" + keyword + "' stands outside of the block it belongs to.",
+          "An '" + keyword + "' is outside the block it belongs to.",
           "Close the blocks inside it first.");
     }
   }

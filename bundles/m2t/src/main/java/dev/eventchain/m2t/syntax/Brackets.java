@@ -62,7 +62,7 @@ public final class Brackets {
               + "' without the '"
               + (closes ? '[' : ']')
               + "' that belongs to it.",
-          "A bracket that opens is written ['['/], one that closes ] or [']'/].");
+          "An opening bracket is written ['['/], a closing one ] or [']'/].");
     }
   }
 

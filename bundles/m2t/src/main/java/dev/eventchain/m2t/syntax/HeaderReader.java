@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Set;
 
-/** Reads the inside of one tag from left to right. */
+/** Reads the inside one tag from left to right. */
 final class HeaderReader {
   private static final Set<String> LITERALS =
       Set.of("Set", "OrderedSet", "Bag", "Sequence", "Collection", "Tuple");
@@ -94,7 +94,7 @@ final class HeaderReader {
   /** {@code (...)}: what stands between the parentheses; reports if there are none. */
   Optional<SourceRange> parentheses(String what) {
     if (!at('(')) {
-      problems.syntax(position, "Here should be " + what + " in parentheses.", "");
+      problems.syntax(position, "Expected " + what + " in parentheses.", "");
       return Optional.empty();
     }
     int close = closing(position);
@@ -124,7 +124,7 @@ final class HeaderReader {
     return around || (inside.isEmpty() && text.charAt(start) == '(') ? inside : Optional.of(whole);
   }
 
-  /** The rest up to one of some characters outside of parentheses and quotes, or to the end. */
+  /** The rest up to one of some characters outside parentheses and quotes, or to the end. */
   SourceRange until(String stops) {
     skipSpace();
     int start = position;
@@ -248,7 +248,7 @@ final class HeaderReader {
     if (accept(':')) {
       type = Optional.of(until(stops));
       if (type.get().isEmpty()) {
-        problems.syntax(position, "Here should be a type.", "");
+        problems.syntax(position, "Expected a type.", "");
         position = limit;
         return Optional.empty();
       }
@@ -293,7 +293,7 @@ final class HeaderReader {
     }
     end = Math.min(limit, Math.max(end, position + 1));
     String found = position >= limit ? "the end" : "'" + text.substring(position, end) + "'";
-    problems.syntax(position, "Here should be " + expected + ", not " + found + ".", "");
+    problems.syntax(position, "Expected " + expected + ", not " + found + ".", "");
   }
 
   private int closing(int open) {

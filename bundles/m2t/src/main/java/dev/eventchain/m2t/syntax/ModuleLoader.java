@@ -138,6 +138,6 @@ public final class ModuleLoader {
         "m2t.module.missing",
         name.start(),
         "There is no module '" + name.text() + "'.",
-        "Put " + last + ".mtl beside this file" + root + ".");
+        "Put " + last + ".mtl next to this file" + root + ".");
   }
 }

@@ -43,7 +43,8 @@ final class ModuleParser {
     warnOfMixedLineEnds(problems);
     int nul = problems.source().text().indexOf('\0');
     if (nul >= 0) {
-      problems.syntax(nul, "The file has a NUL character, which no text has.", "Remove it.");
+      problems.syntax(
+          nul, "The file contains a NUL character, which text never does.", "Remove it.");
     }
     List<Token> tokens = Blocks.balanced(TemplateLexer.tokens(problems), problems);
     return new ModuleParser(problems, tokens).module();
@@ -60,8 +61,8 @@ final class ModuleParser {
         problems.warning(
             "m2t.line-ends",
             i,
-            "The file mixes line ends (CRLF and LF), and so will its output.",
-            "Convert the file to one kind of line end.");
+            "The file mixes line endings (CRLF and LF), and so will its output.",
+            "Convert the file to one kind of line ending.");
         return;
       }
     }
@@ -97,7 +98,7 @@ final class ModuleParser {
     String meant = NearestName.question(word, TOP_LEVEL);
     problems.syntax(
         token.start(),
-        "This tag stands outside of any template.",
+        "This tag is outside any template.",
         meant.isEmpty() ? "Put it between [template ...] and [/template]." : meant);
   }
 

@@ -8,7 +8,7 @@ import java.util.List;
 public record Problems(SourceText source, List<Diagnostic> found) {
   static final String SYNTAX = "m2t.syntax";
 
-  /** A file with more is no template. */
+  /** A file with more is not a template. */
   private static final int MOST = 1000;
 
   public void syntax(int offset, String message, String hint) {

@@ -5,7 +5,7 @@ package dev.eventchain.m2t.syntax;
  * line inside quotes means that the tag was not closed.
  *
  * @param found whether there is a closing bracket
- * @param offset the closing bracket, or else where reading should go on
+ * @param offset the closing bracket, or else where reading should continue
  * @param openQuote the quote that was not closed, or -1
  */
 record TagEnd(boolean found, int offset, int openQuote) {

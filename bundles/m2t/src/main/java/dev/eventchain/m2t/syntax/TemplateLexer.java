@@ -61,7 +61,7 @@ final class TemplateLexer {
     return List.copyOf(tokens);
   }
 
-  /** Whether a tag is a template of its own: {@code [template public t(c : C)/]}. */
+  /** Whether a tag is a whole template: {@code [template public t(c : C)/]}. */
   private boolean isEmptyTemplate(Token tag) {
     return tag.kind() == Kind.OPEN
         && tag.keyword().equals("template")

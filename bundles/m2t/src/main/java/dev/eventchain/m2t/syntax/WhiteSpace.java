@@ -12,7 +12,7 @@ import java.util.List;
  *
  * <ul>
  *   <li>A tag takes the <b>rest of its line</b> behind it, with the line break, if nothing but
- *       white space stands there ({@link #takenBehind}).
+ *       white space is there ({@link #takenBehind}).
  *   <li>A tag takes the <b>indentation</b> before it, if nothing but white space stands between it
  *       and the tag or the line break before ({@link #takenBefore}).
  *   <li>A template's <b>last line break</b> is dropped ({@link #withoutLastBreak}).

@@ -14,7 +14,7 @@ final class XmlHead {
     "http://www.omg.org/XMI", "http://www.omg.org/spec/XMI", "http://schema.omg.org/spec/XMI"
   };
 
-  /** A start tag, with the namespaces that hold inside of it. */
+  /** A start tag, with the namespaces that hold inside it. */
   private record Tag(String name, Map<String, String> namespaces, boolean isEmpty) {
 
     boolean isEventChain() {
@@ -75,7 +75,7 @@ final class XmlHead {
     return next >= 0;
   }
 
-  /** The next start tag if nothing but comments and the like stands before it; else null. */
+  /** The next start tag if nothing but comments and the like is before it; else null. */
   private Tag nextTag(Map<String, String> outer) {
     while (true) {
       skipSpace();
@@ -96,7 +96,7 @@ final class XmlHead {
     }
   }
 
-  /** A document type, with the declarations inside of it. */
+  /** A document type, with the declarations inside it. */
   private void skipDeclaration() {
     int depth = 0;
     do {

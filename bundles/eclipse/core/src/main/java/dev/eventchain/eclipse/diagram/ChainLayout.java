@@ -14,7 +14,7 @@ import java.util.Map;
 /**
  * Draws up an event chain from the top down, like its activity diagram: components, the topics
  * between them, signals from outside at the top and to outside at the bottom, bars where the flow
- * forks and joins. Lines lead downwards but where the flow goes in a circle.
+ * forks and joins. Lines lead downwards but where the flow goes in a cycle.
  */
 public final class ChainLayout {
 
@@ -116,7 +116,7 @@ public final class ChainLayout {
     return bands;
   }
 
-  /** What no line leads to stands below the rest, about as wide as high. */
+  /** What no line leads to is below the rest, about as wide as high. */
   private void placeLoose(int top) {
     int columns = (int) Math.ceil(Math.sqrt(loose.size()));
     int y = top;

@@ -13,12 +13,12 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Gives each box a layer below those that its flow comes from. Where the flow goes in a circle, it
+ * Gives each box a layer below those that its flow comes from. Where the flow goes in a cycle, it
  * is the lines against the order of the chain that lead upwards.
  */
 final class Layering {
 
-  /** Beyond so many parts of lines, signals stay beside those that read or write them. */
+  /** Beyond so many parts of lines, signals stay next to those that read or write them. */
   private static final int MOST_PASSES = 400;
 
   private final List<Vertex> vertices;

@@ -114,7 +114,7 @@ class BuilderTest {
           "eventchain-suppressions.yaml",
           """
           - id: xmi.reference.unresolved
-            reason: It is mended in release 2.
+            reason: It is fixed in release 2.
             expires: 2999-12-31
           """);
       String good = project.text(CHAIN);

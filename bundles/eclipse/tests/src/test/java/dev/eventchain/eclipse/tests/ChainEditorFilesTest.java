@@ -83,7 +83,7 @@ class ChainEditorFilesTest {
         "org.eclipse.ui.DefaultTextEditor",
         Workbench.run(() -> Workbench.page().getActiveEditor().getSite().getId()));
     bench.file("chain.xmi", bytes);
-    Workbench.waitUntil("the mended file is shown", () -> isShown("aeb"));
+    Workbench.waitUntil("the fixed file is shown", () -> isShown("aeb"));
   }
 
   @Test

@@ -41,9 +41,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
-/**
- * What an editor knows of the chain: its structure, what is wrong with it, what may stand in it.
- */
+/** What an editor knows of the chain: its structure, what is wrong with it, what may be in it. */
 class ChainEditorModelTest {
 
   private EditorBench bench;

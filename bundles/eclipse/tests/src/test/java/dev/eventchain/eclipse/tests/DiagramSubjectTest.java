@@ -35,8 +35,10 @@ class DiagramSubjectTest extends DiagramBench {
     assertEquals("Other", Workbench.run(() -> diagram().name()));
     screenshot("diagram-broken");
     write(
-        "<?xml version=\"1.0\"?>\n<ecore:EPackage xmlns:ecore=\"http://www.eclipse.org/emf/2002/Ecore\" name=\"p\"/>\n");
-    Workbench.waitUntil("no chain", () -> message().contains("holds no event chain"));
+        "<?xml version=\"1.0\"?>\n"
+            + "<ecore:EPackage xmlns:ecore=\"http://www.eclipse.org/emf/2002/Ecore\""
+            + " name=\"p\"/>\n");
+    Workbench.waitUntil("no chain", () -> message().contains("contains no event chain"));
     write(text);
     Workbench.waitUntil("the picture again", () -> diagram().name().equals("AEB"));
     Workbench.waitUntil("no problem", () -> message().isEmpty());

@@ -26,7 +26,7 @@ public final class ValidateHandler extends AbstractHandler {
   public Object execute(ExecutionEvent event) {
     List<IResource> selected = Selected.resources(event);
     if (!IDE.saveAllEditors(selected.toArray(IResource[]::new), true)) {
-      return null; // what is on disk is checked, and people want to go on with their editors
+      return null; // what is on disk is checked, and people want to continue with their editors
     }
     Map<IProject, List<IResource>> byProject =
         selected.stream().collect(Collectors.groupingBy(IResource::getProject));

@@ -72,7 +72,7 @@ final class ChainLoader extends Job {
           .filter(EventChain.class::isInstance)
           .findFirst()
           .map(root -> new Result(file, (EventChain) root, model.origins(), ""))
-          .orElseGet(() -> failed(file, file.getName() + " holds no event chain."));
+          .orElseGet(() -> failed(file, file.getName() + " contains no event chain."));
     } catch (DiagnosticException e) {
       return failed(file, text(e, file));
     } catch (RuntimeException | StackOverflowError e) { // shown; a view must not fail

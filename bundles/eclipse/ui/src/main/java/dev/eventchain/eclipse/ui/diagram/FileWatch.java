@@ -10,7 +10,7 @@ import org.eclipse.core.resources.IResourceDelta;
 import org.eclipse.core.resources.ResourcesPlugin;
 import org.eclipse.core.runtime.CoreException;
 
-/** Sees changes of a file, of its markers and of the models beside it that it may refer to. */
+/** Sees changes of a file, of its markers and of the models next to it that it may refer to. */
 final class FileWatch implements IResourceChangeListener {
 
   private static final Set<String> MODELS = Set.of("xmi", "eventchain", "ecore");

@@ -13,7 +13,9 @@ import org.eclipse.swt.widgets.TableItem;
 import org.eclipse.ui.forms.widgets.FormToolkit;
 import org.eclipse.ui.forms.widgets.ScrolledForm;
 
-/** What an editor shows of a file that is no sound model: what is wrong with it, line by line. */
+/**
+ * What an editor shows of a file that is not a valid model: what is wrong with it, line by line.
+ */
 final class BrokenPage {
 
   private static final int LINE_WIDTH = 70;
@@ -36,7 +38,7 @@ final class BrokenPage {
     GridLayoutFactory.swtDefaults().margins(10, 10).applyTo(form.getBody());
     toolkit.createLabel(
         form.getBody(),
-        "Nothing of it is lost. Mend it as text; when it is saved, the editor shows the chain.");
+        "Nothing of it is lost. Fix it as text; when it is saved, the editor shows the chain.");
     Button open = toolkit.createButton(form.getBody(), "Open as text", SWT.PUSH);
     Table table = table(toolkit, form.getBody());
     open.addListener(SWT.Selection, event -> openAsText.accept(line(problems, 0)));

@@ -35,7 +35,7 @@ import org.eclipse.ui.views.contentoutline.IContentOutlinePage;
 /**
  * Edits an event chain as a tree with properties. Its adapters are the chain in memory ({@link
  * EventChain}), its {@link EditingDomain} and an outline; what it has selected are elements of the
- * chain. A file that is no sound model is shown as the list of what is wrong with it.
+ * chain. A file that is not a valid model is shown as the list of what is wrong with it.
  */
 public final class ChainEditor extends EditorPart implements IGotoMarker, IEditingDomainProvider {
 
@@ -48,7 +48,7 @@ public final class ChainEditor extends EditorPart implements IGotoMarker, IEditi
   private Composite area;
   private EditHandlers handlers;
 
-  /** Null while the file is no sound model. */
+  /** Null while the file is not a valid model. */
   private ModelPage page;
 
   private boolean isDeleted;

@@ -39,7 +39,7 @@ final class ChainTree {
     viewer.expandToLevel(2);
   }
 
-  /** Selects an element and opens what it stands under. */
+  /** Selects an element and opens what it is under. */
   void select(Object element) {
     viewer.setSelection(new StructuredSelection(element), true);
   }
@@ -58,7 +58,7 @@ final class ChainTree {
         .toList();
   }
 
-  /** What the first selected element stands under in the tree. */
+  /** What the first selected element is under in the tree. */
   Object parent() {
     ITreeSelection selection = viewer.getStructuredSelection();
     TreePath[] paths = selection.getPaths();

@@ -98,7 +98,7 @@ final class Clip {
     return paste(model, target, content, "paste");
   }
 
-  /** Makes copies of elements beside them; what was taken before stays. */
+  /** Makes copies of elements next to them; what was taken before stays. */
   static List<EObject> duplicate(EditedModel model, Object parent, List<EObject> elements) {
     return paste(model, parent, contentOf(elements), "duplicate");
   }

@@ -21,7 +21,7 @@ import org.eclipse.emf.ecore.EReference;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
-/** What can stand in the fields of a chain's elements. */
+/** What can be in the fields of a chain's elements. */
 final class Completions {
 
   private static final EventchainPackage MODEL = EventchainPackage.eINSTANCE;
@@ -65,7 +65,7 @@ final class Completions {
         || feature instanceof EReference;
   }
 
-  /** What can stand in a field and has some text in it, in capitals or not. */
+  /** What can be in a field and has some text in it, in capitals or not. */
   List<String> proposals(EObject element, EStructuralFeature feature, String typed) {
     String wanted = typed.toLowerCase(Locale.ROOT);
     return all(element, feature).stream()

@@ -39,12 +39,10 @@ abstract class Field {
   /** Makes the control, empty. */
   abstract Control create(Composite parent);
 
-  /** Puts what the model says into the control, unless it stands there already. */
+  /** Puts what the model says into the control, unless it is there already. */
   abstract void fill();
 
-  /**
-   * What is wrong with what stands in the control and cannot be in the model; empty for nothing.
-   */
+  /** What is wrong with what is in the control and cannot be in the model; empty for nothing. */
   String problem() {
     return "";
   }

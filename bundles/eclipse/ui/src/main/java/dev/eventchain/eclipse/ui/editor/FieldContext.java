@@ -8,7 +8,7 @@ import org.eclipse.ui.forms.widgets.FormToolkit;
  * What fields need of their editor.
  *
  * @param reveal shows an element in the tree
- * @param checked called when what stands in a field has become possible or impossible
+ * @param checked called when what is in a field has become possible or impossible
  */
 record FieldContext(
     FormToolkit toolkit,

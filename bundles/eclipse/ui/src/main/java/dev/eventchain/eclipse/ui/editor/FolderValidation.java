@@ -12,7 +12,7 @@ import org.eclipse.core.resources.IFile;
 import org.eclipse.core.runtime.IProgressMonitor;
 
 /**
- * The checks of the project of Eventchain that a chain is in, as the builder does them; outside of
+ * The checks of the project of Eventchain that a chain is in, as the builder does them; outside
  * such a project, what holds for any chain.
  */
 final class FolderValidation implements ChainValidation {
@@ -20,7 +20,7 @@ final class FolderValidation implements ChainValidation {
   private final ProjectMessages messages;
 
   /**
-   * @param messages read anew with each check, for the fields
+   * @param messages read again with each check, for the fields
    */
   FolderValidation(ProjectMessages messages) {
     this.messages = messages;

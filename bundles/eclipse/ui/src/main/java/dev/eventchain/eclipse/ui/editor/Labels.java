@@ -23,7 +23,7 @@ final class Labels {
 
   private Labels() {}
 
-  /** A name, and what is worth knowing beside it; the second may be empty. */
+  /** A name, and what is worth knowing next to it; the second may be empty. */
   record Label(String name, String details) {
 
     /** Both, as people look for it. */

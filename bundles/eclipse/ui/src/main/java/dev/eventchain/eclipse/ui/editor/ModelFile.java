@@ -79,7 +79,7 @@ final class ModelFile {
           .findFirst()
           .map(chain -> new EditedModel(model, (EventChain) chain))
           .map(edited -> new Content(Optional.of(edited), List.of()))
-          .orElseGet(() -> Content.wrong("The file holds no event chain.", ""));
+          .orElseGet(() -> Content.wrong("The file contains no event chain.", ""));
     } catch (DiagnosticException e) {
       List<Problem> problems = e.diagnostics().stream().map(Problem::of).toList();
       return new Content(Optional.empty(), problems);

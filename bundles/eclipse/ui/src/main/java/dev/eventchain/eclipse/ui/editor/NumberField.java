@@ -12,8 +12,8 @@ import org.eclipse.swt.widgets.Control;
 import org.eclipse.swt.widgets.Text;
 
 /**
- * A number. An empty field is none, where the metamodel lets it be unset; what is no number is said
- * so, and the model keeps what it had.
+ * A number. An empty field is none, where the metamodel lets it be unset; what is not a number is
+ * said so, and the model keeps what it had.
  */
 final class NumberField extends Field {
 
@@ -50,7 +50,8 @@ final class NumberField extends Field {
       problem = "";
       type(number.get());
     } else {
-      problem = isWhole() ? "This is no whole number." : "This is no number, such as 20 or 0.5.";
+      problem =
+          isWhole() ? "This is not a whole number." : "This is not a number, such as 20 or 0.5.";
     }
     if (!before.equals(problem)) {
       context().checked().run();

@@ -25,7 +25,7 @@ final class Proposals {
 
   private Proposals() {}
 
-  /** Offers what can stand in a text field, if anything is known. */
+  /** Offers what can be in a text field, if anything is known. */
   static void offer(
       Completions completions, Text text, EObject element, EStructuralFeature feature) {
     if (completions.knows(feature)) {
@@ -33,7 +33,7 @@ final class Proposals {
     }
   }
 
-  /** Offers what can stand in an editable list. */
+  /** Offers what can be in an editable list. */
   static void offer(
       Completions completions, Combo combo, EObject element, EStructuralFeature feature) {
     attach(completions, combo, new ComboContentAdapter(), element, feature);

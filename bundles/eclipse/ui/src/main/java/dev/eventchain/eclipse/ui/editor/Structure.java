@@ -168,9 +168,9 @@ final class Structure {
 
   /**
    * Where moving an element of the tree up or down takes place: data in the order of the component
-   * that they stand under. Null for what stands in no list.
+   * that they stand under. Null for what is in no list.
    *
-   * @param parent what it stands under
+   * @param parent what it is under
    */
   private static EList<Object> listOf(Object parent, EObject element) {
     if (parent instanceof SoftwareNode node && element instanceof Data data) {
@@ -198,14 +198,14 @@ final class Structure {
         by < 0 ? "move up" : "move down", () -> list.move(list.indexOf(element) + by, element));
   }
 
-  /** Whether two elements are neighbours in one list, so that one can be put beside the other. */
+  /** Whether two elements are neighbours in one list, so that one can be put next to the other. */
   static boolean canMove(Object parent, EObject element, EObject neighbour) {
     EList<Object> list = listOf(parent, element);
     return list != null && list.contains(neighbour);
   }
 
   /**
-   * Puts an element beside a neighbour.
+   * Puts an element next to a neighbour.
    *
    * @param after whether behind it, else before it
    */

@@ -132,7 +132,7 @@ final class TreeActions {
     List.of(up, down).forEach(menu::add);
   }
 
-  /** What can be made below what is selected, or beside it. */
+  /** What can be made below what is selected, or next to it. */
   void fillNew(IMenuManager menu) {
     Object target = target();
     Structure.possible(target).forEach(child -> menu.add(make(target, child)));

@@ -81,7 +81,7 @@ final class TreeContent implements ITreeContentProvider {
     return parent(element);
   }
 
-  /** What an element stands under; the first component that uses it, of data. Null for none. */
+  /** What an element is under; the first component that uses it, of data. Null for none. */
   static Object parent(Object element) {
     if (element instanceof Group group) {
       return group.chain();

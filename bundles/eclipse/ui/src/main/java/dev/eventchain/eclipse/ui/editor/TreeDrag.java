@@ -23,7 +23,7 @@ final class TreeDrag extends ViewerDropAdapter {
   private final ChainTree tree;
   private final Structure structure;
 
-  /** What is dragged and what it stands under; null if nothing is. */
+  /** What is dragged and what it is under; null if nothing is. */
   private EObject dragged;
 
   private Object from;

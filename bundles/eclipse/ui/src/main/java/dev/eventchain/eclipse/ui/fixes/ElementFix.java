@@ -15,7 +15,7 @@ import org.eclipse.core.resources.IFile;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
-/** A change of a model's element that mends a finding about it. */
+/** A change of a model's element that fixes a finding about it. */
 enum ElementFix {
   /** The unit of the other side of the topic. */
   UNIT("Write the unit of the other side") {

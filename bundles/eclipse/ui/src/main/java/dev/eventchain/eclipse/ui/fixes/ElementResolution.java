@@ -17,7 +17,7 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 import org.eclipse.ui.IMarkerResolution;
 
-/** Mends a finding by a change of the model, which is written as the editor writes it. */
+/** Fixes a finding by a change of the model, which is written as the editor writes it. */
 record ElementResolution(ElementFix fix) implements IMarkerResolution {
 
   @Override

@@ -32,7 +32,7 @@ record ExplainResolution(String id) implements IMarkerResolution, IMarkerResolut
     return "Explain " + id;
   }
 
-  /** After all that mends something. */
+  /** After all that fixes something. */
   @Override
   public int getRelevanceForResolution() {
     return -1;

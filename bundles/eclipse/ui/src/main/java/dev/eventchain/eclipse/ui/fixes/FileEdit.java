@@ -95,7 +95,7 @@ final class FileEdit {
       Optional<String> changed = change.apply(text);
       if (changed.isEmpty()) {
         return Status.error( // which the platform shows in a dialog
-            "The text is another one by now, or it is not certain what is to be changed: mend it by"
+            "The text is another one by now, or it is not certain what is to be changed: fix it by"
                 + " hand.");
       }
       byte[] bytes = changed.get().getBytes(StandardCharsets.UTF_8);

@@ -32,7 +32,7 @@ public final class Resolutions implements IMarkerResolutionGenerator2 {
         case "project.requirement.changed" ->
             found.add(new ElementResolution(ElementFix.REQUIREMENT_TEXT));
         default -> {
-          // Only people know how to mend it.
+          // Only people know how to fix it.
         }
       }
     }

@@ -7,7 +7,7 @@ import org.eclipse.core.resources.IFile;
 import org.eclipse.core.resources.IMarker;
 import org.eclipse.ui.IMarkerResolution;
 
-/** Mends a finding by a change of the file's text. */
+/** Fixes a finding by a change of the file's text. */
 final class TextResolution implements IMarkerResolution {
 
   /** What is to be changed. */

@@ -20,8 +20,8 @@ import org.eclipse.jface.text.contentassist.IContextInformation;
 import org.eclipse.jface.text.contentassist.IContextInformationValidator;
 
 /**
- * Proposes keywords and classes, and behind a dot the features of what stands before it: those of
- * its class if the text tells which one it is, else those of all classes.
+ * Proposes keywords and classes, and behind a dot the features of what is before it: those of its
+ * class if the text tells which one it is, else those of all classes.
  */
 final class CodeProposals implements IContentAssistProcessor {
 

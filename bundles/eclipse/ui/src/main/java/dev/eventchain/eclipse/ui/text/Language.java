@@ -17,7 +17,7 @@ enum Language {
   /** The type of partitions that are tags of a template. */
   static final String TAG = PARTITIONING + ".tag";
 
-  /** The parts of a text that are partitions of their own; all else is code or plain text. */
+  /** The parts of a text that are separate partitions; all else is code or plain text. */
   List<Token> parts(String text) {
     if (this == TEMPLATE) {
       return TemplateTokens.parts(text).stream()

@@ -6,7 +6,7 @@ import java.util.Set;
 
 /**
  * The tokens of Complete OCL, or of the tags of a template. No token but a comment spans lines, so
- * that any line outside of a comment can be read alone.
+ * that any line outside a comment can be read alone.
  */
 public final class OclTokens {
 

@@ -13,7 +13,7 @@ import org.eclipse.jface.text.Region;
 import org.eclipse.jface.text.TypedRegion;
 
 /**
- * Divides a whole document anew after each change: whether a bracket begins a tag of a template
+ * Divides a whole document again after each change: whether a bracket begins a tag of a template
  * depends on what comes long after it, and these files are short.
  */
 final class Partitioner implements IDocumentPartitioner, IDocumentPartitionerExtension {

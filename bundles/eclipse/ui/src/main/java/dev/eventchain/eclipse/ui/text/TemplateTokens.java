@@ -6,7 +6,7 @@ import java.util.Set;
 
 /**
  * The tokens of a template of MOFM2T: text, comments and tags, where a tag ends as the generator
- * has it. What is no tag to the generator, as its end is missing, is text here.
+ * has it. What is not a tag to the generator, as its end is missing, is text here.
  */
 public final class TemplateTokens {
 
@@ -29,7 +29,7 @@ public final class TemplateTokens {
           "template",
           "trace");
 
-  /** The words that stand inside of the tags of blocks and declarations. */
+  /** The words that stand inside the tags of blocks and declarations. */
   static final List<String> MODIFIERS =
       List.of("after", "before", "extends", "overrides", "private", "public", "separator", "super");
 

@@ -3,7 +3,7 @@ package dev.eventchain.eclipse.ui.text;
 import dev.eventchain.eclipse.ui.EventchainUi;
 import java.util.Locale;
 
-/** What a piece of a text is, as far as it has a colour of its own. */
+/** What a piece of a text is, as far as it has its own colour. */
 public enum TokenKind {
   /** Text of a template that is copied as it is. */
   TEXT,

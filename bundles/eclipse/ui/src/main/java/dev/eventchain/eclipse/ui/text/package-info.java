@@ -1,5 +1,5 @@
 /**
  * The editors of constraints and templates: what their texts consist of, in which colours, what can
- * stand at a place and what is where.
+ * be at a place and what is where.
  */
 package dev.eventchain.eclipse.ui.text;

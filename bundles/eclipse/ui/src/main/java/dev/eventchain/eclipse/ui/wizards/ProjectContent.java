@@ -56,7 +56,7 @@ final class ProjectContent {
     return found;
   }
 
-  /** The folder of an example beside the program, which links may lead to. */
+  /** The folder of an example next to the program, which links may lead to. */
   static Path example(Program program, String name) throws CoreException {
     try {
       Path home = program.file().toRealPath().getParent();
