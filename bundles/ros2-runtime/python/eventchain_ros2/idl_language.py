@@ -79,7 +79,7 @@ class _Parser:
         while position < len(text):
             match = _TOKEN.match(text, position)
             if match is None:
-                self._refuse(f"{text[position]!r} cannot stand here")
+                self._refuse(f"{text[position]!r} is not allowed here")
             kind = match.lastgroup or ""
             if kind not in ("space", "include"):
                 yield _Token(kind, match[0], self._line)
