@@ -4,9 +4,11 @@ import dev.eventchain.diagnostics.DiagnosticFormat;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.PrintWriter;
+import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import java.time.Clock;
 import java.util.List;
+import java.util.Map;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.ParameterException;
@@ -43,6 +45,9 @@ public final class Main {
           DiagramCommand.class,
           ExplainCommand.class,
           DoctorCommand.class);
+
+  /** As wide as the lines of the descriptions. */
+  private static final int HELP_WIDTH = 100;
 
   /** Says which version this is. */
   static final class Version implements CommandLine.IVersionProvider {
@@ -106,9 +111,9 @@ public final class Main {
    */
   static int run(String[] arguments, PrintWriter out, PrintWriter err, Terminal terminal) {
     Today today = Today.of(System.getenv(), Clock.systemUTC());
-    Console console = new Console(out, err, terminal, today);
-    CommandLine commandLine = new CommandLine(new Main(), new Factory(console));
-    addCommands(commandLine, arguments.length == 0 ? "" : arguments[0]);
+    CommandLine commandLine =
+        commandLine(
+            new Console(out, err, terminal, today), arguments.length == 0 ? "" : arguments[0]);
     commandLine.setOut(out).setErr(err);
     commandLine.setCaseInsensitiveEnumValuesAllowed(true);
     commandLine.setColorScheme(CommandLine.Help.defaultColorScheme(terminal.ansi()));
@@ -126,10 +131,20 @@ public final class Main {
     }
   }
 
-  /** Adds the command that is named, or all: reading the options of all takes its time. */
-  private static void addCommands(CommandLine commandLine, String name) {
+  /** The command line with all commands, for those who describe it; nothing is to be run by it. */
+  public static CommandLine commandLine() {
+    PrintWriter nowhere = new PrintWriter(Writer.nullWriter());
+    Today today = Today.of(Map.of(), Clock.systemUTC());
+    return commandLine(new Console(nowhere, nowhere, Terminal.of(Map.of()), today), "");
+  }
+
+  /** With the command that is named, or all: reading the options of all takes its time. */
+  private static CommandLine commandLine(Console console, String name) {
+    CommandLine commandLine = new CommandLine(new Main(), new Factory(console));
     List<Class<?>> named = COMMANDS.stream().filter(type -> nameOf(type).equals(name)).toList();
     (named.isEmpty() ? COMMANDS : named).forEach(commandLine::addSubcommand);
+    commandLine.setUsageHelpWidth(HELP_WIDTH);
+    return commandLine;
   }
 
   private static String nameOf(Class<?> command) {

@@ -33,6 +33,19 @@ public interface Progress {
     }
   }
 
+  /** Nobody is told. */
+  Progress NONE =
+      new Progress() {
+        @Override
+        public void started(Stage stage) {}
+
+        @Override
+        public void step(Stage stage, String message) {}
+
+        @Override
+        public void ended(Stage stage, Status status, Duration duration, String details) {}
+      };
+
   /** A stage begins. */
   void started(Stage stage);
 

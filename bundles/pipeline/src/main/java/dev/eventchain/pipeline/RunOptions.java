@@ -1,6 +1,7 @@
 package dev.eventchain.pipeline;
 
 import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.rules.OclValidator;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
@@ -52,6 +53,30 @@ public record RunOptions(
     DDS_IN_REAL_TIME,
     /** Others run the nodes, in the DDS domain that the environment names, in real time. */
     DDS_ATTACHED
+  }
+
+  /**
+   * All stages, in lock-step, with answers as the project's configuration says; nothing is
+   * suppressed.
+   *
+   * @param output the folder that everything is written to
+   */
+  public static RunOptions of(Path output) {
+    return new RunOptions(
+        output,
+        Stage.DESIGN,
+        Stage.REPORT,
+        false,
+        Optional.empty(),
+        false,
+        false,
+        List.of(),
+        Driver.LOCKSTEP,
+        false,
+        Optional.empty(),
+        Optional.empty(),
+        Suppressions.NONE,
+        OclValidator.TIME_LIMIT);
   }
 
   /** Checks the order of the stages. */

@@ -1,0 +1,86 @@
+package dev.eventchain.documentation;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+
+/** Builds the site. */
+public final class SiteBuilder {
+
+  /** Where the pages that people write are, from the project's root. */
+  static final String PAGES = "bundles/documentation/src/site";
+
+  /** The pages in the order of the navigation: file name, and what the link says. */
+  private static final List<Map.Entry<String, String>> NAVIGATION =
+      List.of(
+          Map.entry("index", "Eventchain"),
+          Map.entry("tutorial", "Tutorial"),
+          Map.entry("constraints", "Constraints"),
+          Map.entry("templates", "Templates"),
+          Map.entry("acceleo", "Coming from Acceleo"),
+          Map.entry("operations", "Operations"),
+          Map.entry("ros2-carla", "ROS 2 and CARLA"),
+          Map.entry("java", "Java API"),
+          Map.entry("formats", "File formats"),
+          Map.entry("commands", "Commands"),
+          Map.entry("rules", "Findings"),
+          Map.entry("extending", "Extending it"));
+
+  private final Path root;
+  private final Map<String, String> pages = new TreeMap<>();
+
+  /**
+   * Starts.
+   *
+   * @param root the project's root folder
+   */
+  SiteBuilder(Path root) {
+    this.root = root;
+  }
+
+  /**
+   * Builds the site.
+   *
+   * @param arguments the project's root folder, and the folder to write into
+   */
+  public static void main(String[] arguments) throws IOException {
+    Map<String, String> files = new SiteBuilder(Path.of(arguments[0]).normalize()).files();
+    for (Map.Entry<String, String> file : files.entrySet()) {
+      Path path = Path.of(arguments[1], file.getKey());
+      Files.createDirectories(path.getParent());
+      Files.writeString(path, file.getValue());
+    }
+  }
+
+  /** The content of each file of the site, by its name. */
+  Map<String, String> files() throws IOException {
+    for (Map.Entry<String, String> entry : NAVIGATION) {
+      Path page = root.resolve(PAGES).resolve(entry.getKey() + ".md");
+      if (Files.exists(page)) {
+        pages.put(entry.getKey(), JavaSnippets.inserted(Files.readString(page), root));
+      }
+    }
+    String acceleo = Files.readString(root.resolve("bundles/m2t/ACCELEO.md"));
+    pages.put("acceleo", acceleo.replace("(OPERATIONS.md)", "(operations.md)"));
+    pages.put("operations", Files.readString(root.resolve("bundles/m2t/OPERATIONS.md")));
+    pages.put("commands", ReferencePages.commands());
+    pages.put("rules", ReferencePages.rules());
+    pages.putAll(ReferencePages.ofEachRule());
+
+    Map<String, String> files = new TreeMap<>();
+    pages.forEach(
+        (name, text) -> files.put(name + ".html", PageTemplate.page(name, text, NAVIGATION)));
+    files.put("style.css", resource("style.css"));
+    return files;
+  }
+
+  static String resource(String name) throws IOException {
+    try (var stream = SiteBuilder.class.getResourceAsStream(name)) {
+      return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
+    }
+  }
+}

@@ -1,0 +1,92 @@
+package dev.eventchain.documentation;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+
+/** The site has what its links lead to, and says what the program says of itself. */
+class SiteBuilderTest {
+
+  private static final Pattern LINK = Pattern.compile("(?:href|src)=\"([^\"]*)\"");
+  private static final Pattern ANCHOR = Pattern.compile(" id=\"([^\"]*)\"");
+
+  private static Map<String, String> files;
+
+  @BeforeAll
+  static void build() throws IOException {
+    files = new SiteBuilder(Path.of("../..")).files();
+  }
+
+  @Test
+  void everyLinkLeadsSomewhere() {
+    Map<String, Set<String>> anchors = new HashMap<>();
+    files.forEach((name, text) -> anchors.put(name, allOf(ANCHOR, text)));
+    List<String> broken = new ArrayList<>();
+    int links = 0;
+    for (Map.Entry<String, String> file : files.entrySet()) {
+      for (String link : allOf(LINK, file.getValue())) {
+        links++;
+        if (!leadsSomewhere(file.getKey(), link, anchors)) {
+          broken.add(file.getKey() + ": " + link);
+        }
+      }
+    }
+    assertEquals(List.of(), broken);
+    assertTrue(links > 1000, links + " links");
+  }
+
+  private static boolean leadsSomewhere(
+      String from, String link, Map<String, Set<String>> anchors) {
+    int hash = link.indexOf('#');
+    String path = hash < 0 ? link : link.substring(0, hash);
+    Path here = Path.of(from);
+    String target =
+        path.isEmpty() ? from : here.resolveSibling(path).normalize().toString().replace('\\', '/');
+    return anchors.containsKey(target)
+        && (hash < 0 || anchors.get(target).contains(link.substring(hash + 1)));
+  }
+
+  private static Set<String> allOf(Pattern pattern, String text) {
+    Set<String> found = new HashSet<>();
+    Matcher matcher = pattern.matcher(text);
+    while (matcher.find()) {
+      found.add(matcher.group(1));
+    }
+    return found;
+  }
+
+  @Test
+  void everyPageOfTheNavigationIsThere() {
+    Set<String> links = allOf(LINK, files.get("index.html"));
+    links.removeIf(link -> link.contains("#"));
+    assertTrue(files.keySet().containsAll(links), links::toString);
+    assertTrue(files.size() > 300, files.size() + " files");
+  }
+
+  @Test
+  void thePageOfCommandsHasTheHelpOfEach() {
+    String page = files.get("commands.html");
+    for (String text : List.of("Usage:", "--time-limit=SECONDS", "id=\"explain\"", "Exit codes")) {
+      assertTrue(page.contains(text), text);
+    }
+  }
+
+  @Test
+  void javaIsThatOfTheTests() {
+    String page = files.get("java.html");
+    assertTrue(page.contains("OclValidator.validate(rules"), page);
+    assertTrue(!page.contains("<!-- java") && !page.contains("&lt;!-- java"), page);
+  }
+}

@@ -1,0 +1,131 @@
+package dev.eventchain.endtoend;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/**
+ * The commands on the pages for users do what the pages say. Blocks of {@code console} are run by
+ * bash, one page after the other in one folder; {@code ...} in what they print stands for anything.
+ * Takes about 25 s.
+ */
+class DocumentationTest {
+
+  private static final Path PAGES = Program.ROOT.resolve("bundles/documentation/src/site");
+
+  private static final Pattern BLOCK =
+      Pattern.compile("(?ms)^```console(?: exit=(\\d+))?\\n(.*?)^```$");
+
+  @TempDir Path folder;
+
+  /** A command, and what it prints. */
+  private record Step(String command, String printed) {}
+
+  @BeforeEach
+  void install() throws IOException {
+    Path bin = Files.createDirectories(folder.resolve("bin"));
+    Path program = bin.resolve("eventchain");
+    Path java = Path.of(System.getProperty("java.home"), "bin", "java");
+    Path lib = Program.ROOT.resolve("bundles/cli/target/eventchain/lib");
+    String options = "-XX:+UseSerialGC -XX:TieredStopAtLevel=1";
+    Files.writeString(
+        program,
+        "#!/bin/sh\nexec '%s' %s -cp '%s/*' dev.eventchain.cli.Main \"$@\"\n"
+            .formatted(java, options, lib));
+    assertTrue(program.toFile().setExecutable(true));
+  }
+
+  @Test
+  void theTutorial() throws Exception {
+    assertTrue(run("tutorial.md") >= 6);
+  }
+
+  @Test
+  void constraintsAndTemplates() throws Exception {
+    assertTrue(run("constraints.md") >= 2);
+    assertTrue(run("templates.md") >= 1);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = "formats.md")
+  void others(String page) throws Exception {
+    assertTrue(run(page) >= 1);
+  }
+
+  /** A page that is run by no test above would not be noticed otherwise. */
+  @Test
+  void noOtherPageHasCommands() throws IOException {
+    try (var pages = Files.list(PAGES)) {
+      List<String> with = new ArrayList<>();
+      for (Path page : pages.sorted().toList()) {
+        if (BLOCK.matcher(Files.readString(page)).find()) {
+          with.add(page.getFileName().toString());
+        }
+      }
+      assertEquals(List.of("constraints.md", "formats.md", "templates.md", "tutorial.md"), with);
+    }
+  }
+
+  /** Runs a page, and says how many blocks it has. */
+  private int run(String page) throws Exception {
+    Matcher block = BLOCK.matcher(Files.readString(PAGES.resolve(page)));
+    int blocks = 0;
+    while (block.find()) {
+      blocks++;
+      List<Step> steps = steps(block.group(2));
+      int last = block.group(1) == null ? 0 : Integer.parseInt(block.group(1));
+      for (int i = 0; i < steps.size(); i++) {
+        run(steps.get(i), i + 1 < steps.size() ? 0 : last);
+      }
+    }
+    return blocks;
+  }
+
+  private void run(Step step, int expected) throws Exception {
+    Path out = folder.resolve("printed");
+    ProcessBuilder builder = new ProcessBuilder("bash", "-c", step.command());
+    builder.directory(folder.toFile()).redirectErrorStream(true).redirectOutput(out.toFile());
+    builder.environment().merge("PATH", folder.resolve("bin") + ":", (path, bin) -> bin + path);
+    int code = builder.start().waitFor();
+    String printed = Files.readString(out);
+    assertEquals(expected, code, () -> step.command() + "\n" + printed);
+    String pattern =
+        Pattern.compile("\\.\\.\\.\\n?")
+            .splitAsStream(step.printed())
+            .map(Pattern::quote)
+            .collect(
+                Collectors.joining(
+                    "(?s:.*)", "", step.printed().endsWith("...\n") ? "(?s:.*)" : ""));
+    assertTrue(
+        printed.matches(pattern), () -> step.command() + "\n" + printed + "\nnot\n" + pattern);
+  }
+
+  private static List<Step> steps(String block) {
+    List<Step> steps = new ArrayList<>();
+    for (String line : block.lines().toList()) {
+      if (line.startsWith("$ ")) {
+        steps.add(new Step(line.substring(2) + "\n", ""));
+        continue;
+      }
+      Step latest = steps.remove(steps.size() - 1);
+      steps.add(
+          line.startsWith("> ")
+              ? new Step(latest.command() + line.substring(2) + "\n", latest.printed())
+              : new Step(latest.command(), latest.printed() + line + "\n"));
+    }
+    return steps;
+  }
+}
