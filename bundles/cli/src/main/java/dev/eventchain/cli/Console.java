@@ -1,5 +1,6 @@
 package dev.eventchain.cli;
 
+import dev.eventchain.pipeline.Today;
 import java.io.PrintWriter;
 
 /**

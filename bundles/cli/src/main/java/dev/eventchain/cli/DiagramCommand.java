@@ -2,6 +2,8 @@ package dev.eventchain.cli;
 
 import dev.eventchain.pipeline.Diagrams;
 import dev.eventchain.pipeline.Diagrams.Kind;
+import dev.eventchain.pipeline.ExitCode;
+import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.Project;
 import dev.eventchain.pipeline.Stage;
 import dev.eventchain.pipeline.WrittenFiles;

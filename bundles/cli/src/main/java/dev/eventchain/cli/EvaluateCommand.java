@@ -3,6 +3,7 @@ package dev.eventchain.cli;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.pipeline.Evaluation;
+import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.Project;
 import java.nio.file.Path;
 import java.util.List;

@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.RulePage;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.pipeline.ExitCode;
 import dev.eventchain.pipeline.StandardRule;
 import java.io.PrintWriter;
 import java.util.ArrayList;

@@ -2,6 +2,7 @@ package dev.eventchain.cli;
 
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.AnyModel;
+import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.Project;
 import dev.eventchain.pipeline.Stage;
 import dev.eventchain.pipeline.WrittenFiles;

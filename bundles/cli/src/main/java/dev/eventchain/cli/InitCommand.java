@@ -1,5 +1,6 @@
 package dev.eventchain.cli;
 
+import dev.eventchain.pipeline.ExitCode;
 import dev.eventchain.pipeline.ProjectStart;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;

@@ -1,6 +1,9 @@
 package dev.eventchain.cli;
 
 import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.pipeline.ExitCode;
+import dev.eventchain.pipeline.Outcome;
+import dev.eventchain.pipeline.Today;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.PrintWriter;

@@ -6,8 +6,10 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.Report;
 import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.Pipeline;
 import dev.eventchain.pipeline.Project;
+import dev.eventchain.pipeline.ReportFile;
 import dev.eventchain.pipeline.RunOptions;
 import dev.eventchain.pipeline.RunResult;
 import dev.eventchain.pipeline.Stage;
@@ -222,16 +224,16 @@ abstract class ProjectCommand implements Callable<Integer> {
   }
 
   private int report(Outcome outcome, double seconds) {
-    Report report = outcome.report();
+    Report report = outcome.report(Main.version());
     List<Diagnostic> unwritten =
         reporting.targets.stream()
-            .flatMap(target -> ReportFile.write(report, target).stream())
+            .flatMap(target -> ReportFile.write(report, target.format(), target.file()).stream())
             .toList();
     Outcome last = outcome.unreported(unwritten);
     if (reporting.format == DiagnosticFormat.TEXT) {
       printText(last);
     } else {
-      findings().print(reporting.format.render(last.report()));
+      findings().print(reporting.format.render(last.report(Main.version())));
     }
     console.out().flush();
     if (outcome.failed() || !unwritten.isEmpty()) {
@@ -242,7 +244,9 @@ abstract class ProjectCommand implements Callable<Integer> {
       console.err().println(last.written());
     }
     if (!last.coverage().equals(Coverage.NONE)) {
-      console.err().printf(Locale.ROOT, "%s; %.2f s%n", last.report().summary(), seconds);
+      console
+          .err()
+          .printf(Locale.ROOT, "%s; %.2f s%n", last.report(Main.version()).summary(), seconds);
     }
     console.err().flush();
     return last.exitCode();
@@ -251,7 +255,7 @@ abstract class ProjectCommand implements Callable<Integer> {
   private void printText(Outcome outcome) {
     if (!outcome.failed()) {
       int most = reporting.all ? Integer.MAX_VALUE : MOST_OF_ONE_RULE;
-      findings().print(DiagnosticFormat.textExcerpt(outcome.report(), most));
+      findings().print(DiagnosticFormat.textExcerpt(outcome.report(Main.version()), most));
     }
     outcome.run().ifPresent(this::printVerdict);
   }

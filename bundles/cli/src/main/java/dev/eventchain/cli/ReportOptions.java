@@ -2,6 +2,7 @@ package dev.eventchain.cli;
 
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.pipeline.Today;
 import dev.eventchain.validation.SuppressionFile;
 import java.nio.file.Path;
 import java.time.LocalDate;

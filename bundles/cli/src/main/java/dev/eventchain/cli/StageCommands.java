@@ -1,5 +1,6 @@
 package dev.eventchain.cli;
 
+import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.Stage;
 import java.nio.file.Path;
 import picocli.CommandLine.Command;

@@ -1,6 +1,7 @@
 package dev.eventchain.cli;
 
 import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.Project;
 import dev.eventchain.pipeline.Stage;
 import dev.eventchain.validation.ModelValidation;

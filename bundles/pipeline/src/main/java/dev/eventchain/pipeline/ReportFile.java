@@ -1,6 +1,7 @@
-package dev.eventchain.cli;
+package dev.eventchain.pipeline;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.Report;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
@@ -13,14 +14,17 @@ import java.nio.file.StandardOpenOption;
 import java.util.Optional;
 
 /** Writes a report to a file, whole or not at all. */
-final class ReportFile {
+public final class ReportFile {
 
   private ReportFile() {}
 
-  /** Writes a report; the finding says why it could not. */
-  static Optional<Diagnostic> write(Report report, ReportOptions.Target to) {
-    byte[] content = to.format().render(report).getBytes(StandardCharsets.UTF_8);
-    Path file = to.file();
+  /**
+   * Writes a report.
+   *
+   * @return why it could not ({@code report.unwritable})
+   */
+  public static Optional<Diagnostic> write(Report report, DiagnosticFormat format, Path file) {
+    byte[] content = format.render(report).getBytes(StandardCharsets.UTF_8);
     try {
       if (Files.isDirectory(file)) {
         throw new IOException("this is a folder");
@@ -39,7 +43,7 @@ final class ReportFile {
                   "report.unwritable",
                   "The report cannot be written: " + SourceText.reason(e) + ".",
                   SourceLocation.of(file))
-              .withHint("Name another file with --report " + to.format() + "=FILE."));
+              .withHint("Name another file with --report " + format + "=FILE."));
     }
   }
 

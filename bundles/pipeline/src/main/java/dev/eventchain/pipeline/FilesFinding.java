@@ -1,4 +1,4 @@
-package dev.eventchain.cli;
+package dev.eventchain.pipeline;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;

@@ -1,4 +1,4 @@
-package dev.eventchain.cli;
+package dev.eventchain.pipeline;
 
 import java.time.Clock;
 import java.time.Instant;
@@ -10,7 +10,7 @@ import java.util.Map;
  * The day on which suppressions are judged. It is an input: {@code SOURCE_DATE_EPOCH}, in seconds,
  * takes the place of the clock, as in other reproducible builds.
  */
-final class Today {
+public final class Today {
 
   private final String epoch;
   private final Clock clock;
@@ -20,7 +20,12 @@ final class Today {
     this.clock = clock;
   }
 
-  static Today of(Map<String, String> environment, Clock clock) {
+  /**
+   * Reads the environment when the day is asked for.
+   *
+   * @param environment may have {@code SOURCE_DATE_EPOCH}
+   */
+  public static Today of(Map<String, String> environment, Clock clock) {
     return new Today(environment.getOrDefault("SOURCE_DATE_EPOCH", ""), clock);
   }
 
@@ -29,7 +34,7 @@ final class Today {
    *
    * @throws IllegalArgumentException if the environment does not give a number of seconds
    */
-  LocalDate date() {
+  public LocalDate date() {
     if (epoch.isEmpty()) {
       return LocalDate.now(clock.withZone(ZoneOffset.UTC));
     }

@@ -1,4 +1,4 @@
-package dev.eventchain.cli;
+package dev.eventchain.pipeline;
 
 import dev.eventchain.diagnostics.DiagnosticException;
 
@@ -6,26 +6,27 @@ import dev.eventchain.diagnostics.DiagnosticException;
  * What the process's exit code says. Scripts rely on the numbers. A signal ends it with 128 and the
  * signal's number, as Java does by itself: 129 for SIGHUP, 130 for SIGINT, 143 for SIGTERM.
  */
-final class ExitCode {
+public final class ExitCode {
 
   /** Everything was done, and nothing is wrong. */
-  static final int FINE = 0;
+  public static final int FINE = 0;
 
   /** A finding is an error, or a verdict is negative. */
-  static final int FINDINGS = 1;
+  public static final int FINDINGS = 1;
 
   /** The command was used wrongly, or its input cannot be read. */
-  static final int INPUT = 2;
+  public static final int INPUT = 2;
 
   /** This machine lacks something that the command needs. */
-  static final int UNAVAILABLE = 3;
+  public static final int UNAVAILABLE = 3;
 
   /** An answer is awaited; the same command continues when it is there. */
-  static final int WAITING = 4;
+  public static final int WAITING = 4;
 
   private ExitCode() {}
 
-  static int of(DiagnosticException.Reason reason) {
+  /** The code of a command that could not go on. */
+  public static int of(DiagnosticException.Reason reason) {
     return switch (reason) {
       case FINDINGS -> FINDINGS;
       case INPUT -> INPUT;

@@ -1,4 +1,6 @@
-package dev.eventchain.cli;
+package dev.eventchain.pipeline;
+
+import static java.util.stream.Collectors.joining;
 
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -6,12 +8,10 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Report;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.diagnostics.Suppressions.Suppressed;
-import dev.eventchain.pipeline.Evaluation;
-import dev.eventchain.pipeline.RunResult;
-import dev.eventchain.pipeline.WrittenFiles;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.stream.Stream;
 
 /**
  * How a command ended.
@@ -20,7 +20,7 @@ import java.util.Optional;
  * @param run the run of the project's stages, when there was one
  * @param written what was written without a project, for people; may be empty
  */
-record Outcome(
+public record Outcome(
     int exitCode,
     boolean failed,
     Coverage coverage,
@@ -30,13 +30,13 @@ record Outcome(
     String written) {
 
   /** Of a command that did its work. */
-  static Outcome of(Coverage coverage, List<Diagnostic> found, List<Suppressed> suppressed) {
+  public static Outcome of(Coverage coverage, List<Diagnostic> found, List<Suppressed> suppressed) {
     int code = Diagnostic.anyError(found) ? ExitCode.FINDINGS : ExitCode.FINE;
     return new Outcome(code, false, coverage, found, suppressed, Optional.empty(), "");
   }
 
   /** Of a run of stages. */
-  static Outcome of(RunResult run) {
+  public static Outcome of(RunResult run) {
     boolean wanting =
         run.verdict() == RunResult.Verdict.FAILED || Diagnostic.anyError(run.diagnostics());
     int code = run.failure().map(ExitCode::of).orElse(wanting ? ExitCode.FINDINGS : ExitCode.FINE);
@@ -45,7 +45,7 @@ record Outcome(
   }
 
   /** Of an evaluation: what models came to is not a finding. */
-  static Outcome of(Evaluation.Result evaluation) {
+  public static Outcome of(Evaluation.Result evaluation) {
     return new Outcome(
         evaluation.failure().map(ExitCode::of).orElse(ExitCode.FINE),
         false,
@@ -57,7 +57,7 @@ record Outcome(
   }
 
   /** Every failure is a finding; one that is not is a defect of this program, and says so. */
-  static Outcome of(Throwable failure) {
+  public static Outcome of(Throwable failure) {
     if (failure instanceof DiagnosticException known) {
       return failed(ExitCode.of(known.reason()), known.diagnostics());
     }
@@ -84,7 +84,7 @@ record Outcome(
   }
 
   /** The same with what came up while the reports were written, which makes the command fail. */
-  Outcome unreported(List<Diagnostic> problems) {
+  public Outcome unreported(List<Diagnostic> problems) {
     if (problems.isEmpty()) {
       return this;
     }
@@ -93,14 +93,35 @@ record Outcome(
     return new Outcome(ExitCode.INPUT, failed, coverage, all, suppressed, run, written);
   }
 
-  Report report() {
-    return new Report(Main.version(), exitCode, coverage, diagnostics, suppressed);
+  /** What both came to: the worse of their codes, and everything that was found. */
+  public Outcome and(Outcome other) {
+    return new Outcome(
+        Math.max(exitCode, other.exitCode),
+        failed || other.failed,
+        coverage.and(other.coverage),
+        joined(diagnostics, other.diagnostics),
+        joined(suppressed, other.suppressed),
+        run.or(other::run),
+        Stream.of(written, other.written).filter(text -> !text.isEmpty()).collect(joining("; ")));
+  }
+
+  private static <T> List<T> joined(List<T> first, List<T> second) {
+    return Stream.concat(first.stream(), second.stream()).toList();
+  }
+
+  /**
+   * What the outcome says, for every format.
+   *
+   * @param version that of the program
+   */
+  public Report report(String version) {
+    return new Report(version, exitCode, coverage, diagnostics, suppressed);
   }
 
   /**
    * Findings without a project, parted by what its people have decided, and warnings about that.
    */
-  static Outcome of(Coverage coverage, List<Diagnostic> found, Suppressions suppressions) {
+  public static Outcome of(Coverage coverage, List<Diagnostic> found, Suppressions suppressions) {
     Suppressions.Parted parted = suppressions.part(found);
     List<Diagnostic> remaining = new ArrayList<>(parted.remaining());
     remaining.addAll(suppressions.warnings(found, coverage, false));
@@ -108,7 +129,7 @@ record Outcome(
   }
 
   /** Of a command that wrote files without a project. */
-  static Outcome of(WrittenFiles files, Suppressions suppressions) {
+  public static Outcome of(WrittenFiles files, Suppressions suppressions) {
     Outcome judged = of(Coverage.NONE, files.diagnostics(), suppressions);
     return new Outcome(
         judged.exitCode,

@@ -1,0 +1,117 @@
+package dev.eventchain.maven;
+
+import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.pipeline.AnyModel;
+import dev.eventchain.pipeline.Outcome;
+import dev.eventchain.pipeline.Stage;
+import dev.eventchain.pipeline.WrittenFiles;
+import java.io.File;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import org.apache.maven.model.Resource;
+import org.apache.maven.plugins.annotations.LifecyclePhase;
+import org.apache.maven.plugins.annotations.Mojo;
+import org.apache.maven.plugins.annotations.Parameter;
+import org.apache.maven.project.MavenProject;
+
+/**
+ * Generates text from models of any Ecore metamodel by a template, or the package of an event
+ * chain. Files that hold their text already are not touched.
+ */
+@Mojo(name = "generate", defaultPhase = LifecyclePhase.GENERATE_SOURCES, threadSafe = true)
+public final class GenerateMojo extends ModelMojo {
+
+  /** What the generated files are to the module. */
+  enum Use {
+    /** The compiler takes them. */
+    SOURCES,
+    /** The module's jar takes them. */
+    RESOURCES,
+    /** Neither. */
+    NONE
+  }
+
+  /** The template's main module; without it, the package of an event chain is generated. */
+  @Parameter(property = "eventchain.template")
+  private File template;
+
+  /** Source roots of the template: {@code [import a::b]} is {@code a/b.mtl} below one of them. */
+  @Parameter private List<File> sources = List.of();
+
+  /** Jars and folders of classes that the template may call by {@code invoke(...)}. */
+  @Parameter private List<File> services = List.of();
+
+  /** Properties files that {@code getProperty('key')} reads, in this order. */
+  @Parameter private List<File> properties = List.of();
+
+  /** Whether to write {@code trace.json}: which template line and element made which line. */
+  @Parameter(property = "eventchain.trace", defaultValue = "false")
+  private boolean trace;
+
+  /** Whether undefined values, and files that another block overwrites, are warnings. */
+  @Parameter(property = "eventchain.lenient", defaultValue = "false")
+  private boolean lenient;
+
+  /** Where the files go that a template writes. */
+  @Parameter(defaultValue = "${project.build.directory}/generated-sources/eventchain")
+  private File outputDirectory;
+
+  /** Whether they are {@code SOURCES}, {@code RESOURCES} or {@code NONE} of the module's. */
+  @Parameter(property = "eventchain.use", defaultValue = "SOURCES")
+  private Use use;
+
+  @Parameter(defaultValue = "${project}", readonly = true, required = true)
+  private MavenProject project;
+
+  @Override
+  Outcome work() {
+    Optional<Path> chain = chain();
+    if (template == null && chain.isPresent()) {
+      return run(chain.get(), Stage.GENERATE);
+    }
+    if (template == null || !hasModels()) {
+      String message =
+          template == null ? "There is no template and no event chain." : "There is no model.";
+      return nothing(List.of(NothingToDo.finding(message, Optional.of(basedir()))));
+    }
+    return nothingIn().orElseGet(this::generate);
+  }
+
+  private Outcome generate() {
+    Suppressions suppressions = suppressions();
+    WrittenFiles files =
+        AnyModel.generate(
+            metamodels(),
+            mappings(),
+            new AnyModel.Template(
+                Places.shown(template),
+                Places.shown(sources),
+                Places.shown(services),
+                Places.shown(properties)),
+            models(),
+            Optional.of(Places.shown(outputDirectory)),
+            overwrite(),
+            trace,
+            lenient,
+            suppressions,
+            timeLimit());
+    if (!files.printed().isEmpty()) {
+      files.printed().lines().forEach(getLog()::info);
+    }
+    addToModule();
+    return Outcome.of(files, suppressions);
+  }
+
+  private void addToModule() {
+    String folder = outputDirectory.getAbsolutePath();
+    if (use == Use.SOURCES) {
+      project.addCompileSourceRoot(folder);
+    } else if (use == Use.RESOURCES) {
+      Resource resource = new Resource();
+      resource.setDirectory(folder);
+      resource.addExclude(".eventchain/**");
+      project.addResource(resource);
+    }
+  }
+}

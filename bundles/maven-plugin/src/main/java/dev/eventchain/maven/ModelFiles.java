@@ -1,0 +1,73 @@
+package dev.eventchain.maven;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import java.io.File;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import org.codehaus.plexus.util.DirectoryScanner;
+
+/** Models in a folder, as a pom names them. */
+public final class ModelFiles {
+
+  /** The folder. */
+  private File directory;
+
+  /** Patterns such as {@code **}{@code /*.xmi}. */
+  private List<String> includes = new ArrayList<>();
+
+  /** Patterns of files that are left out, besides those of version control. */
+  private List<String> excludes = new ArrayList<>();
+
+  /** Without anything, for Maven to fill in. */
+  public ModelFiles() {}
+
+  ModelFiles(File directory, String include) {
+    this.directory = directory;
+    this.includes = List.of(include);
+  }
+
+  /** Whether there is a folder to look into. */
+  boolean isThere() {
+    return directory != null && directory.isDirectory();
+  }
+
+  /** The files, in the order of their names; none without the folder. */
+  List<Path> files() {
+    if (!isThere()) {
+      return List.of();
+    }
+    DirectoryScanner scanner = new DirectoryScanner();
+    scanner.setBasedir(directory);
+    if (!includes.isEmpty()) {
+      scanner.setIncludes(includes.toArray(String[]::new));
+    }
+    scanner.setExcludes(excludes.toArray(String[]::new));
+    scanner.addDefaultExcludes();
+    scanner.scan();
+    return Arrays.stream(scanner.getIncludedFiles())
+        .sorted()
+        .map(name -> Places.shown(new File(directory, name)))
+        .toList();
+  }
+
+  /** Says that nothing matches, which may be a slip in a pattern and must not pass for a check. */
+  Optional<Diagnostic> nothing() {
+    if (!files().isEmpty()) {
+      return Optional.empty();
+    }
+    String message =
+        directory == null
+            ? "A set of models has no directory."
+            : isThere()
+                ? "No file in the folder is a model: includes "
+                    + includes
+                    + ", excludes "
+                    + excludes
+                    + "."
+                : "There is no such folder of models.";
+    return Optional.of(NothingToDo.finding(message, Optional.ofNullable(directory)));
+  }
+}

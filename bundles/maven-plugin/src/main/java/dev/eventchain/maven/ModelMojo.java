@@ -1,0 +1,88 @@
+package dev.eventchain.maven;
+
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.pipeline.Outcome;
+import java.io.File;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.apache.maven.plugins.annotations.Parameter;
+
+/** A goal that works on models of any Ecore metamodel, too. */
+abstract class ModelMojo extends ChainMojo {
+
+  /**
+   * The models: sets of files, each with {@code directory}, {@code includes} and {@code excludes}.
+   * Without any, all {@code *.xmi} files in {@code src/main/models}, if there is such a folder.
+   */
+  @Parameter private List<ModelFiles> models;
+
+  /** The Ecore files that the models are instances of; without any, event chains. */
+  @Parameter private List<File> metamodels = List.of();
+
+  /**
+   * Where files are that references name by a URI: each with {@code uri}, a whole one or what they
+   * begin with, such as {@code platform:/resource/}, and {@code path}.
+   */
+  @Parameter private List<UriMapping> mappings = List.of();
+
+  /** Whether the build may go on where there is no model at all. */
+  @Parameter(property = "eventchain.allowEmpty", defaultValue = "false")
+  private boolean allowEmpty;
+
+  private List<ModelFiles> sets() {
+    if (models != null) {
+      return models;
+    }
+    ModelFiles usual = new ModelFiles(new File(basedir(), "src/main/models"), "**/*.xmi");
+    return usual.isThere() ? List.of(usual) : List.of();
+  }
+
+  /** The models that the pom names, or those in the usual folder. */
+  final List<Path> models() {
+    return sets().stream().flatMap(set -> set.files().stream()).distinct().toList();
+  }
+
+  /** Whether the pom names models, or there is the usual folder. */
+  final boolean hasModels() {
+    return !sets().isEmpty();
+  }
+
+  /** A set that matches nothing fails the goal, however much the others match. */
+  final Optional<Outcome> nothingIn() {
+    List<Diagnostic> nothing = sets().stream().flatMap(set -> set.nothing().stream()).toList();
+    return nothing.isEmpty() ? Optional.empty() : Optional.of(nothing(nothing));
+  }
+
+  /** Of a goal that has nothing to work on. */
+  final Outcome nothing(List<Diagnostic> found) {
+    List<Diagnostic> counted =
+        allowEmpty
+            ? found.stream()
+                .map(each -> Diagnostic.info(each.id(), each.message(), each.location()))
+                .toList()
+            : found;
+    return Outcome.of(Coverage.NONE, counted, List.of());
+  }
+
+  final List<Path> metamodels() {
+    return Places.shown(metamodels);
+  }
+
+  final Map<String, Path> mappings() {
+    Map<String, Path> map = new LinkedHashMap<>();
+    mappings.forEach(mapping -> map.put(mapping.uri(), Places.shown(mapping.path())));
+    return map;
+  }
+
+  /** The findings about models that do not count. */
+  final Suppressions suppressions() {
+    Path usual = Places.shown(new File(basedir(), "eventchain-suppressions.yaml"));
+    return suppressions(Optional.of(usual).filter(Files::exists));
+  }
+}

@@ -1,0 +1,27 @@
+package dev.eventchain.maven;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import java.io.File;
+import java.util.Optional;
+
+/** A goal that has nothing to work on: a build that passes by it would prove nothing. */
+final class NothingToDo {
+
+  private NothingToDo() {}
+
+  /**
+   * Says so.
+   *
+   * @param place the folder that was looked into, if one was
+   */
+  static Diagnostic finding(String message, Optional<File> place) {
+    return Diagnostic.error(
+            "maven.nothing-to-check",
+            message,
+            place.map(Places::shown).map(SourceLocation::of).orElse(SourceLocation.NONE))
+        .withHint(
+            "Name models by <models>, or a project by <chain>; where there need not be any, say"
+                + " <allowEmpty>true</allowEmpty>, or <skip>true</skip>.");
+  }
+}

@@ -1,0 +1,38 @@
+package dev.eventchain.maven;
+
+import dev.eventchain.pipeline.Outcome;
+import dev.eventchain.pipeline.RunOptions.Driver;
+import dev.eventchain.pipeline.Stage;
+import java.io.File;
+import java.nio.file.Path;
+import java.util.Optional;
+import org.apache.maven.plugins.annotations.LifecyclePhase;
+import org.apache.maven.plugins.annotations.Mojo;
+import org.apache.maven.plugins.annotations.Parameter;
+
+/** Simulates all scenarios of an event chain, and fails the build unless the verdict is PASSED. */
+@Mojo(name = "simulate", defaultPhase = LifecyclePhase.INTEGRATION_TEST)
+public class SimulateMojo extends ChainMojo {
+
+  /**
+   * How the nodes run: {@code LOCKSTEP}, all in one process, or {@code DDS}, each in a process of
+   * its own with Cyclone DDS between them; {@code DDS_IN_REAL_TIME} lets them run by the clock on
+   * the wall, and {@code DDS_ATTACHED} drives nodes that others started.
+   */
+  @Parameter(property = "eventchain.driver", defaultValue = "LOCKSTEP")
+  private Driver driver;
+
+  /** A file with faults that scenarios are simulated with besides. */
+  @Parameter(property = "eventchain.faults")
+  private File faults;
+
+  @Override
+  Outcome work() {
+    return simulate(Stage.SIMULATE);
+  }
+
+  final Outcome simulate(Stage last) {
+    Path folder = chain().orElseGet(() -> Places.shown(basedir()));
+    return run(folder, last, driver, Optional.ofNullable(faults).map(Places::shown));
+  }
+}
