@@ -21,8 +21,9 @@ import picocli.CommandLine.Spec;
     name = "bench",
     mixinStandardHelpOptions = true,
     description = {
-      "List all that the simulated world provides and the vehicle takes, and how the project's",
-      "topics are connected with it (bench.yaml; without one, CARLA's topics).",
+      "List what the simulated world provides and the vehicle takes.",
+      "It also shows how the project's topics are connected to them (bench.yaml; without one, CARLA's "
+          + "topics).",
       "A project whose chain has been designed is checked against it, too."
     })
 final class BenchCommand implements Callable<Integer> {

@@ -12,9 +12,10 @@ import picocli.CommandLine.Parameters;
     name = "init",
     mixinStandardHelpOptions = true,
     description = {
-      "Start a project. In a new or empty folder it is a small one that runs as it is: emergency",
-      "braking with a radar, without a language model. In a folder with software-base/signals.json it",
-      "gets the files that it needs, with bench.yaml filled in from the signals.",
+      "Start a project.",
+      "In a new or empty folder it is a small one that runs as it is: emergency braking with a radar, "
+          + "without a language model. In a folder with software-base/signals.json it gets the files "
+          + "that it needs, with bench.yaml filled in from the signals.",
       "Existing files are not changed."
     })
 final class InitCommand implements Callable<Integer> {

@@ -17,29 +17,26 @@ final class ScenarioOptions {
   @Option(
       names = "--driver",
       paramLabel = "DRIVER",
-      description = {
-        "How the nodes run: 'lockstep' (the default), all in one process, or 'dds', each in a",
-        "process of its own, with Cyclone DDS between them as between nodes of ROS 2, on the",
-        "loopback interface. In simulated time the results are the same."
-      })
+      description =
+          "How the nodes run: 'lockstep' (the default), all in one process, or 'dds', each in a "
+              + "process of its own, with Cyclone DDS between them as between nodes of ROS 2, on the "
+              + "loopback interface. In simulated time the results are the same.")
   private Transport driver = Transport.LOCKSTEP;
 
   @Option(
       names = "--real-time",
-      description = {
-        "With --driver dds, let nodes run in wall-clock time: execution times are real, and",
-        "a scenario takes as long as it takes. Where this machine cannot keep up with the world,",
-        "a scenario is not judged."
-      })
+      description =
+          "With --driver dds, let nodes run in wall-clock time: execution times are real, and "
+              + "a scenario takes as long as it takes. Where this machine cannot keep up with the world, "
+              + "a scenario is not judged.")
   private boolean realTime;
 
   @Option(
       names = "--attach",
-      description = {
-        "With --driver dds, start no nodes, but drive those that others started, in ROS 2 or",
-        "without, in the domain of ROS_DOMAIN_ID, in wall-clock time. CYCLONEDDS_URI and",
-        "ROS_LOCALHOST_ONLY apply. What happens inside such nodes is not measured."
-      })
+      description =
+          "With --driver dds, start no nodes, but drive those that others started, in ROS 2 or "
+              + "without, in the domain of ROS_DOMAIN_ID, in wall-clock time. CYCLONEDDS_URI and "
+              + "ROS_LOCALHOST_ONLY apply. What happens inside such nodes is not measured.")
   boolean attach;
 
   private enum Transport {
@@ -69,29 +66,26 @@ final class ScenarioOptions {
 
   @Option(
       names = "--mcap",
-      description = {
-        "Also record every message of each scenario, and where everything is on the road, in",
-        "OUTPUT/mcap/NAME.mcap, for Foxglove, 'ros2 bag' and rosbags: about 1 MB for each",
-        "simulated second with a lidar. Scenarios are simulated even where nothing has changed."
-      })
+      description =
+          "Also record every message of each scenario, and where everything is on the road, in "
+              + "OUTPUT/mcap/NAME.mcap, for Foxglove, 'ros2 bag' and rosbags: about 1 MB for each "
+              + "simulated second with a lidar. Scenarios are simulated even where nothing has changed.")
   boolean mcap;
 
   @Option(
       names = "--faults",
       paramLabel = "FILE",
-      description = {
-        "Also simulate scenarios with the faults that this file describes (YAML; its schema is",
-        "that of 'bench --faults-schema'): a node that dies, messages that get lost, a clock that",
-        "jumps. Each fault gets a run of its own, in addition to the scenario without it."
-      })
+      description =
+          "Also simulate scenarios with the faults that this file describes (YAML; its schema is "
+              + "that of 'bench --faults-schema'): a node that dies, messages that get lost, a clock that "
+              + "jumps. Each fault gets a run of its own, in addition to the scenario without it.")
   Path faults;
 
   @Option(
       names = "--compare",
       paramLabel = "FILE",
-      description = {
-        "Show next to each scenario in the report what another run measured: its",
-        "measurements.json, or the folder of its results."
-      })
+      description =
+          "Show next to each scenario in the report what another run measured: its "
+              + "measurements.json, or the folder of its results.")
   Path compare;
 }
