@@ -111,4 +111,4 @@ def test_a_wrong_definition_is_named_with_its_line(world: World, tmp_path: Path)
     file.write_text("from own_msgs.msg import Own\n")
     node = world.run("--messages", tmp_path / "messages", file)
     assert node.ends() == 2
-    assert node.said[0].startswith(f"error: {definition}:2: own_msgs/msg/Own: 'union' of IDL is no part")
+    assert node.said[0].startswith(f"error: {definition}:2: own_msgs/msg/Own: 'union' of IDL is not part")
