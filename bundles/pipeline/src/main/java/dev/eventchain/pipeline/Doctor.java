@@ -29,12 +29,12 @@ public final class Doctor {
   private Doctor() {}
 
   /**
-   * Looks at this machine, for some seconds at most, or a minute where Python environments have to
-   * be made.
+   * Looks at this machine, for a few seconds, or a minute where Python packages have to be fetched
+   * to see whether they can be. Nothing is installed.
    *
    * @param project whose models are to be asked; empty: all services that need no configuration
    * @param environment the value of an environment variable, null if it is not set
-   * @param progress gets lines for people while the Python environment is made
+   * @param progress gets lines for people while Python is looked at
    */
   public static List<Check> look(
       Optional<Project> project, UnaryOperator<String> environment, Consumer<String> progress) {
@@ -58,10 +58,9 @@ public final class Doctor {
   private static Check python(Consumer<String> progress) {
     try {
       return new Check(
-          "Python", true, true, PythonEnvironment.ensure(progress).version() + ", confined");
+          "Python", true, true, PythonEnvironment.outlook(progress) + "; confined");
     } catch (DiagnosticException e) {
-      Diagnostic first = e.diagnostics().get(0);
-      return new Check("Python", false, true, first.message() + " " + first.hint());
+      return new Check("Python", false, true, words(e));
     }
   }
 
@@ -69,11 +68,16 @@ public final class Doctor {
   private static Check cycloneDds(Consumer<String> progress) {
     String name = "Cyclone DDS";
     try {
-      boolean found = PythonEnvironment.ensureWithCycloneDds(progress).cycloneDds().isPresent();
-      return new Check(name, found, false, "for simulations with --driver dds");
+      String outlook = PythonEnvironment.outlookWithCycloneDds(progress);
+      return new Check(name, true, false, "for simulations with --driver dds: Python " + outlook);
     } catch (DiagnosticException e) {
-      return new Check(name, false, false, e.diagnostics().get(0).message());
+      return new Check(name, false, false, words(e));
     }
+  }
+
+  private static String words(DiagnosticException problem) {
+    Diagnostic first = problem.diagnostics().get(0);
+    return first.message() + " " + first.hint();
   }
 
   private static String words(ServiceProbe.State state) {

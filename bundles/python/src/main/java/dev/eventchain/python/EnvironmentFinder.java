@@ -32,7 +32,8 @@ final class EnvironmentFinder {
   private static final List<String> PLAIN = List.of(SCRIPT, "requirements.txt");
   private static final List<String> WITH_CYCLONEDDS =
       List.of(SCRIPT, "requirements.txt", "requirements-cyclonedds.txt");
-  private static final int CYCLONEDDS_UNAVAILABLE = 4;
+  private static final Map<Integer, String> IDS =
+      Map.of(4, "dds.unavailable", 5, "python.wheels.missing");
   private static final List<String> NAMES =
       List.of("python3", "python3.13", "python3.12", "python3.11", "python3.10", "python3.14");
   private static final String CHECK = "Name a Python that can be started in EVENTCHAIN_PYTHON.";
@@ -52,6 +53,15 @@ final class EnvironmentFinder {
 
   PythonEnvironment findWithCycloneDds() {
     return find(WITH_CYCLONEDDS, List.of("--cyclonedds"));
+  }
+
+  /** What {@link #find} will do, which this does not: the version of Python and its packages. */
+  String outlook() {
+    return ask(python(), List.of("--check"));
+  }
+
+  String outlookWithCycloneDds() {
+    return ask(python(), List.of("--cyclonedds", "--check"));
   }
 
   private PythonEnvironment find(List<String> content, List<String> options) {
@@ -152,11 +162,9 @@ final class EnvironmentFinder {
   }
 
   private PythonEnvironment create(Path python, List<String> options, Path remembered) {
-    Path script = PythonSources.unpack(getClass().getClassLoader(), RESOURCES).resolve(SCRIPT);
-    List<String> command = new ArrayList<>(List.of(python.toString(), script.toString()));
-    command.addAll(options);
-    command.add("--print-executable");
-    Path executable = Path.of(run(python, command)).toAbsolutePath();
+    List<String> wanted = new ArrayList<>(options);
+    wanted.add("--print-executable");
+    Path executable = Path.of(ask(python, wanted)).toAbsolutePath();
     if (!Files.isExecutable(executable) || Files.isDirectory(executable)) {
       throw unavailable(
           SourceLocation.of(python),
@@ -179,6 +187,13 @@ final class EnvironmentFinder {
     Path unfinished = Files.createTempFile(remembered.getParent(), "python-of-", ".new");
     Files.writeString(unfinished, folder + "\n");
     Files.move(unfinished, remembered, StandardCopyOption.ATOMIC_MOVE);
+  }
+
+  private String ask(Path python, List<String> options) {
+    Path script = PythonSources.unpack(getClass().getClassLoader(), RESOURCES).resolve(SCRIPT);
+    List<String> command = new ArrayList<>(List.of(python.toString(), script.toString()));
+    command.addAll(options);
+    return run(python, command);
   }
 
   private String run(Path python, List<String> command) {
@@ -206,13 +221,13 @@ final class EnvironmentFinder {
           SourceLocation.of(python), "Creating the Python environment was interrupted.", "");
     }
     if (exitCode != 0) {
-      String id = exitCode == CYCLONEDDS_UNAVAILABLE ? "dds.unavailable" : "python.unavailable";
+      String id = IDS.getOrDefault(exitCode, "python.unavailable");
       throw unavailable(id, SourceLocation.of(python), answer.problem(exitCode), answer.hint);
     }
     return answer.last;
   }
 
-  /** What {@code environment.py} says: progress, problem and hint, and at last the executable. */
+  /** What {@code environment.py} says: progress, problem and hint, and at last what was asked. */
   private final class Answer {
     private String error = "";
     private String hint = "";
@@ -223,6 +238,8 @@ final class EnvironmentFinder {
         error = line.substring("error: ".length());
       } else if (line.startsWith("hint: ")) {
         hint = line.substring("hint: ".length());
+      } else if (line.startsWith("state: ")) {
+        last = line.substring("state: ".length());
       } else if (line.startsWith("/")) {
         last = line;
       } else {

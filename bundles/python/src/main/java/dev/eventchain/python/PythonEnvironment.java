@@ -29,12 +29,14 @@ public final class PythonEnvironment {
    * once; a few milliseconds after that). Safe when several processes do it at once.
    *
    * <p>The Python to build on is {@code EVENTCHAIN_PYTHON} if that is set, else {@code python3} of
-   * the {@code PATH}.
+   * the {@code PATH}. The packages come from pip's index, or from the folder of wheels {@code
+   * EVENTCHAIN_WHEELS} if that is set.
    *
    * @param progress gets lines for people while the environment is made
    * @throws dev.eventchain.diagnostics.DiagnosticException {@code python.unavailable} with the
    *     reason UNAVAILABLE: there is no Python 3.10 or newer, it lacks its venv module, the
-   *     packages cannot be had, or the cache cannot be written; and as {@link Confinement#detect}
+   *     packages cannot be had, or the cache cannot be written; {@code python.wheels.missing}:
+   *     {@code EVENTCHAIN_WHEELS} lacks one; and as {@link Confinement#detect}
    */
   public static PythonEnvironment ensure(Consumer<String> progress) {
     Confinement unused = Confinement.detect(); // before a minute of downloads
@@ -52,6 +54,30 @@ public final class PythonEnvironment {
   public static PythonEnvironment ensureWithCycloneDds(Consumer<String> progress) {
     Confinement unused = Confinement.detect(); // before a minute of downloads
     return new EnvironmentFinder(System.getenv(), progress).findWithCycloneDds();
+  }
+
+  /**
+   * Says in a few words what {@link #ensure} will do, which this does not: the version of Python,
+   * and whether the packages are there or where they will come from. If they are not there, pip has
+   * fetched them once into a folder that is removed again.
+   *
+   * @param progress gets lines for people in the meantime
+   * @throws dev.eventchain.diagnostics.DiagnosticException as {@link #ensure} would
+   */
+  public static String outlook(Consumer<String> progress) {
+    Confinement unused = Confinement.detect();
+    return new EnvironmentFinder(System.getenv(), progress).outlook();
+  }
+
+  /**
+   * As {@link #outlook}, for {@link #ensureWithCycloneDds}.
+   *
+   * @throws dev.eventchain.diagnostics.DiagnosticException as that would, unless the library turns
+   *     out not to fit the system when it is loaded
+   */
+  public static String outlookWithCycloneDds(Consumer<String> progress) {
+    Confinement unused = Confinement.detect();
+    return new EnvironmentFinder(System.getenv(), progress).outlookWithCycloneDds();
   }
 
   /** The Python of the environment. */

@@ -1,6 +1,6 @@
 """Make sure that Eventchain's own Python environment exists, and say where it is.
 
-    python3 environment.py [--development] [--cyclonedds] [--print-executable | --run ARGUMENT...]
+    python3 environment.py [--development] [--cyclonedds] [--check | --print-executable | --run ARGUMENT...]
 
 The environment is a virtual environment in ``${XDG_CACHE_HOME:-~/.cache}/eventchain/python-<key>``. The key covers the
 pinned requirements beside this file and the Python that runs, so a change of either builds a new one and leaves the old
@@ -9,12 +9,14 @@ last, so a half-made environment is never used and is rebuilt.
 
 ``--development`` adds the tools of the build (ruff, mypy, pytest), and ``--cyclonedds`` Eclipse Cyclone DDS, for nodes
 that talk to others outside of the simulation; each in an environment of its own.
+``--check`` makes nothing, and prints ``state: `` with the version of Python and where the packages come from. What
+would stop the real thing stops it, too: pip fetches the packages into a folder that is removed again.
 ``--run ARGUMENT...`` replaces this process by the environment's Python with these arguments.
 ``EVENTCHAIN_PYTHON`` names the Python to build on; without it this one is used, or a newer one of the PATH if this one
-is too old.
+is too old. ``EVENTCHAIN_WHEELS`` names a folder of wheels: the packages then come from there, and from nowhere else.
 
 Exit code 3: this machine lacks something; standard error then holds ``error: what`` and ``hint: what to do``. Exit code
-4 is the same where only Cyclone DDS cannot be had.
+4 is the same where only Cyclone DDS cannot be had, and 5 where ``EVENTCHAIN_WHEELS`` lacks a wheel.
 Only the standard library is used, and nothing newer than Python 3.7, so that an old Python can still say what is wrong.
 """
 
@@ -28,6 +30,7 @@ import platform
 import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 from typing import NoReturn
 
@@ -35,9 +38,14 @@ MINIMUM = (3, 10)
 NEWER_NAMES = ("python3.13", "python3.12", "python3.11", "python3.10", "python3.14")
 UNAVAILABLE = 3
 CYCLONEDDS_UNAVAILABLE = 4
+WHEELS_MISSING = 5
 MARKER = "complete.txt"
 HERE = Path(__file__).resolve().parent
 CYCLONEDDS = HERE / "requirements-cyclonedds.txt"
+MIRROR = "point pip to a mirror with PIP_INDEX_URL or PIP_FIND_LINKS, or EVENTCHAIN_WHEELS to a folder of wheels"
+WITHOUT_CYCLONEDDS = (
+    "its wheel is for Linux on x86_64, macOS and Windows; where it exists, allow network access once, or " + MIRROR
+)
 # Loads the library, for a wheel may be installed and still not fit the system's own libraries.
 LOAD_CYCLONEDDS = """
 import ctypes, os, sys
@@ -63,10 +71,10 @@ FOREIGN_SETTINGS = (
 class UnavailableError(Exception):
     """This machine lacks something: what, and what to do about it."""
 
-    def __init__(self, message: str, hint: str) -> None:
+    def __init__(self, message: str, hint: str, exit_code: int = UNAVAILABLE) -> None:
         super().__init__(message)
         self.hint = hint
-        self.exit_code = UNAVAILABLE
+        self.exit_code = exit_code
 
 
 def main(arguments: list[str]) -> int:
@@ -74,7 +82,11 @@ def main(arguments: list[str]) -> int:
     options = parse(arguments)
     try:
         use_suitable_python(arguments)
-        executable = ensure(options.development, options.cyclonedds)
+        requirements = requirements_of(options.development, options.cyclonedds)
+        if options.check:
+            print("state: %s, %s" % (platform.python_version(), outlook(requirements)))
+            return 0
+        executable = ensure(requirements)
     except UnavailableError as problem:
         print("error: %s" % problem, file=sys.stderr)
         print("hint: %s" % problem.hint, file=sys.stderr)
@@ -91,6 +103,7 @@ def parse(arguments: list[str]) -> argparse.Namespace:
     parser = argparse.ArgumentParser(description="Create Eventchain's Python environment if it is not there yet.")
     parser.add_argument("--development", action="store_true", help="with ruff, mypy and pytest")
     parser.add_argument("--cyclonedds", action="store_true", help="with Eclipse Cyclone DDS")
+    parser.add_argument("--check", action="store_true", help="say what would be done, and whether it can be")
     parser.add_argument("--print-executable", action="store_true", help="print the path of its Python")
     parser.add_argument("--run", nargs=argparse.REMAINDER, help="run its Python with these arguments")
     return parser.parse_args(arguments)
@@ -136,17 +149,41 @@ def replace_process(executable: str, arguments: list[str]) -> NoReturn:
         ) from problem
 
 
-def ensure(development: bool, cyclonedds: bool = False) -> Path:
-    """Return the Python of the environment, which is created first if it is not there."""
+def requirements_of(development: bool, cyclonedds: bool) -> list[Path]:
+    """The files that name the packages of an environment."""
     requirements = [HERE / "requirements.txt"]
     if development:
         requirements.append(HERE / "requirements-development.txt")
     if cyclonedds:
         requirements.append(CYCLONEDDS)
-    folder = cache_folder() / ("python-" + key(requirements))
+    return requirements
+
+
+def ensure(requirements: list[Path]) -> Path:
+    """Return the Python of the environment, which is created first if it is not there."""
+    folder = folder_of(requirements)
     if not is_complete(folder):
         create_once(folder, requirements)
     return executable_of(folder)
+
+
+def outlook(requirements: list[Path]) -> str:
+    """Say what ``ensure`` would do; raise what would stop it."""
+    if is_complete(folder_of(requirements)):
+        return "packages are there"
+    wheels = wheels_folder()
+    with tempfile.TemporaryDirectory() as scratch:
+        pip = create_empty(Path(scratch) / "environment")
+        for file in requirements:
+            obtain(pip, ["download", "--dest", str(Path(scratch) / "packages")], [file], wheels)
+    if wheels is None:
+        return "packages will be fetched by pip at the first use"
+    return "packages will be installed from %s at the first use" % wheels
+
+
+def folder_of(requirements: list[Path]) -> Path:
+    """Where the environment is, or will be."""
+    return cache_folder() / ("python-" + key(requirements))
 
 
 def cache_folder() -> Path:
@@ -209,48 +246,90 @@ def wait_for(lock: int) -> None:
 
 def create(folder: Path, requirements: list[Path]) -> None:
     """Create the environment in its final place (a virtual environment cannot be moved), marker last."""
+    wheels = wheels_folder()
     report("creating the Python environment %s (once)" % folder)
     pip = create_empty(folder)
     facts = [("version", platform.python_version()), ("prefix", sys.base_prefix), ("libraries", sys.base_exec_prefix)]
     if CYCLONEDDS in requirements:
-        facts.append(("cyclonedds", install_cyclonedds(folder, pip)))
-    install(
-        pip,
-        [file for file in requirements if file != CYCLONEDDS],
-        "the Python packages cannot be installed",
-        "allow network access once, or point pip to a mirror with PIP_INDEX_URL or PIP_FIND_LINKS",
-    )
+        facts.append(("cyclonedds", install_cyclonedds(folder, pip, wheels)))
+    obtain(pip, ["install"], [file for file in requirements if file != CYCLONEDDS], wheels)
     unfinished = folder / (MARKER + ".new")
     unfinished.write_text("".join("%s=%s\n" % fact for fact in facts), encoding="utf-8")
     os.replace(unfinished, folder / MARKER)
 
 
-def install_cyclonedds(folder: Path, pip: list[str]) -> str:
+def install_cyclonedds(folder: Path, pip: list[str], wheels: Path | None) -> str:
     """Install Cyclone DDS, before all else because it may not exist here; return the path of its library, libddsc."""
-    try:
-        install(
-            pip,
-            [CYCLONEDDS],
-            "Eclipse Cyclone DDS cannot be installed",
-            "its wheel is for Linux on x86_64, macOS and Windows; where it exists, allow network access once, "
-            "or point pip to a mirror with PIP_INDEX_URL or PIP_FIND_LINKS",
+    obtain(pip, ["install"], [CYCLONEDDS], wheels)
+    return run(
+        [str(executable_of(folder)), "-c", LOAD_CYCLONEDDS],
+        "the library of Eclipse Cyclone DDS cannot be loaded",
+        "use a system that the wheel of cyclonedds is made for, such as Linux on x86_64 with the GNU C library",
+        CYCLONEDDS_UNAVAILABLE,
+    ).splitlines()[-1]
+
+
+def wheels_folder() -> Path | None:
+    """The folder that packages come from; None: from pip's index."""
+    named = os.environ.get("EVENTCHAIN_WHEELS", "")
+    if not named:
+        return None
+    if not os.path.isdir(named):
+        raise UnavailableError(
+            "EVENTCHAIN_WHEELS names %s, which is not a folder" % named,
+            "name a folder of wheels, or unset it to let pip fetch the packages",
+            WHEELS_MISSING,
         )
-        return run(
-            [str(executable_of(folder)), "-c", LOAD_CYCLONEDDS],
-            "the library of Eclipse Cyclone DDS cannot be loaded",
-            "use a system that the wheel of cyclonedds is made for, such as Linux on x86_64 with the GNU C library",
-        ).splitlines()[-1]
+    return Path(named).resolve()
+
+
+def obtain(pip: list[str], action: list[str], requirements: list[Path], wheels: Path | None) -> None:
+    """Have pip install or download what the files name and nothing else."""
+    command = pip_command(pip, action, wheels)
+    for file in requirements:
+        command += ["-r", str(file)]
+    try:
+        if CYCLONEDDS in requirements:
+            run(command, "Eclipse Cyclone DDS cannot be installed", WITHOUT_CYCLONEDDS, CYCLONEDDS_UNAVAILABLE)
+        else:
+            run(command, "the Python packages cannot be installed", "allow network access once, or " + MIRROR)
     except UnavailableError as problem:
-        problem.exit_code = CYCLONEDDS_UNAVAILABLE
+        if wheels is not None:
+            require_wheels(pip, requirements, wheels, problem)
         raise
 
 
-def install(pip: list[str], requirements: list[Path], failure: str, hint: str) -> None:
-    """Install what the files name and nothing else."""
-    command = [*pip, "install", "--no-deps", "--prefer-binary", "--no-input", "--quiet", "--retries", "2"]
-    for file in requirements:
-        command += ["-r", str(file)]
-    run(command, failure, hint)
+def pip_command(pip: list[str], action: list[str], wheels: Path | None) -> list[str]:
+    """Pip with what holds for every call: from the folder of wheels and nowhere else, if there is one."""
+    command = [*pip, *action, "--no-deps", "--prefer-binary", "--no-input", "--quiet", "--retries", "2"]
+    if wheels is not None:
+        command += ["--isolated", "--no-index", "--find-links", str(wheels), "--only-binary", ":all:"]
+    return command
+
+
+def require_wheels(pip: list[str], requirements: list[Path], wheels: Path, problem: UnavailableError) -> None:
+    """Say all that the folder has no wheel of that fits this Python; pip itself names only the first."""
+    lines = [line for file in requirements for line in file.read_text(encoding="utf-8").splitlines()]
+    with tempfile.TemporaryDirectory() as scratch:
+        download = pip_command(pip, ["download", "--dest", scratch], wheels)
+        lacking = [
+            line.partition(";")[0].strip()
+            for line in lines
+            if line and line[0] not in "#-" and not succeeds([*download, line])
+        ]
+    if lacking:
+        raise UnavailableError(
+            "the folder %s of EVENTCHAIN_WHEELS has no wheel for this Python of %s" % (wheels, ", ".join(lacking)),
+            "on a machine with a network, the same system and Python %d.%d: "
+            "pip download --no-deps --only-binary :all: --dest FOLDER %s; or unset EVENTCHAIN_WHEELS"
+            % (sys.version_info[0], sys.version_info[1], " ".join(lacking)),
+            WHEELS_MISSING,
+        ) from problem
+
+
+def succeeds(command: list[str]) -> bool:
+    """Whether a command ends without an error."""
+    return subprocess.run(command, env=clean_settings(), capture_output=True, check=False).returncode == 0
 
 
 def create_empty(folder: Path) -> list[str]:
@@ -277,7 +356,7 @@ def has_module(name: str) -> bool:
     return subprocess.run(command, env=clean_settings(), stderr=subprocess.DEVNULL, check=False).returncode == 0
 
 
-def run(command: list[str], failure: str, hint: str) -> str:
+def run(command: list[str], failure: str, hint: str, exit_code: int = UNAVAILABLE) -> str:
     """Run a command and return what it wrote; if it fails, report the end of that."""
     done = subprocess.run(
         command,
@@ -291,7 +370,9 @@ def run(command: list[str], failure: str, hint: str) -> str:
     if done.returncode != 0:
         lines = [line.strip() for line in done.stdout.splitlines() if line.strip()]
         errors = [line for line in lines if line.startswith("ERROR")] or lines[-3:]
-        raise UnavailableError("%s: %s" % (failure, " ".join(errors) or "exit code %d" % done.returncode), hint)
+        raise UnavailableError(
+            "%s: %s" % (failure, " ".join(errors) or "exit code %d" % done.returncode), hint, exit_code
+        )
     return done.stdout
 
 

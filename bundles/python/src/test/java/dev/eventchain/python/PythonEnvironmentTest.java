@@ -16,6 +16,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipOutputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.function.Executable;
 import org.junit.jupiter.api.io.TempDir;
@@ -115,6 +117,64 @@ class PythonEnvironmentTest {
     Diagnostic problem = failure("dds.unavailable", finder::findWithCycloneDds);
     assertTrue(problem.message().contains("Cyclone DDS cannot be installed"), problem.message());
     assertTrue(problem.hint().contains("x86_64"), problem.hint());
+  }
+
+  @Test
+  void packagesComeFromAFolderOfWheelsAndFromNowhereElse() throws IOException {
+    Path wheels = Files.createDirectories(folder.resolve("wheels"));
+    for (String requirement : requirements()) {
+      String[] pinned = requirement.replaceFirst(";.*", "").split("==", -1);
+      writeEmptyWheel(wheels, pinned[0], pinned[1]);
+    }
+    Map<String, String> settings =
+        settings(
+            Map.of("XDG_CACHE_HOME", folder + "/cache", "EVENTCHAIN_WHEELS", wheels.toString()));
+    EnvironmentFinder finder = new EnvironmentFinder(settings, line -> {});
+    String version = TestEnvironment.PYTHON.version();
+    assertEquals(
+        version + ", packages will be installed from " + wheels.toRealPath() + " at the first use",
+        finder.outlook());
+    assertTrue(finder.find().executable().startsWith(folder.resolve("cache")));
+    assertEquals(version + ", packages are there", finder.outlook());
+
+    Files.delete(wheels.resolve("rosbags-0.11.9-py3-none-any.whl"));
+    settings.put("XDG_CACHE_HOME", folder + "/another cache");
+    Diagnostic problem = failure("python.wheels.missing", finder::outlook);
+    assertTrue(problem.message().endsWith(" of rosbags==0.11.9"), problem.message());
+    assertTrue(problem.hint().contains("--dest FOLDER rosbags==0.11.9;"), problem.hint());
+  }
+
+  @Test
+  void aFolderOfWheelsThatDoesNotExistIsNamed() {
+    Path nowhere = folder.resolve("nowhere");
+    Map<String, String> settings =
+        settings(
+            Map.of("XDG_CACHE_HOME", folder + "/cache", "EVENTCHAIN_WHEELS", nowhere.toString()));
+    Diagnostic problem = failure("python.wheels.missing", () -> find(settings));
+    assertEquals(
+        "EVENTCHAIN_WHEELS names " + nowhere + ", which is not a folder", problem.message());
+  }
+
+  private static List<String> requirements() throws IOException {
+    try (var input = PythonEnvironment.class.getResourceAsStream("requirements.txt")) {
+      String text = new String(input.readAllBytes(), StandardCharsets.UTF_8);
+      return text.lines().filter(line -> !line.startsWith("#")).toList();
+    }
+  }
+
+  /** A wheel with nothing in it, for any Python. */
+  private static void writeEmptyWheel(Path wheels, String name, String version) throws IOException {
+    String folder = name + "-" + version;
+    String metadata = "Metadata-Version: 2.1\nName: " + name + "\nVersion: " + version + "\n";
+    String wheel = "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n";
+    Path file = wheels.resolve(folder + "-py3-none-any.whl");
+    try (ZipOutputStream zip = new ZipOutputStream(Files.newOutputStream(file))) {
+      for (String[] entry :
+          new String[][] {{"METADATA", metadata}, {"WHEEL", wheel}, {"RECORD", ""}}) {
+        zip.putNextEntry(new ZipEntry(folder + ".dist-info/" + entry[0]));
+        zip.write(entry[1].getBytes(StandardCharsets.UTF_8));
+      }
+    }
   }
 
   private static final String WITHOUT_VENV =
