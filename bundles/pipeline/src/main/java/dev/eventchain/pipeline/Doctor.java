@@ -57,8 +57,7 @@ public final class Doctor {
 
   private static Check python(Consumer<String> progress) {
     try {
-      return new Check(
-          "Python", true, true, PythonEnvironment.outlook(progress) + "; confined");
+      return new Check("Python", true, true, PythonEnvironment.outlook(progress) + "; confined");
     } catch (DiagnosticException e) {
       return new Check("Python", false, true, words(e));
     }

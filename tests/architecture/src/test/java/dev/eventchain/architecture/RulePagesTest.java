@@ -38,7 +38,9 @@ class RulePagesTest {
 
   /** The ends of names that look like ids and are files, fields or properties. */
   private static final Set<String> NO_IDS =
-      Set.of("json", "py", "xmi", "ocl", "ecore", "js", "css", "html", "txt", "yaml", "md", "msgs");
+      Set.of(
+          "bash", "json", "py", "xmi", "ocl", "ecore", "js", "css", "html", "txt", "yaml", "md",
+          "msgs");
 
   /**
    * What no test brings about: a disk that fails in the middle, an interrupt inside the JVM, and a

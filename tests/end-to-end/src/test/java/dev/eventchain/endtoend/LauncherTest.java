@@ -23,7 +23,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 class LauncherTest {
 
   /** Does as if it made archives, in no time. */
-  private static final String FORGER =
+  static final String FORGER =
       """
       case "$*" in
         *dev.eventchain.cli.Rehearsal*) echo rehearsal >>calls; exit 0 ;;
@@ -42,6 +42,7 @@ class LauncherTest {
     for (String part :
         List.of(
             "eventchain",
+            "bundles/cli/src/main/shell",
             "bundles/cli/target/eventchain/lib",
             "examples/aeb",
             "metamodel",
