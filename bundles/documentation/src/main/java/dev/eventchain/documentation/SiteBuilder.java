@@ -58,17 +58,17 @@ public final class SiteBuilder {
 
   /** The content of each file of the site, by its name. */
   Map<String, String> files() throws IOException {
-    for (Map.Entry<String, String> entry : NAVIGATION) {
-      Path page = root.resolve(PAGES).resolve(entry.getKey() + ".md");
-      if (Files.exists(page)) {
-        pages.put(entry.getKey(), JavaSnippets.inserted(Files.readString(page), root));
-      }
-    }
     String acceleo = Files.readString(root.resolve("bundles/m2t/ACCELEO.md"));
     pages.put("acceleo", acceleo.replace("(OPERATIONS.md)", "(operations.md)"));
     pages.put("operations", Files.readString(root.resolve("bundles/m2t/OPERATIONS.md")));
     pages.put("commands", ReferencePages.commands());
     pages.put("rules", ReferencePages.rules());
+    for (Map.Entry<String, String> entry : NAVIGATION) {
+      if (!pages.containsKey(entry.getKey())) {
+        Path page = root.resolve(PAGES).resolve(entry.getKey() + ".md");
+        pages.put(entry.getKey(), JavaSnippets.inserted(Files.readString(page), root));
+      }
+    }
     pages.putAll(ReferencePages.ofEachRule());
 
     Map<String, String> files = new TreeMap<>();

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -13,6 +14,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
@@ -73,6 +75,17 @@ class SiteBuilderTest {
     links.removeIf(link -> link.contains("#"));
     assertTrue(files.keySet().containsAll(links), links::toString);
     assertTrue(files.size() > 300, files.size() + " files");
+  }
+
+  @Test
+  void everyPageThatPeopleWroteIsInTheSite() throws IOException {
+    try (Stream<Path> pages = Files.list(Path.of("../..", SiteBuilder.PAGES))) {
+      List<String> names = pages.map(page -> page.getFileName().toString()).sorted().toList();
+      assertTrue(names.size() >= 8, names::toString);
+      for (String name : names) {
+        assertTrue(files.containsKey(name.replace(".md", ".html")), name);
+      }
+    }
   }
 
   @Test

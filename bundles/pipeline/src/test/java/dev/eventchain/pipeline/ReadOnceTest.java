@@ -2,16 +2,13 @@ package dev.eventchain.pipeline;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.RunResult.Verdict;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.time.LocalDate;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
@@ -81,22 +78,8 @@ class ReadOnceTest {
 
   private RunResult run(Stage first, java.util.function.Consumer<Stage> atStart) {
     Project opened = Project.open(project);
-    RunOptions options =
-        new RunOptions(
-            opened.defaultOutput(),
-            first,
-            Stage.REPORT,
-            false,
-            Optional.empty(),
-            false,
-            false,
-            List.of(),
-            RunOptions.Driver.LOCKSTEP,
-            false,
-            Optional.empty(),
-            Optional.empty(),
-            new Suppressions(List.of(), LocalDate.of(2027, 1, 1)),
-            Duration.ofMinutes(1));
+    Path output = opened.defaultOutput();
+    RunOptions options = RunOptions.of(output).in(output, first, Stage.REPORT);
     return Pipeline.run(
         opened,
         options,

@@ -134,6 +134,38 @@ class ChangedModelsTest {
   }
 
   @Test
+  void filesMayBeWrittenInAnyWay() throws Exception {
+    write("my project/eventchain.yaml", "name: shop\n");
+    commit("two");
+    for (String path : List.of("./a.xmi", "sub/../a.xmi", repository.resolve("a.xmi").toString())) {
+      run("validate-models", path).expect(0).says("<validate><a.xmi>");
+    }
+    for (String path : List.of("./my project", repository.resolve("my project").toString())) {
+      run("validate-models", "--project=" + path, "--since=HEAD~1")
+          .expect(0)
+          .says("<validate><my project>");
+    }
+  }
+
+  @Test
+  void aFileThatGitDoesNotKnowIsNotSaidToBeUnchanged() throws Exception {
+    write("new.xmi", shop("N", ""));
+    for (String path : List.of("new.xmi", "nowhere.xmi", "../outside.xmi")) {
+      run("validate-models", path).expect(2).says("'" + path + "' is not a file in git");
+    }
+  }
+
+  @Test
+  void aChangedFileThatAnOptionNamesConcernsAllModels() throws Exception {
+    write("rules.txt", "");
+    write("types/Price.txt", "");
+    commit("two");
+    run("validate-models", "--since=HEAD~1").expect(0).says("nothing was checked");
+    run("validate-models", "--since=HEAD~1", "--ocl=./rules.txt").expect(0).says("3 of 3 models");
+    run("validate-models", "types/Price.txt", "--messages=types/").expect(0).says("3 of 3 models");
+  }
+
+  @Test
   void exitCodesAreThoseOfTheProgram() throws Exception {
     for (int code = 0; code < 5; code++) {
       write("code", Integer.toString(code));
