@@ -393,3 +393,6 @@ def test_nodes_live_between_init_and_shutdown(simulation: Simulation) -> None:
     assert node.fired == []
     with pytest.raises(NotInitializedException):
         Recorder()
+    with pytest.raises(RuntimeError, match="already shut down"):
+        rclpy.shutdown()
+    rclpy.try_shutdown()

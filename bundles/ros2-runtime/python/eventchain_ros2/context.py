@@ -72,5 +72,13 @@ def current() -> Simulation:
 
 
 def shutdown() -> None:
-    """End the simulation: no callback runs any more."""
+    """End the simulation: no callback runs any more.
+
+    Raises:
+        NotInitializedException: it was never started.
+        RuntimeError: it has ended already, for example by a signal (rclpy raises its RCLError, which is one).
+
+    """
+    if _context.simulation is not None and not ok():
+        raise RuntimeError("failed to shut down: the context is already shut down")
     current().stop()
