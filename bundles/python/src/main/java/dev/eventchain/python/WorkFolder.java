@@ -11,6 +11,7 @@ import java.nio.file.Files;
 import java.nio.file.NoSuchFileException;
 import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.Map;
 import java.util.Set;
@@ -62,17 +63,16 @@ public final class WorkFolder implements AutoCloseable {
     }
   }
 
+  /** The lock gets its name once it is held: a lock that nobody holds belongs to nobody. */
   private static WorkFolder fill(Path whole) throws IOException {
-    Path file = whole.resolve(AbandonedFolders.LOCK);
+    Path unnamed = whole.resolve("being-made");
     FileChannel lock =
-        FileChannel.open(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
-    WorkFolder folder = new WorkFolder(whole, lock);
+        FileChannel.open(unnamed, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE);
     try {
-      boolean held = lock.tryLock() != null;
+      lock.lock();
+      WorkFolder folder = new WorkFolder(whole, lock);
       Files.createDirectory(folder.path());
-      if (!held || !Files.exists(file)) {
-        throw new IOException("another process deletes it");
-      }
+      Files.move(unnamed, whole.resolve(AbandonedFolders.LOCK), StandardCopyOption.ATOMIC_MOVE);
       return folder;
     } catch (IOException e) {
       lock.close();

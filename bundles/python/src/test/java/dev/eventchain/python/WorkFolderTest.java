@@ -28,6 +28,21 @@ class WorkFolderTest {
       "import fcntl, sys; file = open(sys.argv[1], 'w'); fcntl.lockf(file, fcntl.LOCK_EX);"
           + "print('held', flush=True); sys.stdin.read()";
 
+  /** Sweeps as another process of ours does, over and over. */
+  private static final String SWEEP =
+      """
+      import fcntl, os, shutil, sys
+      print('sweeps', flush=True)
+      while True:
+          for folder in os.listdir(sys.argv[1]):
+              try:
+                  with open(os.path.join(sys.argv[1], folder, 'lock'), 'r+') as lock:
+                      fcntl.lockf(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                      shutil.rmtree(os.path.join(sys.argv[1], folder), ignore_errors=True)
+              except OSError:
+                  pass
+      """;
+
   @TempDir Path place;
 
   @Test
@@ -50,20 +65,27 @@ class WorkFolderTest {
   @Test
   void leftByAKilledProcessIsSweptByTheNext() throws Exception {
     Path left = abandoned();
-    Process holder =
-        new ProcessBuilder(
-                TestEnvironment.PYTHON.executable().toString(),
-                "-c",
-                HOLD_LOCK,
-                left.resolve("lock").toString())
-            .redirectErrorStream(true)
-            .start();
-    assertEquals("held", holder.inputReader(StandardCharsets.UTF_8).readLine());
+    Process holder = python(HOLD_LOCK, left.resolve("lock"), "held");
     AbandonedFolders.sweep(place, Set.of());
     assertTrue(Files.exists(left.resolve("work/file")), "the folder of a living process went");
     holder.destroyForcibly().waitFor();
     AbandonedFolders.sweep(place, Set.of());
     assertEquals(List.of(), entries());
+  }
+
+  @Test
+  void folderThatIsBeingMadeIsNeverSweptByAnotherProcess() throws Exception {
+    Process sweeper = python(SWEEP, place, "sweeps");
+    try {
+      for (int i = 0; i < 1000; i++) {
+        try (WorkFolder folder = WorkFolder.create(place)) {
+          assertTrue(Files.isDirectory(folder.path()));
+        }
+      }
+      assertTrue(sweeper.isAlive());
+    } finally {
+      sweeper.destroyForcibly().waitFor();
+    }
   }
 
   @Test
@@ -143,6 +165,16 @@ class WorkFolderTest {
     assertEquals("temporary.unwritable", finding.id());
     assertFalse(finding.message().contains("Exception"), finding.message());
     return finding;
+  }
+
+  private static Process python(String program, Path argument, String first) throws IOException {
+    Process process =
+        new ProcessBuilder(
+                TestEnvironment.PYTHON.executable().toString(), "-c", program, argument.toString())
+            .redirectErrorStream(true)
+            .start();
+    assertEquals(first, process.inputReader(StandardCharsets.UTF_8).readLine());
+    return process;
   }
 
   private Path abandoned() throws IOException {

@@ -134,7 +134,10 @@ class DdsDriverTest {
   void doctorSaysThatNodesCanRunOnDds() {
     Program.Ended doctor = new Program().run("doctor");
     assertTrue(
-        doctor.out().lines().anyMatch(line -> line.matches("Cyclone DDS +fine +for .*dds")),
+        doctor
+            .out()
+            .lines()
+            .anyMatch(line -> line.matches("Cyclone DDS +fine +for .*dds: .*packages are there")),
         doctor.out());
   }
 
