@@ -7,12 +7,16 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 
 /** Builds the site. */
 public final class SiteBuilder {
 
   /** Where the pages that people write are, from the project's root. */
   static final String PAGES = "bundles/documentation/src/site";
+
+  /** The folder of the site that the Javadoc plugin writes into. */
+  static final String API = "apidocs";
 
   /** The pages in the order of the navigation: file name, and what the link says. */
   private static final List<Map.Entry<String, String>> NAVIGATION =
@@ -43,16 +47,35 @@ public final class SiteBuilder {
   }
 
   /**
-   * Builds the site.
+   * Builds the site. Pages of an earlier build that it no longer has are deleted; the Javadoc in
+   * {@value #API} is left alone.
    *
    * @param arguments the project's root folder, and the folder to write into
    */
   public static void main(String[] arguments) throws IOException {
-    Map<String, String> files = new SiteBuilder(Path.of(arguments[0]).normalize()).files();
+    write(new SiteBuilder(Path.of(arguments[0]).normalize()).files(), Path.of(arguments[1]));
+  }
+
+  /** Makes the folder hold these files and no other pages. */
+  static void write(Map<String, String> files, Path site) throws IOException {
     for (Map.Entry<String, String> file : files.entrySet()) {
-      Path path = Path.of(arguments[1], file.getKey());
+      Path path = site.resolve(file.getKey());
       Files.createDirectories(path.getParent());
       Files.writeString(path, file.getValue());
+    }
+    for (Path page : pages(site)) {
+      if (!files.containsKey(site.relativize(page).toString().replace('\\', '/'))) {
+        Files.delete(page);
+      }
+    }
+  }
+
+  private static List<Path> pages(Path site) throws IOException {
+    try (Stream<Path> files = Files.walk(site)) {
+      return files
+          .filter(file -> !file.startsWith(site.resolve(API)))
+          .filter(file -> file.toString().endsWith(".html"))
+          .toList();
     }
   }
 
