@@ -32,9 +32,13 @@ final class MarkdownLinks {
   private static final Pattern HTML = Pattern.compile("\\b(?:src|href)=\"([^\"]*)\"");
   private static final Pattern ELSEWHERE = Pattern.compile("[a-z][a-z+.-]*:.*");
 
-  /** What the site makes besides the pages in this folder; there {@code SiteBuilderTest} looks. */
+  /**
+   * What the site has besides the pages in this folder; there {@code SiteBuilderTest} looks, and
+   * {@code SiteTest} for Javadoc.
+   */
   private static final Pattern MADE_BY_THE_SITE =
-      Pattern.compile("(?:acceleo|operations|commands|rules|rules/[\\w.-]+)\\.md(?:#.*)?");
+      Pattern.compile(
+          "(?:acceleo|operations|commands|rules|rules/[\\w.-]+)\\.md(?:#.*)?|apidocs/.+\\.html");
 
   private static final Path SITE = Path.of("bundles", "documentation", "src", "site");
 
