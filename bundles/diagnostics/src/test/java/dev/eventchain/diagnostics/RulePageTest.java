@@ -13,7 +13,7 @@ class RulePageTest {
   void thePagesOfThisBundleAreFoundWithTheirBundle() {
     RulePage page = RulePage.of("file.missing").orElseThrow();
     assertEquals("diagnostics", page.bundle());
-    assertEquals("A file that is needed does not exist.", page.firstSentence());
+    assertEquals("A required file does not exist.", page.firstSentence());
     assertTrue(RulePage.all().contains(page));
   }
 
