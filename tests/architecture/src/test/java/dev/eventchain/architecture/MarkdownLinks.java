@@ -38,7 +38,7 @@ final class MarkdownLinks {
    */
   private static final Pattern MADE_BY_THE_SITE =
       Pattern.compile(
-          "(?:acceleo|operations|commands|rules|rules/[\\w.-]+)\\.md(?:#.*)?|apidocs/.+\\.html");
+          "(?:(?:acceleo|operations|commands|rules|rules/[\\w.-]+)\\.md|apidocs/.+\\.html)(?:#.*)?");
 
   private static final Path SITE = Path.of("bundles", "documentation", "src", "site");
 

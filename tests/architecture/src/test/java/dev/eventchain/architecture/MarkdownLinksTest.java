@@ -59,10 +59,14 @@ class MarkdownLinksTest {
   @Test
   void thePagesThatTheSiteMakesAreLinkedByItsPagesOnly() throws IOException {
     write("bundles/documentation/src/site/index.md", "[a](commands.md#run) [b](none.md)");
+    write("bundles/documentation/src/site/java.md", "[a](apidocs/A.html#a()) [b](a.html)");
     write("README.md", "[a](commands.md#run)");
 
     assertEquals(
-        List.of("README.md: commands.md#run", "bundles/documentation/src/site/index.md: none.md"),
+        List.of(
+            "README.md: commands.md#run",
+            "bundles/documentation/src/site/index.md: none.md",
+            "bundles/documentation/src/site/java.md: a.html"),
         new MarkdownLinks(folder).broken());
   }
 

@@ -16,6 +16,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
@@ -41,6 +43,53 @@ class RunTest {
         .expect(0)
         .says("PASSED: 33 of 33 scenarios passed, 6 requirements proved")
         .says("report.html");
+  }
+
+  /** But for times, and how components can be confined on this machine. */
+  @Test
+  void theReadmeShowsWhatIsPrinted() throws IOException {
+    List<String> printed =
+        (first.err() + first.out())
+            .replace(project.toString(), "examples/aeb")
+            .lines()
+            .map(RunTest::withoutThisMachine)
+            .toList();
+    List<String> shown =
+        readme("(?s).*\n```console\n\\$ \\./eventchain run examples/aeb\n(.*?)```\n.*")
+            .lines()
+            .map(RunTest::withoutThisMachine)
+            .filter(line -> !line.equals("..."))
+            .toList();
+
+    assertEquals(9, shown.size(), "each stage, and the verdict: " + shown);
+    assertEquals(shown, printed.stream().filter(shown::contains).toList());
+  }
+
+  private static String withoutThisMachine(String line) {
+    return line.replaceAll(" +[0-9.]+ s ", " T s ").replaceAll("[0-9]+ times real time,.*", "");
+  }
+
+  @Test
+  void theReadmeShowsAFindingAsItIsPrinted() throws IOException {
+    Path model = folder.resolve("finding/chain.xmi");
+    Files.createDirectories(model.getParent());
+    String chain = Files.readString(project.resolve("out/chain.xmi"));
+    String name = "<software name=\"";
+    Files.writeString(model, chain.replace(name + "Braking_Decision", name + "class"));
+    Path messages = project.resolve("software-base/msg");
+
+    Program.Ended ended = new Program().run("validate", model, "--messages", messages).expect(1);
+
+    String shown = readme("(?s).*```\n(aeb/model/chain\\.xmi:.*?)```\n.*");
+    ended.says(shown.replace("aeb/model/chain.xmi", model.toString()));
+  }
+
+  /** The part of the README that the only group of a pattern matches. */
+  private static String readme(String pattern) throws IOException {
+    String text = Files.readString(Program.ROOT.resolve("README.md"));
+    Matcher matcher = Pattern.compile(pattern).matcher(text);
+    assertTrue(matcher.matches(), pattern);
+    return matcher.group(1);
   }
 
   @Test

@@ -126,7 +126,7 @@ final class ProgramJob extends Job {
     }
   }
 
-  /** What the exit code says, as the README of the program has it. */
+  /** What the exit code says, as the help of the program has it. */
   private static String meaning(int code) {
     return switch (code) {
       case 0 -> "Done.";
