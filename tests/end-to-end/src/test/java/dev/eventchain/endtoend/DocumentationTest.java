@@ -20,7 +20,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /**
  * The commands on the pages for users do what the pages say. Blocks of {@code console} are run by
  * bash, one page after the other in one folder; {@code ...} in what they print stands for anything.
- * Takes about 35 s.
+ * Takes about 25 s.
  */
 class DocumentationTest {
 
