@@ -47,7 +47,7 @@ final class JsonMutations {
         rejected("a number is NaN", replaced(NUMBER, (number, random) -> "NaN")),
         rejected("a number has its unit", replaced(NUMBER, (number, random) -> number + " Hz")),
         rejected("a number in words", replaced(NUMBER, (number, random) -> "twenty")),
-        rejected("a line break in a text", replaced(TEXT, (text, random) -> text + "\n")),
+        rejected("a line break in a string", replaced(TEXT, (text, random) -> text + "\n")),
         rejected("a control character", replaced(TEXT, (text, random) -> text + "\\u0007")),
         rejected(
             "dots for the rest",

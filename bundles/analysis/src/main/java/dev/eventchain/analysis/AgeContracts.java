@@ -43,9 +43,9 @@ final class AgeContracts {
       findings.error(
           Rule.AGE,
           findings.at(data, Literals.DATA__MAXIMUM_AGE),
-          "'%s' may be %s ms old, which is not an age."
+          "'%s' has an impossible maximum age of %s ms."
               .formatted(data.getName(), data.getMaximumAge()),
-          "Give a number of ms above zero, or none: then five periods of the component that writes"
+          "Give a finite number above zero, or none: then five periods of the component that writes"
               + " it are the limit.");
     }
   }
@@ -107,8 +107,8 @@ final class AgeContracts {
     return switch (type.kind()) {
       case BOOL -> "true or false";
       case FLOAT32, FLOAT64 -> "a single finite number such as 0.0";
-      case STRING, WSTRING -> "a text that is no longer than the field allows";
-      case BYTE, MESSAGE -> "safe values for single numbers, truth values and texts only";
+      case STRING, WSTRING -> "a string no longer than the field allows";
+      case BYTE, MESSAGE -> "safe values only for single numbers, Booleans and strings";
       default -> "a single whole number in the range of the type";
     };
   }

@@ -47,7 +47,8 @@ final class ExternalSignal {
   private void misspelt(String meant) {
     report(
         "but the vehicle awaits %s, which no component writes".formatted(meant),
-        "Did you mean `%s`? Else give the signal a name that is less like it.".formatted(meant));
+        "Did you mean `%s`? Otherwise, give the signal a name that resembles it less."
+            .formatted(meant));
   }
 
   private void requirements() {

@@ -165,7 +165,7 @@ final class FlowRules {
                 + " between them.")
             .formatted(constraint.getName(), first.getName(), last.getName()),
         backwards.isEmpty()
-            ? "They flow the other way: exchange first and last."
+            ? "Data flows the other way: swap first and last."
             : "Name two components that data flow connects.",
         findings.at(first, Literals.SOFTWARE_NODE__OUTPUT),
         findings.at(last, Literals.SOFTWARE_NODE__INPUT));

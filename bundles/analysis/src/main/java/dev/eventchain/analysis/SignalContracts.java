@@ -56,7 +56,7 @@ final class SignalContracts {
             findings.at(data, Literals.DATA__FIELD_NAME),
             "%s uses the field '%s' of %s, which the description of the signal does not name."
                 .formatted(endpoint.name(), path, signal.topic()),
-            "Described are %s. Use one of them."
+            "The described fields are %s. Use one of them."
                 .formatted(
                     signal.fields().stream()
                         .map(Signal.Field::path)

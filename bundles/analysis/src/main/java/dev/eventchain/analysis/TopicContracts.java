@@ -116,7 +116,7 @@ final class TopicContracts {
           findings.error(
               rule,
               findings.at(data, Literals.DATA__MESSAGE_TYPE),
-              "%s takes the messages of %s for %s, but %s has %s."
+              "%s declares %s as %s, but %s has %s."
                   .formatted(endpoint.name(), topic.name(), data.getMessageType(), owner, wanted),
               "A topic has one type: write %s, or use another topic.".formatted(wanted),
               other.get());
@@ -145,8 +145,8 @@ final class TopicContracts {
           findings.at(publisher.first(), Literals.DATA__TOPIC_NAME),
           "%s writes %s, which %s also writes."
               .formatted(publisher.name(), topic.name(), first.name()),
-          "Readers get the messages of both mixed: give one of them another topic, unless that is"
-              + " meant.",
+          "Readers get the messages of both interleaved: give one of them another topic, unless this is"
+              + " intended.",
           findings.at(first.first(), Literals.DATA__TOPIC_NAME));
     }
   }
@@ -248,7 +248,7 @@ final class TopicContracts {
                       subscriber.name(), data.getFieldName(), topic.name(), publisher.name()),
               set.isEmpty()
                   ? "Set it, or do not read it."
-                  : "Set are %s: read one of them, or set this one too."
+                  : "The fields that are set are %s: read one of them, or set this one too."
                       .formatted(String.join(", ", set)),
               findings.at(publisher.first(), Literals.DATA__TOPIC_NAME));
         }

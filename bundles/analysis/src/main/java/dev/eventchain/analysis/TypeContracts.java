@@ -152,7 +152,7 @@ final class TypeContracts {
             place.apply(Literals.DATA__TYPE),
             "%s gives the type of '%s' as '%s', but %s has '%s' there."
                 .formatted(capitalized(user), path, declared, type, resolution.type().get()),
-            "Write '%s', and convert inside of the component.".formatted(resolution.type().get()));
+            "Write '%s', and convert inside the component.".formatted(resolution.type().get()));
       }
     }
   }

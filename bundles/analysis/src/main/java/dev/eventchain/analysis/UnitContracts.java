@@ -91,14 +91,14 @@ final class UnitContracts {
               Rule.UNIT_MISMATCH,
               findings.at(data, Literals.DATA__UNIT),
               message,
-              "One side speaks of angles and the other does not: write what is meant on both.",
+              "One side is an angle and the other is not: write the intended unit on both.",
               place);
       case INCOMPATIBLE ->
           findings.error(
               Rule.UNIT_MISMATCH,
               findings.at(data, Literals.DATA__UNIT),
               message,
-              "No factor converts one into the other: one side means another quantity.",
+              "No factor converts one into the other: one side is a different quantity.",
               place);
       case CONVERTIBLE ->
           findings.error(
@@ -107,7 +107,7 @@ final class UnitContracts {
               message,
               writes
                   ? "Give it in %s: %s.".formatted(there, unit.get().conversionTo(other.get()))
-                  : "Take it in %s, and convert inside of the component: %s."
+                  : "Take it in %s, and convert inside the component: %s."
                       .formatted(there, other.get().conversionTo(unit.get())),
               place);
     }

@@ -140,7 +140,7 @@ class WrongUseTest {
       byte[] unterminated = HexFormat.of().parseHex("00010000" + "02000000" + "6162");
       refused("The bytes are no message std_msgs/msg/String.", () -> texts.write(unterminated));
       DdsWriter flags = participant.writer("/flags", RandomMessages.type("std_msgs/msg/Bool"), QOS);
-      refused("A truth value is 0 or 1, not 2.", () -> flags.write(new byte[] {0, 1, 0, 0, 2}));
+      refused("A bool is 0 or 1, not 2.", () -> flags.write(new byte[] {0, 1, 0, 0, 2}));
     }
   }
 

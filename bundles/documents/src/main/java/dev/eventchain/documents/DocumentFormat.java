@@ -41,9 +41,9 @@ public enum DocumentFormat {
     return switch (node.getNodeType()) {
       case OBJECT -> object;
       case ARRAY -> array;
-      case STRING -> "a text";
+      case STRING -> "a string";
       case NUMBER -> "a number";
-      case BOOLEAN -> "a truth value";
+      case BOOLEAN -> "a Boolean";
       case NULL -> this == JSON ? "null" : "nothing";
       default -> "nothing";
     };

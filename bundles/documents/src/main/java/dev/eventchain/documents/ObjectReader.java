@@ -106,9 +106,9 @@ public final class ObjectReader {
 
   /** A text that may be missing. */
   public Optional<String> text(String name) {
-    Optional<JsonNode> value = given(name, "a text");
+    Optional<JsonNode> value = given(name, "a string");
     if (value.isPresent() && !value.get().isTextual()) {
-      refuseType(name, "a text");
+      refuseType(name, "a string");
       return Optional.empty();
     }
     return value.map(JsonNode::textValue);
@@ -186,11 +186,11 @@ public final class ObjectReader {
       if (value.isTextual()) {
         texts.add(value.textValue());
       } else {
-        String message = "This must be a text, not " + shown(value) + ".";
+        String message = "This must be a string, not " + shown(value) + ".";
         findings.accept(
             Diagnostic.error(
                     document.ids().type(), message, document.at(Document.below(pointerTo(name), i)))
-                .withHint(TypeHint.of("a text", value)));
+                .withHint(TypeHint.of("a string", value)));
       }
     }
     return texts;
@@ -270,7 +270,7 @@ public final class ObjectReader {
   /**
    * Reports that a value is of another type.
    *
-   * @param wanted what it must be: "a text"
+   * @param wanted what it must be: "a string"
    */
   public void refuseType(String name, String wanted) {
     findings.accept(

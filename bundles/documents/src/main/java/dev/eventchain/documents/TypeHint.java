@@ -9,9 +9,9 @@ final class TypeHint {
 
   /** The hint; empty if the message says it all. */
   static String of(String wanted, JsonNode value) {
-    if (wanted.equals("a text")) {
+    if (wanted.equals("a string")) {
       return value.isNumber() || value.isBoolean()
-          ? "Put it into quotes: \"" + value.asText() + "\"."
+          ? "Put it in quotes: \"" + value.asText() + "\"."
           : "";
     }
     return wanted.endsWith("number") && value.isTextual() ? number(value.textValue()) : "";

@@ -178,7 +178,7 @@ final class YamlTree {
       } else {
         String message =
             e instanceof MappingStartEvent || e instanceof SequenceStartEvent
-                ? "A key must be a text."
+                ? "A key must be a string."
                 : "The key is missing before its colon.";
         notes.reportType(message, pointer, offset(e));
         value(null, e);

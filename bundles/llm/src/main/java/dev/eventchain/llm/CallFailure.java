@@ -75,8 +75,7 @@ final class CallFailure extends RuntimeException {
     }
     return new CallFailure(
         kind,
-        "the service does not take the JSON Schema of the answer that goes along with this task: "
-            + getMessage(),
+        "the service rejects the JSON Schema that is sent along with this task: " + getMessage(),
         "Ask another model or service for this task, or see whether the service's 'wire' in"
             + " eventchain.yaml is right.");
   }

@@ -89,7 +89,7 @@ final class MissingRecording {
       message.append(", and none of the task to compare it with.");
     } else {
       message.append(
-          ". What changed against the nearest one, %s:".formatted(nearestFile.getFileName()));
+          ". What changed compared with the nearest one, %s:".formatted(nearestFile.getFileName()));
       changes().forEach(line -> message.append('\n').append(line));
     }
     return Diagnostic.error(

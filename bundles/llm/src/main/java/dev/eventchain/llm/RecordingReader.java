@@ -150,7 +150,7 @@ final class RecordingReader {
     if (value.isEmpty()) {
       json.find(FORMAT, "'" + name + "' is missing.", json.location());
     } else if (!isText(value.get())) {
-      json.refuseType(name, "a text, or an array of lines without line breaks");
+      json.refuseType(name, "a string, or an array of lines without line breaks");
     }
     return value.filter(RecordingReader::isText).map(RequestJson::text);
   }

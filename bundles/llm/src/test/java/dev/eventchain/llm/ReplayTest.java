@@ -39,7 +39,7 @@ class ReplayTest {
     assertEquals(
         """
         There is no recording of task 'design' for model 'authored' with this prompt. What changed \
-        against the nearest one, %s:
+        compared with the nearest one, %s:
           # Requirements
         - - R-1: stop
         + - R-1: stop at once

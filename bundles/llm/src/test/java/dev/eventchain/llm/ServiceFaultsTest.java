@@ -136,8 +136,8 @@ class ServiceFaultsTest {
       ChatModel model = SERVICE.model(wire);
       DiagnosticException e = assertThrows(DiagnosticException.class, () -> model.chat(withSchema));
       String message = e.diagnostics().get(0).message();
-      assertEquals(named, message.contains("does not take the JSON Schema"), message);
-      assertFalse(finding(model).message().contains("does not take the JSON Schema"), message);
+      assertEquals(named, message.contains("rejects the JSON Schema"), message);
+      assertFalse(finding(model).message().contains("rejects the JSON Schema"), message);
     }
   }
 

@@ -89,7 +89,7 @@ final class FileCharsets {
                 + charset
                 + " lacks; they became '?'.",
             charset.equals(StandardCharsets.UTF_8)
-                ? "Take whole characters: this is half of one that Java counts as two."
+                ? "Use whole characters: this is half of one that Java counts as two."
                 : "Write the file in UTF-8.");
   }
 

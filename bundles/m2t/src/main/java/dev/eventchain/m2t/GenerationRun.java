@@ -259,7 +259,7 @@ final class GenerationRun {
   StoppedException stopTooDeep() {
     Callable callable = calls.tooDeep().orElseThrow();
     return stop(
-        "'" + callable.name() + "' recurses without end, or deeper than there is memory for",
+        "'" + callable.name() + "' recurses endlessly, or deeper than memory allows",
         callable.place().location());
   }
 
@@ -275,7 +275,7 @@ final class GenerationRun {
           "m2t.recursion",
           location,
           "Generation was stopped: " + reason + ".",
-          "Give the recursion an end, such as a guard.");
+          "End the recursion, for example by a guard.");
     }
     return new StoppedException();
   }

@@ -92,7 +92,8 @@ final class Services {
             .orElseThrow(() -> new ServiceException(shown + "is absent: " + known(named)));
     if (found.isVarArgs()) {
       throw new ServiceException(
-          shown + "takes any number of arguments, which no template can give: let it take a List");
+          shown
+              + "takes any number of arguments, which templates cannot pass: make it take a List");
     }
     return found;
   }

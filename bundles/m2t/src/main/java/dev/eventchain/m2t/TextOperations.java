@@ -181,7 +181,7 @@ final class TextOperations {
   private static String from(String text, int position) {
     if (position < 1 || position > text.length() + 1) {
       throw new IllegalArgumentException(
-          "position " + position + " is not in a text of " + text.length() + " characters");
+          "position " + position + " is not in a string of " + text.length() + " characters");
     }
     return text.substring(position - 1);
   }

@@ -97,7 +97,7 @@ class RecursionTest {
   private static void assertStopped(List<Diagnostic> found) {
     assertEquals(1, found.size(), found.toString());
     assertEquals("m2t.recursion", found.get(0).id());
-    assertTrue(found.get(0).message().contains("'r' recurses without end"), found.toString());
+    assertTrue(found.get(0).message().contains("'r' recurses endlessly"), found.toString());
     assertTrue(found.get(0).hint().contains("'r' called at t.mtl:"), found.toString());
   }
 

@@ -142,8 +142,7 @@ final class CdrReader {
   private void requireTruthValues(int count) {
     for (int i = buffer.position() - count; i < buffer.position(); i++) {
       if ((buffer.get(i) & ~1) != 0) {
-        throw new IllegalArgumentException(
-            "A truth value is 0 or 1, not " + (buffer.get(i) & 0xFF) + ".");
+        throw new IllegalArgumentException("A bool is 0 or 1, not " + (buffer.get(i) & 0xFF) + ".");
       }
     }
   }

@@ -180,7 +180,7 @@ final class IdlParser {
     }
     if (!first.is("TRUE") && !first.is("FALSE")) {
       throw tokens.refusal(
-          "Expected a number, a text, TRUE or FALSE, not " + first.text() + ".", first.offset());
+          "Expected a number, a string, TRUE or FALSE, not " + first.text() + ".", first.offset());
     }
     return tokens.take().text();
   }
@@ -192,7 +192,7 @@ final class IdlParser {
     tokens.take("=");
     FieldType.Kind kind = type.type().kind();
     if (type.type().shape() != FieldType.Shape.SINGLE || kind == FieldType.Kind.MESSAGE) {
-      throw tokens.refusal("A constant is a number, a text, TRUE or FALSE.", offset);
+      throw tokens.refusal("A constant is a number, a string, TRUE or FALSE.", offset);
     }
     add(constants, constant, type, Optional.of(value()), offset);
   }

@@ -110,7 +110,7 @@ final class IdlTokens {
 
   Token take(Kind kind) {
     if (next().kind() != kind) {
-      String wanted = kind == Kind.WORD ? "a name" : kind == Kind.NUMBER ? "a number" : "a text";
+      String wanted = kind == Kind.WORD ? "a name" : kind == Kind.NUMBER ? "a number" : "a string";
       throw refusal("Expected " + wanted + ", not " + next().text() + ".", next().offset());
     }
     return take();

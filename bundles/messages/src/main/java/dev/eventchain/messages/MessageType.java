@@ -117,7 +117,7 @@ public final class MessageType {
           "Name the whole field, "
               + path.substring(0, start)
               + name
-              + ", and take the value out of it inside of the component.");
+              + ", and pick the value inside the component.");
     }
     String rest = path.substring(start + step.length());
     // The classic one: nav_msgs/Odometry has twist.twist.linear.x and no twist.linear.x.

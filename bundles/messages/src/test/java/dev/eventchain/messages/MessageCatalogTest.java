@@ -203,8 +203,8 @@ class MessageCatalogTest {
     "nav_msgs/Odometry, nothing.like.it, ''",
     "sensor_msgs/PointCloud2, fields.name, Name the whole field: fields.",
     "sensor_msgs/LaserScan, header.stamp.sec.x, Name the whole field: header.stamp.sec.",
-    "sensor_msgs/LaserScan, ranges[0], 'Name the whole field, ranges, and take the value out of it"
-        + " inside of the component.'",
+    "sensor_msgs/LaserScan, ranges[0], 'Name the whole field, ranges, and pick the value"
+        + " inside the component.'",
   })
   void wrongPathSaysWhatWasMeant(String type, String path, String hint) {
     assertEquals(hint, STANDARD.find(type).orElseThrow().resolve(path).hint());

@@ -69,7 +69,7 @@ final class ValueChecks {
                     Coverage.counted(left.values, "value")),
             locator.apply(left.element))
         .withHint(
-            "Rewrite its pattern so that a text can match in only one way, or allow more:"
+            "Rewrite its pattern so that a string can match in only one way, or allow more:"
                 + " --time-limit SECONDS.");
   }
 

@@ -67,7 +67,7 @@ final class XmiWriter {
                   "The model cannot be written as XMI: " + cause.getMessage(),
                   SourceLocation.NONE.withElement(ModelPath.of(resource.getContents().get(0))))
               .withHint(
-                  "Remove control characters from its texts, and references to elements that belong"
+                  "Remove control characters from its strings, and references to elements that belong"
                       + " to no model."));
     }
     return bytes.toByteArray();

@@ -188,7 +188,7 @@ final class AttributeValues {
   private Optional<Object> fromText(EAttribute attribute, JsonNode value, String pointer) {
     EDataType type = attribute.getEAttributeType();
     if (!value.isTextual()) {
-      return mismatch(attribute, "a text", value, pointer);
+      return mismatch(attribute, "a string", value, pointer);
     }
     if (isText(type)) {
       return Optional.of(value.asText());

@@ -323,7 +323,7 @@ public final class EventChainReader {
     if (value.isPresent() && !value.get().isValueNode()) {
       find(
           "modeler.value.type",
-          "A safe value is a number, true, false or a text.",
+          "A safe value is a number, true, false or a string.",
           json.at("safe_value"));
     }
     return value.filter(JsonNode::isValueNode).map(JsonNode::asText);
@@ -338,7 +338,7 @@ public final class EventChainReader {
                   "'" + Names.printable(name) + "' cannot be the name of a " + what + ".",
                   json.at("name"))
               .withHint(
-                  "Names are identifiers of Python: letters, digits and underscores, no digit"
+                  "Names are Python identifiers: letters, digits and underscores, no digit"
                       + " first, no keyword."));
     }
     return name;

@@ -80,7 +80,7 @@ final class InstanceLinks {
 
   private String hint(Link link) {
     if (link.id().stripLeading().startsWith("{")) {
-      return "Write an object as it is, not as a text.";
+      return "Write an object as it is, not as a string.";
     }
     return link.id().startsWith("/") || link.id().contains("#")
         ? "Write the id of the target, not a path."
@@ -96,7 +96,7 @@ final class InstanceLinks {
       find(
           link,
           "modeler.reference.contradiction",
-          "'%s' is the opposite of '%s', and that says otherwise."
+          "'%s' is the opposite of '%s', whose value contradicts this."
               .formatted(link.reference().getName(), link.reference().getEOpposite().getName()),
           "Give only one of the two.");
     }

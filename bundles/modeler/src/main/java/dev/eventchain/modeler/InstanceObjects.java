@@ -182,7 +182,7 @@ final class InstanceObjects {
     JsonNode id = json.get(ID);
     boolean named = id != null && (id.isTextual() || id.isIntegralNumber());
     if (id != null && !id.isNull() && !named) {
-      type("'id' must be a text", id, Document.below(pointer, ID));
+      type("'id' must be a string", id, Document.below(pointer, ID));
     }
     if (!named) {
       return;

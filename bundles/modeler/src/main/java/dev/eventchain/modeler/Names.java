@@ -14,10 +14,10 @@ final class Names {
   static String ruleOf(String property) {
     return switch (property) {
       case "topic" ->
-          "Topics are names with slashes between, without two underscores in a row:"
+          "Topics are names separated by slashes, without two underscores in a row:"
               + " /carla/ego_vehicle/lidar.";
       case "message_type" -> "Write it with its package: sensor_msgs/msg/LaserScan.";
-      case "field" -> "Fields are names with dots between: header.stamp.sec.";
+      case "field" -> "Fields are names separated by dots: header.stamp.sec.";
       default -> "";
     };
   }

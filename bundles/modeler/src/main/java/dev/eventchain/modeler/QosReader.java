@@ -64,7 +64,7 @@ final class QosReader {
       port.find(
           Diagnostic.error(
                   "modeler.qos.unknown",
-                  "There is no profile of quality of service called '" + written + "'.",
+                  "There is no quality-of-service profile called '" + written + "'.",
                   port.at(NAME))
               .withHint(
                   "Use "
@@ -81,7 +81,7 @@ final class QosReader {
     if (QosSettings.named(qos.getName()).isEmpty()) {
       object.find(
           "modeler.qos.unknown",
-          "There is no profile of quality of service called '" + qos.getName() + "'.",
+          "There is no quality-of-service profile called '" + qos.getName() + "'.",
           object.at("profile"));
     }
     policy(object, "reliability", Reliability::getByName).ifPresent(qos::setReliability);

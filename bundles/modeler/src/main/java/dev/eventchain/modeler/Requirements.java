@@ -101,7 +101,7 @@ public record Requirements(List<Item> items, List<Diagnostic> diagnostics) {
               item);
         }
         if (item.text.isEmpty()) {
-          find("empty", "The item " + item.id + " says nothing.", item);
+          find("empty", "The item " + item.id + " has no text.", item);
         }
       }
     }
@@ -130,7 +130,7 @@ public record Requirements(List<Item> items, List<Diagnostic> diagnostics) {
                       "'%s' is the id of no item.".formatted(found.group()),
                       source.at(found.start()))
                   .withHint(
-                      "If it is to be one, write: '- ID: text'; items go on in indented lines."));
+                      "If it is to be one, write: '- ID: text'; items continue in indented lines."));
         }
       }
     }

@@ -58,7 +58,7 @@ final class CallHints {
     if (LOGICAL.contains(name)) {
       return "'"
           + name
-          + "' joins truth values"
+          + "' combines Booleans"
           + (name.equals("not") ? "" : " on both sides")
           + ": compare first, or use ->notEmpty() or ->forAll(...).";
     } else if (COMPARISONS.contains(name) || ARITHMETIC.contains(name)) {

@@ -210,7 +210,7 @@ public final class Evaluation {
   void enterDefinition() {
     if (++depth > DEEPEST_RECURSION) {
       throw new Halted(
-          "it recurses without end, or more than " + DEEPEST_RECURSION + " calls deep",
+          "it recurses endlessly, or more than " + DEEPEST_RECURSION + " calls deep",
           Invalid.Kind.RECURSION);
     }
   }

@@ -246,7 +246,7 @@ public final class Expression {
       if (!outermost) {
         throw e;
       }
-      return invalid("it recurses without end, or too deeply", Invalid.Kind.RECURSION);
+      return invalid("it recurses endlessly, or too deeply", Invalid.Kind.RECURSION);
     } finally {
       run.values().truncate(height);
       run.end();

@@ -35,8 +35,7 @@ final class FrequentMistakes {
               "//", new Mistake("Comments start with two hyphens.", "Write -- instead of //.")),
           Map.entry(
               "^^",
-              new Mistake(
-                  "'^^' is not part of this OCL.", "No messages are sent in a model at rest.")),
+              new Mistake("'^^' is not part of this OCL.", "A model in a file sends no messages.")),
           Map.entry(
               "?.",
               new Mistake("'?.' is not part of this OCL.", "Write x <> null implies x.y ...")));
@@ -150,7 +149,7 @@ final class FrequentMistakes {
     return new Mistake(
         "The string is not closed.",
         token.endsWith("\\'")
-            ? "\\' is a quote inside of it; a backslash is written \\\\."
+            ? "\\' is a quote inside it; a backslash is written \\\\."
             : "A string ends on its line with '.");
   }
 

@@ -34,7 +34,7 @@ final class Limits {
   /** Halts what makes a text that is too long. */
   static void requireCharacters(long characters) {
     if (characters > MOST_CHARACTERS) {
-      throw tooLarge("a text of more than " + MOST_CHARACTERS + " characters");
+      throw tooLarge("a string of more than " + MOST_CHARACTERS + " characters");
     }
   }
 

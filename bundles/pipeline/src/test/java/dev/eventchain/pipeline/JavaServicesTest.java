@@ -287,7 +287,7 @@ class JavaServicesTest {
       assertEquals(
           "'demo.Words."
               + signature
-              + "' takes any number of arguments, which no template can give: let it take a List",
+              + "' takes any number of arguments, which templates cannot pass: make it take a List",
           refused(call("demo.Words", signature)));
     }
   }

@@ -247,7 +247,7 @@ final class RuleParser {
                 resolved.location())
             .withHint(
                 collection
-                    ? "Say what is asked of the elements, with ->forAll(...) or ->exists(...)."
+                    ? "State the condition on the elements, with ->forAll(...) or ->exists(...)."
                     : "Compare it with something."));
     return false;
   }

@@ -59,7 +59,7 @@ class LimitsTest {
         "State.allInstances()->collect(x | State.allInstances())->size() > 3"
             + " # collection of more than 4000000 elements",
         "Sequence{1..30}->iterate(i; s : String = 'aa' | s.substituteAll('a', 'aa')).size() > 0"
-            + " # text of more than 16000000 characters",
+            + " # string of more than 16000000 characters",
         "Sequence{1..4000}->collectNested(i | Sequence{1..4000})->flatten()->size() > 0"
             + " # collection of more than 4000000 elements",
         "Sequence{1..40}->iterate(i; s : Sequence(Integer) = Sequence{1} | s->union(s))->size() > 3"
@@ -69,11 +69,11 @@ class LimitsTest {
         "Sequence{1}->closure(i | i + 1)->size() > 3 # collection of more than 4000000 elements",
         "self.more(Sequence{1})->size() > 3 # collection of more than 4000000 elements",
         "Sequence{1..40}->iterate(i; s : String = 'x' | s.concat(s)).size() > 3"
-            + " # text of more than 16000000 characters",
+            + " # string of more than 16000000 characters",
         "Sequence{1..40}->iterate(i; s : String = 'x' | s + s).size() > 3"
-            + " # text of more than 16000000 characters",
-        "self.longer('x').size() > 3 # text of more than 16000000 characters",
-        "self.endless(1) > 3 # it recurses without end"
+            + " # string of more than 16000000 characters",
+        "self.longer('x').size() > 3 # string of more than 16000000 characters",
+        "self.endless(1) > 3 # it recurses endlessly"
       })
   void growthIsLimited(String condition, String reason) {
     Diagnostic found = find(condition, Duration.ofMinutes(2));

@@ -29,11 +29,11 @@ final class AttachedFindings {
     String others =
         outside.nodes().isEmpty()
             ? ""
-            : " Nodes that are there: " + String.join(", ", outside.nodes()) + ".";
+            : " Nodes found: " + String.join(", ", outside.nodes()) + ".";
     String hint =
         outside.isEmpty()
             ? "Start the nodes, with the same ROS_DOMAIN_ID; ROS_LOCALHOST_ONLY and CYCLONEDDS_URI"
-                + " have to let both sides meet."
+                + " have to let both sides reach each other."
             : "Compare the names of topics, and the types and quality of service of both ends.";
     return finding(
         "simulation.wire.unmatched",
@@ -92,7 +92,7 @@ final class AttachedFindings {
     String topics = taken.isEmpty() ? "any topic" : String.join(", ", taken);
     return List.of(
         silent(
-            "Scenario %s: nothing came to the vehicle on %s."
+            "Scenario %s: the vehicle received nothing on %s."
                 .formatted(run.scenario().name(), topics),
             taken.isEmpty() ? "" : setup.writer(taken.get(0))));
   }
@@ -122,12 +122,11 @@ final class AttachedFindings {
       found.add(
           Diagnostic.warning(
                   "simulation.attached.state",
-                  ("%d scenarios were driven with the same nodes, which nobody started anew:"
+                  ("%d scenarios were driven with the same nodes, which nobody restarted:"
                           + " from the second one on they remember what happened before.")
                       .formatted(runs.size()),
                   SourceLocation.NONE)
-              .withHint(
-                  "Start the nodes anew for each scenario, and drive it alone: --scenario NAME."));
+              .withHint("Restart the nodes for each scenario, and run it alone: --scenario NAME."));
     }
     return found;
   }

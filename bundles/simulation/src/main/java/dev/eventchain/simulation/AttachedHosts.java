@@ -55,7 +55,7 @@ final class AttachedHosts implements NodeHosts {
     if (domain < 0 || domain > HIGHEST_DOMAIN) {
       throw unusable(
           DOMAIN + " is '" + text + "', which is not a domain.",
-          "Domains have numbers from 0 to " + HIGHEST_DOMAIN + "; without one, 0 is meant.");
+          "Domains have numbers from 0 to " + HIGHEST_DOMAIN + "; the default is 0.");
     }
     boolean local =
         environment.getOrDefault("ROS_LOCALHOST_ONLY", "").equals("1")

@@ -248,11 +248,11 @@ final class BenchCheck {
     found.add(
         Diagnostic.error(
                 "bench.actuator.conflict",
-                "'%s' of %s drives %s, and so does %s: the vehicle can follow one of them only."
+                "'%s' of %s drives %s, and so does %s: the vehicle can follow only one of them."
                     .formatted(
                         effect.path(), consumed.topic(), effect.actuator().get().id(), other),
                 effect.location())
-            .withHint("Let one of them be `observed`."));
+            .withHint("Mark one of them as `observed`."));
   }
 
   private void find(String id, String message, Data place, String hint) {

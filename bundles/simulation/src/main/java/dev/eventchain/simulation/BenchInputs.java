@@ -87,7 +87,7 @@ final class BenchInputs implements Signal.Source {
           DiagnosticException.Reason.INPUT,
           Diagnostic.error(
               "bench.value.range",
-              "More than " + DEEPEST + " inputs are computed one from the other.",
+              "More than " + DEEPEST + " inputs are computed from one another.",
               section.atKey(name)));
     }
     reading.addLast(name);

@@ -234,7 +234,7 @@ final class BenchTopics {
                             other.getValue().location(),
                             other.getKey().id()),
                     effect.location())
-                .withHint("Let one of them be `observed`."));
+                .withHint("Mark one of them as `observed`."));
         return;
       }
     }

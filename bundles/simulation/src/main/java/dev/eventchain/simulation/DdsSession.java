@@ -80,7 +80,7 @@ abstract class DdsSession implements NodeSession {
     try {
       graph = WireGraph.of(ready, configuration);
     } catch (IllegalArgumentException e) {
-      throw nodes.get(0).failures().garbage("a READY frame that is none: " + e.getMessage());
+      throw nodes.get(0).failures().garbage("an invalid READY frame: " + e.getMessage());
     }
     for (int node = 0; node < nodes.size(); node++) {
       nodes.get(node).reset(graph.writersOf(node).size(), graph.readersOf(node).size());

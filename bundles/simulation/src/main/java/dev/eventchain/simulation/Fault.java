@@ -95,8 +95,8 @@ record Fault(
           case DROP -> "drop " + number() + " percent of " + target;
           case REPEAT -> "repeat messages on " + target + " " + number() + " times";
           case CORRUPT -> "corrupt messages on " + target;
-          case CLOCK_JUMP -> "let the clock jump by " + number() + " ms";
-          case DEAD_SENSOR -> "let the sensor of " + target + " die";
+          case CLOCK_JUMP -> "make the clock jump by " + number() + " ms";
+          case DEAD_SENSOR -> "make the sensor of " + target + " die";
         };
     String from = what + String.format(Locale.ROOT, " from %s s", plain(start, 1e9));
     return end < NEVER ? from + " to " + plain(end, 1e9) + " s" : from + " on";

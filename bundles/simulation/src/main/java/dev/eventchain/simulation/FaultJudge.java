@@ -62,8 +62,8 @@ final class FaultJudge {
       return fault.start() >= faulty.run().trace().end().time()
           ? Criterion.format("the run was over after %.2f s", end)
           : fault.kind().isAboutMessages()
-              ? Criterion.format("no message came on %s meanwhile", fault.target())
-              : "nothing was there that it could change";
+              ? Criterion.format("no message came on %s in that time", fault.target())
+              : "there was nothing that it could change";
     }
     long count = faulty.affected();
     if (faulty.ended().isPresent()) {
@@ -73,7 +73,7 @@ final class FaultJudge {
       case DROP, DEAD_SENSOR -> counted(count, "message") + " did not come";
       case REPEAT, FLOOD -> counted(count, "message") + " came more than once";
       case CORRUPT ->
-          counted(count, "message") + " changed; those that nobody can decode any more got lost";
+          counted(count, "message") + " changed; those that can no longer be decoded were lost";
       case DELAY -> counted(count, "activation") + " took longer";
       default -> "";
     };
@@ -160,7 +160,7 @@ final class FaultJudge {
     return detection.time().isPresent()
         ? Criterion.format(
             "%s, %.2f s after its start", detection.words(), detection.time().getAsDouble() - start)
-        : detection.words() + ", nobody knows when";
+        : detection.words() + ", at an unknown time";
   }
 
   private static Vehicle vehicle(Trace trace) {

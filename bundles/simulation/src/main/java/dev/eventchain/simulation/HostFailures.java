@@ -74,7 +74,7 @@ record HostFailures(String who, Supplier<LastWords> lastWords, UserFiles files) 
       case OUTPUT ->
           ended("simulation.limit", "The nodes write to standard error endlessly.", last);
       case WALL_TIME, CPU_TIME ->
-          ended("simulation.run.timeout", "The simulation took longer than is allowed.", last);
+          ended("simulation.run.timeout", "The simulation took longer than allowed.", last);
       default -> ended("simulation.process.ended", who + " ended before the scenario did.", last);
     };
   }

@@ -200,8 +200,7 @@ final class InputAges {
                 limit,
                 worst.times()),
             SourceLocation.NONE.withElement(writer))
-        .withHint(
-            "Find out why the component fell silent; another vehicle may let go of the brake.");
+        .withHint("Find out why the component fell silent; another vehicle may release the brake.");
   }
 
   /** An age below zero, after a jump of the clock, is none that a node trusts. */

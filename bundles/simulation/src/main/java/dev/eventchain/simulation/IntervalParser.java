@@ -57,7 +57,7 @@ final class IntervalParser {
     long nanoseconds = World.nanoseconds(seconds);
     if (nanoseconds % World.TRACE_STEP != 0) {
       throw tokens.syntax(
-          number, "The interval ends between two samples.", "Give multiples of 10 ms.");
+          number, "The interval ends between two samples.", "Use multiples of 10 ms.");
     }
     return (int) (nanoseconds / World.TRACE_STEP);
   }

@@ -60,7 +60,7 @@ final class LockstepSession implements NodeSession {
     for (Outbound command : published) {
       boolean known = command.topic() < configuration.path("world_subscribes").size();
       if (!known || command.time() < earliest || command.time() >= until) {
-        throw failures.garbage("a message that cannot be one of this step");
+        throw failures.garbage("a message that cannot belong to this step");
       }
       earliest = command.time();
     }
@@ -99,7 +99,7 @@ final class LockstepSession implements NodeSession {
       new RunLogCheck(log, configuration, now).check(commands);
       return log;
     } catch (IllegalArgumentException e) {
-      throw failures.garbage("a record of activations that cannot be one: " + e.getMessage());
+      throw failures.garbage("an invalid record of activations: " + e.getMessage());
     }
   }
 

@@ -47,8 +47,8 @@ final class NodeLoss {
   static DiagnosticException unmatched(List<String> missing, UserFiles files) {
     return finding(
         "simulation.wire.unmatched",
-        "Not connected within the time: " + String.join("; ", missing) + ".",
-        "Nodes meet over the loopback interface: is it up, and may UDP pass?",
+        "Not connected in time: " + String.join("; ", missing) + ".",
+        "Nodes communicate over the loopback interface: is it up, and does UDP pass?",
         "",
         files);
   }

@@ -184,7 +184,7 @@ final class NodeProcess implements Supervisor.Watched, AutoCloseable {
       copy(said.required("wrote"), written);
       copy(said.required("read"), received);
     } catch (IllegalArgumentException e) {
-      throw failures.garbage("an IDLE frame that is none");
+      throw failures.garbage("an invalid IDLE frame");
     }
   }
 

@@ -104,7 +104,7 @@ final class NodeSetup {
                         "simulation.node.left-out",
                         "The component '"
                             + node.getName()
-                            + "' is a node by itself: it is not simulated.",
+                            + "' is a node itself, so it is not simulated.",
                         SourceLocation.NONE.withElement(node.getName()))
                     .withHint("Describe it as a component to simulate it; see the rule's page."))
         .toList();

@@ -256,6 +256,6 @@ public record ScenarioVerdict(
                 "Scenario %s: '%s' was not tested: %s.",
                 scenario, criterion.text(), criterion.measured()),
             criterion.location())
-        .withHint("Change the scenario so that it comes up, or leave the criterion out.");
+        .withHint("Change the scenario so that the situation occurs, or leave the criterion out.");
   }
 }

@@ -104,7 +104,7 @@ final class TermParser {
     Optional<Unit> unit = Unit.parse(text);
     if (unit.isEmpty()) {
       String hint = NearestName.hint(text, UNITS);
-      String blanks = text.contains("/") ? " A division of other things needs blanks." : "";
+      String blanks = text.contains("/") ? " Any other division needs spaces." : "";
       throw tokens.unitProblem(token, "There is no unit '" + text + "'.", hint + blanks);
     }
     return unit.get();

@@ -26,10 +26,10 @@ final class WireFindings {
   private static Diagnostic lost(Scenario scenario, String topic, long count) {
     return Diagnostic.warning(
             "simulation.message.lost",
-            "Scenario %s: %d messages on %s got lost on the way, or came too late."
+            "Scenario %s: %d messages on %s were lost on the way, or came too late."
                 .formatted(scenario.name(), count, topic),
             scenario.location().withElement(topic))
-        .withHint("It is best effort: nobody sends them again. Was the machine very busy?");
+        .withHint("It is best effort: they are not sent again. Was the machine very busy?");
   }
 
   private static Diagnostic noticed(Scenario scenario, Notice notice) {
@@ -40,10 +40,12 @@ final class WireFindings {
                 .formatted(
                     scenario.name(),
                     notice.node(),
-                    deadline ? "no message within the deadline" : "no sign of life of a publisher",
+                    deadline
+                        ? "no message within the deadline"
+                        : "no sign of life from a publisher",
                     notice.topic(),
                     notice.count()),
             scenario.location().withElement(notice.topic()))
-        .withHint("Was the machine very busy? In simulated time nothing comes late by that.");
+        .withHint("Was the machine very busy? In simulated time, that makes nothing late.");
   }
 }

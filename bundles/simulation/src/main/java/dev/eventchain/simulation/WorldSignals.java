@@ -16,7 +16,11 @@ final class WorldSignals implements Signal.Source {
   private static final Map<String, Signal> SIGNALS = new LinkedHashMap<>();
 
   static {
-    add("ego.position", "m", "way of the front bumper", ofStates(Trace.State::position));
+    add(
+        "ego.position",
+        "m",
+        "how far along the road the front bumper is",
+        ofStates(Trace.State::position));
     add("ego.speed", "m/s", "speed along its own axis", ofStates(Trace.State::speed));
     // 0.0 - x and not -x, since nobody wants to read of an acceleration of -0.
     add("ego.acceleration", "m/s2", "negative in braking", ofStates(s -> 0.0 - s.deceleration()));

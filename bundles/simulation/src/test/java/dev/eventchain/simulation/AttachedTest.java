@@ -166,7 +166,7 @@ class AttachedTest {
             + " written by node /brakes as std_msgs/msg/Float32, and here it is"
             + " carla_msgs/msg/CarlaEgoVehicleControl; /carla/ego_vehicle/vehicle_status is read"
             + " by node /brakes with another definition of carla_msgs/msg/CarlaEgoVehicleStatus;"
-            + " /clock is written by node /brakes, too. Nodes that are there: /brakes.",
+            + " /clock is written by node /brakes, too. Nodes found: /brakes.",
         found.message());
   }
 
@@ -275,7 +275,7 @@ class AttachedTest {
     assertFalse(verdict.worked() || verdict.tested() || verdict.passed());
     assertEquals(List.of("simulation.node.silent", "simulation.attached.unseen"), ids(result));
     assertEquals(
-        "Scenario silent: nothing came to the vehicle on " + CONTROL + ".",
+        "Scenario silent: the vehicle received nothing on " + CONTROL + ".",
         result.diagnostics().get(0).message());
   }
 

@@ -76,8 +76,8 @@ class FaultsReaderTest {
             "drop 100 percent of /carla/ego_vehicle/speedometer from 1 s on",
             "repeat messages on /scan 2 times from 1 s on",
             "corrupt messages on /scan from 1 s on",
-            "let the clock jump by -1000 ms from 1 s to 3 s",
-            "let the sensor of /carla/ego_vehicle/lidar die from 1 s on"),
+            "make the clock jump by -1000 ms from 1 s to 3 s",
+            "make the sensor of /carla/ego_vehicle/lidar die from 1 s on"),
         words);
     Fault stopped = plan.faults().get(1);
     assertEquals("stopped-vehicle-50", stopped.scenario().name());

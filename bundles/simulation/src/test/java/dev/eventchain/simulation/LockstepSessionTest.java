@@ -106,9 +106,9 @@ class LockstepSessionTest {
   /** Time, topic and length of the message that is published in a step from 0 to 1 ms. */
   @ParameterizedTest
   @CsvSource({
-    "ffffffffffffffff, 0000, 00000000, a message that cannot be one of this step",
-    "40420f0000000000, 0000, 00000000, a message that cannot be one of this step",
-    "0000000000000000, 0300, 00000000, a message that cannot be one of this step",
+    "ffffffffffffffff, 0000, 00000000, a message that cannot belong to this step",
+    "40420f0000000000, 0000, 00000000, a message that cannot belong to this step",
+    "0000000000000000, 0300, 00000000, a message that cannot belong to this step",
     "0000000000000000, 0000, 01000000, an answer to a step that is not as long as it says",
     "0000000000000000, 0000, ffffffff, an answer to a step that is not as long as it says",
     "0000000000000000, 0000, 0000000000, an answer to a step that is not as long as it says"

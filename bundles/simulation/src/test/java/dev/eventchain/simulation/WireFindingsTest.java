@@ -26,7 +26,7 @@ class WireFindingsTest {
   void whatGotLostIsCounted() {
     assertEquals(
         List.of(
-            "simulation.message.lost: Scenario slow-approach: 3 messages on /gap got lost on the way, or came too late."),
+            "simulation.message.lost: Scenario slow-approach: 3 messages on /gap were lost on the way, or came too late."),
         said(Map.of("/gap", 3L)));
   }
 
@@ -36,7 +36,7 @@ class WireFindingsTest {
         List.of(
             "qos.deadline.missed: Scenario slow-approach: node Brake got no message within the"
                 + " deadline on /gap, 2 times.",
-            "qos.liveliness.lost: Scenario slow-approach: node Brake got no sign of life of a"
+            "qos.liveliness.lost: Scenario slow-approach: node Brake got no sign of life from a"
                 + " publisher on /gap, 1 times."),
         said(
             Map.of(),
@@ -56,8 +56,7 @@ class WireFindingsTest {
             List.of("node Brake with its reader on /gap"), new UserFiles(Path.of("out/ros2/aeb")));
     Diagnostic found = refused.diagnostics().get(0);
     assertEquals("simulation.wire.unmatched", found.id());
-    assertEquals(
-        "Not connected within the time: node Brake with its reader on /gap.", found.message());
+    assertEquals("Not connected in time: node Brake with its reader on /gap.", found.message());
   }
 
   @Test

@@ -272,17 +272,17 @@ final class BlockParser {
     Optional<SourceRange> startPrefix = Optional.empty();
     Optional<SourceRange> endPrefix = Optional.empty();
     if (reader.acceptWord("startTagPrefix")) {
-      startPrefix = reader.parentheses("a text");
+      startPrefix = reader.parentheses("a string");
     }
     if (reader.acceptWord("endTagPrefix")) {
-      endPrefix = reader.parentheses("a text");
+      endPrefix = reader.parentheses("a string");
     }
     reader.expectEnd("startTagPrefix(), endTagPrefix() or the end of the tag");
     if (inArea) {
       problems.error(
           "m2t.protected.id",
           token.start(),
-          "This protected area stands inside another one.",
+          "This protected area is inside another one.",
           "End the outer area before it, or make the inner one plain text.");
     }
     List<Node> body = body(true);
