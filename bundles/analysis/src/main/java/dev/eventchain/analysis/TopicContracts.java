@@ -145,8 +145,8 @@ final class TopicContracts {
           findings.at(publisher.first(), Literals.DATA__TOPIC_NAME),
           "%s writes %s, which %s also writes."
               .formatted(publisher.name(), topic.name(), first.name()),
-          "Readers get the messages of both interleaved: give one of them another topic, unless this is"
-              + " intended.",
+          "Readers get the messages of both interleaved: give one of them another topic, unless"
+              + " this is intended.",
           findings.at(first.first(), Literals.DATA__TOPIC_NAME));
     }
   }

@@ -20,8 +20,8 @@ import java.util.List;
  */
 final class MissingRecording {
   static final String HINT =
-      "Make it with --llm handoff:FOLDER --record, which writes each prompt to a file and records the"
-          + " answer.";
+      "Make it with --llm handoff:FOLDER --record, which writes each prompt to a file and"
+          + " records the answer.";
   private static final int EXCERPT_LINES = 24;
   private static final int CONTEXT = 1;
 

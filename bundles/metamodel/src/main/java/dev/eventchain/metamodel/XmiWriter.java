@@ -67,8 +67,8 @@ final class XmiWriter {
                   "The model cannot be written as XMI: " + cause.getMessage(),
                   SourceLocation.NONE.withElement(ModelPath.of(resource.getContents().get(0))))
               .withHint(
-                  "Remove control characters from its strings, and references to elements that belong"
-                      + " to no model."));
+                  "Remove control characters from its strings, and references to elements that"
+                      + " belong to no model."));
     }
     return bytes.toByteArray();
   }

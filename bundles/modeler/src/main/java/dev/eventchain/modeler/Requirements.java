@@ -130,7 +130,8 @@ public record Requirements(List<Item> items, List<Diagnostic> diagnostics) {
                       "'%s' is the id of no item.".formatted(found.group()),
                       source.at(found.start()))
                   .withHint(
-                      "If it is to be one, write: '- ID: text'; items continue in indented lines."));
+                      "If it is to be one, write: '- ID: text'; items continue in indented"
+                          + " lines."));
         }
       }
     }
