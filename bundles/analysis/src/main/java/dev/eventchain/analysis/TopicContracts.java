@@ -154,15 +154,17 @@ final class TopicContracts {
   private void isFed(Topic topic, Endpoint subscriber) {
     findings.checked(Rule.PUBLISHER_MISSING);
     if (!written.contains(topic.name())) {
+      SourceLocation place = findings.at(subscriber.first(), Literals.DATA__TOPIC_NAME);
       findings.error(
           Rule.PUBLISHER_MISSING,
-          findings.at(subscriber.first(), Literals.DATA__TOPIC_NAME),
+          place,
           "%s reads %s, but no component of the chain writes it, and %s."
               .formatted(subscriber.name(), topic.name(), vehicle(topic, "provided")),
           hint(
               topic.name(),
               written,
-              "read a topic that somebody writes, or add the component that writes this one."),
+              "read a topic that somebody writes, or add the component that writes this one"
+                  + orDirection(topic, place, "; if the vehicle sends it, ", "provided")),
           place(topic));
     }
   }
@@ -173,13 +175,16 @@ final class TopicContracts {
       new ExternalSignal(topic, publisher, findings).check(awaited);
     } else if (!read.contains(topic.name())) {
       SourceLocation place = findings.at(publisher.first(), Literals.DATA__TOPIC_NAME);
-      String leaves = place.file().endsWith(".json") ? LEAVES_IN_JSON : LEAVES_IN_A_MODEL;
+      String leaves = isDescription(place) ? LEAVES_IN_JSON : LEAVES_IN_A_MODEL;
+      String out =
+          "leave the output out"
+              + orDirection(topic, place, "; if the vehicle takes it, ", "consumed");
       findings.error(
           Rule.CONSUMER_MISSING,
           place,
           "%s writes %s, but no component of the chain reads it, and %s."
               .formatted(publisher.name(), topic.name(), vehicle(topic, "consumed")),
-          hint(topic.name(), read, topic.signal().isPresent() ? "leave the output out." : leaves),
+          hint(topic.name(), read, topic.signal().isPresent() ? out : leaves),
           place(topic));
     }
   }
@@ -205,6 +210,19 @@ final class TopicContracts {
         .signal()
         .map(signal -> "the existing signal of this name is " + word(signal) + ", not " + wanted)
         .orElse("no existing signal has this name");
+  }
+
+  /** Whether a chain is described by a language model, which cannot change the signals. */
+  private static boolean isDescription(SourceLocation place) {
+    return place.file().endsWith(".json");
+  }
+
+  /** The end of a hint: to people it names the direction that a signal does not have yet. */
+  private static String orDirection(
+      Topic topic, SourceLocation place, String condition, String wanted) {
+    return topic.is(Signal.Direction.INTERNAL) && !isDescription(place)
+        ? condition + "say \"direction\": \"" + wanted + "\" in signals.json."
+        : ".";
   }
 
   /** The topic that may have been meant: one that somebody uses, or at least knows. */

@@ -15,7 +15,8 @@ import picocli.CommandLine.Parameters;
       "Start a project.",
       "In a new or empty folder it is a small one that runs as it is: emergency braking with a radar, "
           + "without a language model. In a folder with software-base/signals.json it gets the files "
-          + "that it needs, with bench.yaml filled in from the signals.",
+          + "that it needs, with bench.yaml filled in from the signals, and model/chain.xmi from "
+          + "software-base/components.json if these components are a whole chain.",
       "Existing files are not changed."
     })
 final class InitCommand implements Callable<Integer> {
@@ -31,10 +32,21 @@ final class InitCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
-    for (String file : ProjectStart.create(folder)) {
-      console.out().println(folder.resolve(file));
-    }
+    ProjectStart.Started started = ProjectStart.create(folder);
+    started.files().forEach(file -> console.out().println(folder.resolve(file)));
     console.out().println();
+    started
+        .unfed()
+        .ifPresent(
+            unfed ->
+                console
+                    .out()
+                    .println(
+                        "There is no model/chain.xmi: "
+                            + unfed
+                            + ", which no component of components.json writes and no signal of"
+                            + " signals.json provides. Write the model yourself, or have a"
+                            + " language model design it from requirements.md."));
     String name = quoted(folder.toString());
     console.out().println("Next: eventchain bench " + name + "; eventchain run " + name);
     console.out().flush();

@@ -23,7 +23,9 @@ import picocli.CommandLine.Parameters;
       "Models must be instances of their metamodel: multiplicities, opposites, keys, data types.",
       "Files that they refer to are checked, too.",
       "Event chains are checked by the standard constraints and message contracts, too.",
-      "A project without model or generated constraints gets them first, as by 'run DIR'."
+      "A chain that people edit (model/chain.xmi) is checked as it is, without a language model; "
+          + "design rules without constraints are findings.",
+      "Any other project without model or generated constraints gets them first, as by 'run DIR'."
     },
     synopsisHeading = "Usage:%n",
     customSynopsis = {

@@ -10,6 +10,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 
@@ -51,6 +52,9 @@ final class EarlierStages {
    * @throws DiagnosticException INPUT with the first of what is out of date and not suppressed
    */
   List<Diagnostic> require(Stage next) {
+    if (checksEditedChain()) {
+      return aboutGeneratedConstraints();
+    }
     for (Stage stage : Stage.values()) {
       if (stage.compareTo(next) < 0 && stage.compareTo(Stage.SIMULATE) < 0) {
         look(stage);
@@ -66,6 +70,24 @@ final class EarlierStages {
       found.add(unknown());
     }
     return found;
+  }
+
+  /**
+   * To check a chain that people edit takes nothing from an earlier run but the constraints that it
+   * generated, if it did. They are about the design rules, so they hold for the chain as it is now;
+   * that they are about other rules is a finding beside those about the chain.
+   */
+  private List<Diagnostic> aboutGeneratedConstraints() {
+    if (run.project().generated(run.options().output()).isPresent()) {
+      look(Stage.CONSTRAIN);
+    }
+    List<Diagnostic> found = new ArrayList<>(outdated);
+    found.addAll(edited);
+    return found;
+  }
+
+  private boolean checksEditedChain() {
+    return run.options().readsOnly() && run.project().editedModel().isPresent();
   }
 
   private void look(Stage stage) {
@@ -91,6 +113,9 @@ final class EarlierStages {
     Fingerprint fingerprint = new Fingerprint(run);
     work.fingerprint(run, fingerprint);
     SortedMap<String, String> changed = changes(record.sources(), fingerprint.sources());
+    if (checksEditedChain()) {
+      changed.keySet().retainAll(Set.of(SourceName.of(run.project().designRulesFile(), run)));
+    }
     if (!changed.isEmpty()) {
       return Optional.of(changed(stage, changed));
     }

@@ -60,15 +60,16 @@ public final class Project extends ProjectFolder {
   }
 
   /**
-   * Whether there is a model, which people edit or an earlier run wrote, and the constraints that
-   * stand for the design rules.
+   * Whether there is a model that people edit; or one that an earlier run wrote, and the
+   * constraints that stand for the design rules. A chain that people edit is not in need of a
+   * language model: design rules without constraints are findings.
    *
    * @param output the folder of that run's results
    */
   public boolean isReadyToValidate(Path output) {
     boolean hasConstraints =
         designRules().isEmpty() || Files.isRegularFile(output.resolve(GENERATED));
-    return model(output).isPresent() && hasConstraints;
+    return editedModel().isPresent() || (model(output).isPresent() && hasConstraints);
   }
 
   /** As {@link #below}, none where there is no such folder. */

@@ -5,9 +5,20 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.messages.RosNames;
+import dev.eventchain.metamodel.Signal;
+import dev.eventchain.metamodel.TopicIndex;
+import dev.eventchain.metamodel.XmiStore;
+import dev.eventchain.metamodel.eventchain.Data;
+import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import dev.eventchain.modeler.Modeled;
+import dev.eventchain.modeler.Requirements;
 import dev.eventchain.modeler.SoftwareBase;
 import dev.eventchain.simulation.Bench;
+import dev.eventchain.validation.ChainModel;
 import dev.eventchain.validation.ProjectFolder;
+import dev.eventchain.validation.ProjectSettings;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
@@ -17,14 +28,19 @@ import java.nio.file.LinkOption;
 import java.nio.file.Path;
 import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import java.util.stream.Stream;
 
 /**
  * Begins a project: a small one that runs as it is, or around the software that a folder has, with
- * the bench filled in from its signals.
+ * the bench filled in from its signals, and the chain from the description of its components if
+ * these are all that it needs.
  */
 public final class ProjectStart {
 
@@ -47,9 +63,20 @@ public final class ProjectStart {
           "software-base/signals.json");
 
   private static final String SIGNALS = "software-base/signals.json";
+  private static final String MODEL = "model/chain.xmi";
   private static final String COMPONENTS = "software-base/components.json";
 
+  /**
+   * What there is now.
+   *
+   * @param files those that were written, relative to the folder
+   * @param unfed why there is no chain, although there are components: one of them reads what
+   *     nobody writes, so that something is still to be designed; empty otherwise
+   */
+  public record Started(List<String> files, Optional<String> unfed) {}
+
   private final Path folder;
+  private Optional<String> unfed = Optional.empty();
 
   private ProjectStart(Path folder) {
     this.folder = folder;
@@ -59,16 +86,15 @@ public final class ProjectStart {
    * Writes the files that a project needs and the folder does not have.
    *
    * @param folder empty or missing; or with {@code software-base/signals.json}
-   * @return the files, relative to the folder
    * @throws DiagnosticException INPUT if it is a project already ({@code project.exists}), holds
    *     something else ({@code project.foreign}), has signals that cannot be read, or cannot be
    *     written
    */
-  public static List<String> create(Path folder) {
+  public static Started create(Path folder) {
     return new ProjectStart(folder).create();
   }
 
-  private List<String> create() {
+  private Started create() {
     if (exists("eventchain.yaml")) {
       throw refused("project.exists", "This is already a project.", "Run it: eventchain run DIR");
     }
@@ -91,7 +117,7 @@ public final class ProjectStart {
             written.add(name);
           }
         });
-    return written;
+    return new Started(written, unfed);
   }
 
   private boolean exists(String name) {
@@ -114,17 +140,82 @@ public final class ProjectStart {
     Path messages = folder.resolve("software-base/msg");
     MessageCatalog catalog =
         MessageCatalog.of(Files.isDirectory(messages) ? List.of(messages) : List.of());
-    String name = folder.toAbsolutePath().normalize().getFileName().toString();
-    String plain = name.replaceAll("[^A-Za-z0-9]+", "_").replaceAll("^[^A-Za-z]+", "");
-    files.put("eventchain.yaml", "name: " + (plain.isEmpty() ? "chain" : plain) + "\n");
-    files.put("requirements.md", "# Requirements\n- REQ-1: The system shall ...\n");
+    String name = name();
+    files.put("eventchain.yaml", "name: " + name + "\n");
+    Requirements requirements = requirements(files);
+    if (!exists(MODEL) && !base.components().isEmpty()) {
+      EventChain chain = chain(name, requirements, base);
+      unfed = unfed(chain, base);
+      if (unfed.isEmpty()) {
+        files.put(MODEL, new String(XmiStore.toBytes(chain), StandardCharsets.UTF_8));
+      }
+    }
     files.put(Bench.FILE, Bench.proposal(base.signals().orElse(List.of()), catalog));
-    files.put(
-        "scenarios/stopped-vehicle.yaml",
-        """
+    if (!exists("scenarios")) {
+      files.put("scenarios/stopped-vehicle.yaml", scenario(requirements));
+    }
+  }
+
+  /** The folder's, as the name of a ROS 2 package. */
+  private String name() {
+    String plain =
+        folder
+            .toAbsolutePath()
+            .normalize()
+            .getFileName()
+            .toString()
+            .toLowerCase(Locale.ROOT)
+            .replaceAll("[^a-z0-9]+", "_")
+            .replaceAll("^[^a-z]+", "");
+    return plain.isEmpty() ? "chain" : plain;
+  }
+
+  private Requirements requirements(Map<String, String> files) {
+    String name = "requirements.md";
+    if (exists(name)) {
+      return ProjectFolder.readRules(folder.resolve(name));
+    }
+    String text = "# Requirements\n- REQ-1: The system shall ...\n";
+    files.put(name, text);
+    return Requirements.read(SourceText.of(name, text));
+  }
+
+  /** The chain of the components as they are described, which from then on people edit. */
+  private EventChain chain(String name, Requirements requirements, SoftwareBase base) {
+    ProjectSettings settings = new ProjectSettings(name, ProjectSettings.DEFAULT_FREQUENCY);
+    Modeled<EventChain> chain =
+        ChainModel.ofDescription(folder.resolve(COMPONENTS), settings, requirements, base);
+    if (Diagnostic.anyError(chain.diagnostics())) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, chain.diagnostics());
+    }
+    return chain.root();
+  }
+
+  /** Which component reads a topic that no component writes and no signal provides, if one does. */
+  private static Optional<String> unfed(EventChain chain, SoftwareBase base) {
+    Set<String> written = new HashSet<>();
+    base.signals().orElse(List.of()).stream()
+        .filter(signal -> signal.direction() == Signal.Direction.PROVIDED)
+        .forEach(signal -> written.add(RosNames.resolve(signal.topic(), "")));
+    for (SoftwareNode node : chain.getSoftware()) {
+      node.getOutput().forEach(data -> TopicIndex.nameOf(data, node).ifPresent(written::add));
+    }
+    for (SoftwareNode node : chain.getSoftware()) {
+      for (Data data : node.getInput()) {
+        Optional<String> topic = TopicIndex.nameOf(data, node);
+        if (topic.isPresent() && !written.contains(topic.get())) {
+          return Optional.of(node.getName() + " reads " + topic.get());
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static String scenario(Requirements requirements) {
+    return """
         name: stopped-vehicle
         title: A stopped vehicle ahead, 50 km/h
-        requirements: [REQ-1]
+        requirements: %s
         duration_s: 12
         ego:
           speed_kmh: 50
@@ -133,7 +224,8 @@ public final class ProjectStart {
             speed_kmh: 0
         accept:
           no_impact: true
-        """);
+        """
+        .formatted(requirements.items().stream().map(Requirements.Item::id).toList());
   }
 
   /** What the folder has; no components are an empty list of them. */

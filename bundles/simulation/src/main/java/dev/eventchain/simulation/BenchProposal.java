@@ -71,8 +71,13 @@ final class BenchProposal {
             signal ->
                 lines.addAll(
                     direction == Direction.PROVIDED ? provided(signal) : consumed(signal)));
+    if (lines.isEmpty()) {
+      text.append("# No signal of software-base/signals.json has \"direction\": \"")
+          .append(direction.name().toLowerCase(Locale.ROOT))
+          .append("\".\n");
+    }
     boolean connected = lines.stream().anyMatch(line -> !line.startsWith("#"));
-    text.append(connected ? "" : "# ").append(heading).append('\n');
+    text.append(heading).append(connected ? "\n" : " {}\n");
     lines.forEach(line -> text.append(line).append('\n'));
   }
 
@@ -108,7 +113,7 @@ final class BenchProposal {
   }
 
   private Optional<String> source(dev.eventchain.metamodel.Signal signal, Field field) {
-    String name = field.path().toLowerCase(Locale.ROOT);
+    String name = nameOf(signal, field);
     Optional<FieldType.Kind> kind = kind(signal, field.path());
     if (kind.equals(Optional.of(FieldType.Kind.BOOL))) {
       return PRESENT.matcher(name).find() ? Optional.of("lead.present") : Optional.empty();
@@ -122,6 +127,12 @@ final class BenchProposal {
                     .filter(guess -> convertible(unit, guess.unit()))
                     .map(Guess::quantity)
                     .findFirst());
+  }
+
+  /** What says what a field is: in messages of std_msgs that is the topic, the field is "data". */
+  private static String nameOf(dev.eventchain.metamodel.Signal signal, Field field) {
+    String name = field.path().equals("data") ? signal.topic() : field.path();
+    return name.toLowerCase(Locale.ROOT);
   }
 
   private static boolean convertible(Unit unit, String other) {
@@ -157,7 +168,7 @@ final class BenchProposal {
   }
 
   private Optional<Actuator> actuator(dev.eventchain.metamodel.Signal signal, Field field) {
-    String name = field.path().toLowerCase(Locale.ROOT);
+    String name = nameOf(signal, field);
     Optional<FieldType.Kind> kind = kind(signal, field.path());
     if (kind.isEmpty()) {
       return Optional.empty();

@@ -144,7 +144,11 @@ final class TermParser {
     Optional<Signal> signal = signals.find(token.text());
     if (signal.isEmpty()) {
       String message = "There is no signal '" + token.text() + "'.";
-      String hint = NearestName.hint(token.text(), signals.names());
+      String described =
+          token.text().startsWith("/")
+              ? " Topics are known if signals.json or bench.yaml describes them."
+              : "";
+      String hint = NearestName.hint(token.text(), signals.names()) + described;
       throw tokens.unknownSignal(token, message, hint);
     }
     return Term.of(signal.get());

@@ -15,6 +15,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.UnaryOperator;
 import org.eclipse.emf.ecore.EObject;
@@ -25,9 +26,13 @@ public final class Constraints {
   private final OclRules rules;
   private final Duration timeLimit;
 
-  private Constraints(OclRules rules, Duration timeLimit) {
+  /** Whether a run has generated constraints, which may be others than today's rules need. */
+  private final boolean generated;
+
+  private Constraints(OclRules rules, Duration timeLimit, boolean generated) {
     this.rules = rules;
     this.timeLimit = timeLimit;
+    this.generated = generated;
   }
 
   /**
@@ -39,18 +44,19 @@ public final class Constraints {
    */
   public static Constraints of(ProjectFolder folder, Path output, Duration timeLimit) {
     List<SourceText> documents = written(folder);
-    folder.generated(output).map(SourceText::read).ifPresent(documents::add);
-    return new Constraints(parse(documents), timeLimit);
+    Optional<Path> generated = folder.generated(output);
+    generated.map(SourceText::read).ifPresent(documents::add);
+    return new Constraints(parse(documents), timeLimit, generated.isPresent());
   }
 
   /** The standard constraints and those that people wrote, before any are generated. */
   public static Constraints withoutGenerated(ProjectFolder folder, Duration timeLimit) {
-    return new Constraints(parse(written(folder)), timeLimit);
+    return new Constraints(parse(written(folder)), timeLimit, false);
   }
 
   /** The standard constraints alone, for chains that are in no project. */
   static Constraints standard(Duration timeLimit) {
-    return new Constraints(parse(List.of(XmiStore.standardConstraints())), timeLimit);
+    return new Constraints(parse(List.of(XmiStore.standardConstraints())), timeLimit, false);
   }
 
   private static List<SourceText> written(ProjectFolder folder) {
@@ -113,7 +119,8 @@ public final class Constraints {
                     .withRule(item.id())
                     .withHint(
                         "Run '"
-                            + command.apply("--from constrain --overwrite")
+                            + command.apply(
+                                generated ? "--from constrain --overwrite" : "--to constrain")
                             + "', or write an invariant under '-- "
                             + item.id()
                             + ": ...' into constraints.ocl."))

@@ -23,7 +23,9 @@ public record ProjectSettings(String name, double frequency) {
   /** What is found about the file has this id. */
   public static final FindingIds IDS = FindingIds.all("project.configuration");
 
-  private static final double DEFAULT_FREQUENCY = 20;
+  /** Hz, where the file gives none. */
+  public static final double DEFAULT_FREQUENCY = 20;
+
   private static final NumberRange FREQUENCIES = NumberRange.above(0).upTo(10_000);
 
   /**

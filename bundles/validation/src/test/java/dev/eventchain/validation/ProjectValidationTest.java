@@ -163,7 +163,10 @@ class ProjectValidationTest {
     project.write("design-rules.md", "- DR-1: Each node has an input.\n");
     assertEquals(List.of("design-rules.md:1 project.rule.uncovered"), found());
     String hint = validate().diagnostics().get(0).hint();
-    assertTrue(hint.contains("eventchain run " + folder + " --from constrain"), hint);
+    assertTrue(hint.contains("eventchain run " + folder + " --to constrain"), hint);
+    project.write("out/generated.ocl", "context SoftwareNode inv Named: self.name <> null\n");
+    hint = validate().diagnostics().get(0).hint();
+    assertTrue(hint.contains("eventchain run " + folder + " --from constrain --over"), hint);
     project.write(
         "out/generated.ocl",
         """

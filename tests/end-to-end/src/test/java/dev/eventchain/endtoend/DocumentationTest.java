@@ -133,8 +133,8 @@ class DocumentationTest {
       }
       Step latest = steps.remove(steps.size() - 1);
       steps.add(
-          line.startsWith("> ")
-              ? new Step(latest.command() + line.substring(2) + "\n", latest.printed())
+          line.equals(">") || line.startsWith("> ")
+              ? new Step(latest.command() + line.replaceFirst("> ?", "") + "\n", latest.printed())
               : new Step(latest.command(), latest.printed() + line + "\n"));
     }
     return steps;

@@ -1,6 +1,7 @@
 package dev.eventchain.endtoend;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -68,6 +69,58 @@ class InitTest {
   }
 
   @Test
+  void chainOfTheComponentsIsDrawnFromTheirDescriptions() throws IOException {
+    Path project = folder.resolve("My Radar-2");
+    Path example = Program.ROOT.resolve("examples/radar-aeb");
+    Program.copy(example.resolve("software-base"), project.resolve("software-base"));
+    Path components = project.resolve("software-base/components.json");
+    String described = Files.readString(components);
+    Files.writeString(
+        components,
+        described.replaceFirst("\"requirements\": \\[\\]", "\"requirements\": [\"OWN-1\"]"));
+    Files.writeString(project.resolve("requirements.md"), "- OWN-1: The system shall brake.\n");
+    new Program().run("init", project).expect(0).says("model/chain.xmi");
+    String chain = Files.readString(project.resolve("model/chain.xmi"));
+    assertTrue(chain.contains("name=\"my_radar_2\""), chain);
+    assertTrue(chain.contains("name=\"Radar_Tracking\""), chain);
+    assertTrue(chain.contains("satisfies=\"//@requirements.0\""), chain);
+    String scenario = Files.readString(project.resolve("scenarios/stopped-vehicle.yaml"));
+    assertTrue(scenario.contains("requirements: [OWN-1]"), scenario);
+    new Program().run("validate", project).expect(0).says("0 errors, 0 warnings");
+    new Program().run("run", project).expect(0).says("1 requirement proved");
+  }
+
+  @Test
+  void componentsThatNameOtherRequirementsAreRefusedBeforeAnythingIsWritten() throws IOException {
+    Path project = folder.resolve("other");
+    Path example = Program.ROOT.resolve("examples/radar-aeb");
+    Program.copy(example.resolve("software-base"), project.resolve("software-base"));
+    Path components = project.resolve("software-base/components.json");
+    String described = Files.readString(components);
+    Files.writeString(
+        components,
+        described.replaceFirst("\"requirements\": \\[\\]", "\"requirements\": [\"OWN-1\"]"));
+    new Program()
+        .run("init", project)
+        .expect(2)
+        .says("[modeler.reference.unresolved]")
+        .says("components.json:7:");
+    assertFalse(Files.exists(project.resolve("eventchain.yaml")));
+  }
+
+  @Test
+  void signalsWithoutDirectionLeaveABenchThatSaysWhatIsMissing() throws IOException {
+    Path project = folder.resolve("undirected");
+    Files.createDirectories(project.resolve("software-base"));
+    Files.writeString(project.resolve("software-base/signals.json"), "[]\n");
+    new Program().run("init", project).expect(0);
+    String bench = Files.readString(project.resolve("bench.yaml"));
+    assertTrue(bench.contains("has \"direction\": \"provided\".\nprovides: {}\n"), bench);
+    assertTrue(bench.contains("has \"direction\": \"consumed\".\nconsumes: {}\n"), bench);
+    new Program().run("bench", project).expect(0);
+  }
+
+  @Test
   void signalsAreEnoughToBeginWith() throws IOException {
     Path project = folder.resolve("only signals");
     Path base = Program.ROOT.resolve("examples/radar-aeb/software-base");
@@ -83,7 +136,11 @@ class InitTest {
     Path project = folder.resolve("carla");
     Program.copy(
         Program.ROOT.resolve("examples/aeb/software-base"), project.resolve("software-base"));
-    new Program().run("init", project).expect(0);
+    new Program()
+        .run("init", project)
+        .expect(0)
+        .says("Carla_Vehicle_Control reads /vehicle/brake_force, which no component");
+    assertFalse(Files.exists(project.resolve("model")), "a chain that is still to be designed");
     String bench = Files.readString(project.resolve("bench.yaml"));
     assertTrue(bench.contains("    sensor: lidar\n"), bench);
     assertTrue(bench.contains("      velocity: ego.speed\n"), bench);

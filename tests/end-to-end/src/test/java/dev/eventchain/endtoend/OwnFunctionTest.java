@@ -49,6 +49,18 @@ class OwnFunctionTest {
   }
 
   @Test
+  void anEditedChainIsValidatedAsItIsWithoutAnEarlierRun() throws IOException {
+    String good = "name=\"Brake_Request\"";
+    new Program().run("validate", project.path()).expect(0);
+    project.replace(CHAIN, good, "name=\"Brake Request\"");
+    new Program().run("validate", project.path()).expect(1).says(CHAIN + ":4:");
+    project.run().expect(1);
+    new Program().run("validate", project.path()).expect(1).says(CHAIN + ":4:");
+    project.replace(CHAIN, "name=\"Brake Request\"", good);
+    new Program().run("validate", project.path()).expect(0);
+  }
+
+  @Test
   void criterionThatNoComponentCanInfluence() throws IOException {
     project.replace(
         SCENARIO, "  no_impact: true\n", "  no_impact: true\n  maximal_lane_offset_m: 0.5\n");

@@ -105,13 +105,26 @@ class ReportsTest {
     Path fresh = Program.exampleIn(folder.resolve("edited"));
     Files.createDirectories(fresh.resolve("model"));
     Files.copy(project.resolve("out/chain.xmi"), fresh.resolve("model/chain.xmi"));
+    new Program()
+        .run("validate", fresh)
+        .expect(1)
+        .says("No constraint implements the design rule DR-3.")
+        .says("eventchain run " + fresh + " --to constrain'");
+    assertFalse(Files.exists(fresh.resolve("out")));
+    new Program().run("run", fresh, "--to", "constrain").expect(0);
     new Program().run("validate", fresh).expect(0);
-    assertTrue(Files.isRegularFile(fresh.resolve("out/generated.ocl")));
+    Path rules = fresh.resolve("design-rules.md");
+    Files.writeString(rules, Files.readString(rules) + "Changed.\n");
+    new Program()
+        .run("validate", fresh)
+        .expect(1)
+        .says("design-rules.md has changed since the stage 'constrain' ran");
   }
 
   @Test
   void aModelOfAProjectMustBeWhatItsMetamodelDemands() throws IOException {
     Path fresh = Program.exampleIn(folder.resolve("demanded"));
+    Files.delete(fresh.resolve("design-rules.md"));
     Path model = Files.createDirectories(fresh.resolve("model")).resolve("chain.xmi");
     String good = Files.readString(project.resolve("out/chain.xmi"));
     Files.writeString(
