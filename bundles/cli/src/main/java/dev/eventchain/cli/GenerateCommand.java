@@ -135,9 +135,11 @@ final class GenerateCommand extends ProjectCommand {
             given.map,
             new AnyModel.Template(template, sources, services, properties),
             inputs,
-            printsResult() ? Optional.empty() : Optional.of(output()),
-            overwrite(),
-            trace,
+            new AnyModel.Target(
+                printsResult() ? Optional.empty() : Optional.of(output()),
+                overwrite(),
+                trace,
+                Optional.empty()),
             lenient,
             suppressions,
             timeLimit());

@@ -128,8 +128,8 @@ abstract class EventchainMojo extends AbstractMojo {
         .toList();
   }
 
-  /** Executions that have an id of their own have reports of their own. */
-  private String name() {
+  /** The goal, with the execution's id if it has one of its own. */
+  final String name() {
     String id = execution.getExecutionId();
     String goal = execution.getGoal();
     return id.matches("default(-.*)?") ? goal : goal + "-" + id;

@@ -17,7 +17,8 @@ import org.apache.maven.project.MavenProject;
 
 /**
  * Generates text from models of any Ecore metamodel by a template, or the package of an event
- * chain. Files that hold their text already are not touched.
+ * chain. Files that hold their text already are not touched; those that an earlier run of the
+ * execution wrote, and that are no longer generated, are deleted.
  */
 @Mojo(name = "generate", defaultPhase = LifecyclePhase.GENERATE_SOURCES, threadSafe = true)
 public final class GenerateMojo extends ModelMojo {
@@ -90,9 +91,11 @@ public final class GenerateMojo extends ModelMojo {
                 Places.shown(services),
                 Places.shown(properties)),
             models(),
-            Optional.of(Places.shown(outputDirectory)),
-            overwrite(),
-            trace,
+            new AnyModel.Target(
+                Optional.of(Places.shown(outputDirectory)),
+                overwrite(),
+                trace,
+                Optional.of(name())),
             lenient,
             suppressions,
             timeLimit());

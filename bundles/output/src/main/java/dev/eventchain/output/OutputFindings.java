@@ -65,4 +65,14 @@ final class OutputFindings {
   static DiagnosticException failure(Diagnostic diagnostic) {
     return new DiagnosticException(DiagnosticException.Reason.INPUT, diagnostic);
   }
+
+  Diagnostic damaged() {
+    return Diagnostic.warning(
+            "output.records.damaged",
+            "The records of the files written earlier cannot be read.",
+            SourceLocation.of(storage.shown(OutputPath.RESERVED + "/files.json")))
+        .withHint(
+            "Files that differ count as edited by hand; delete them to have them"
+                + " written again.");
+  }
 }

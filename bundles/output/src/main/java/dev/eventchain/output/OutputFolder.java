@@ -5,15 +5,12 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
-import java.util.TreeSet;
 
 /**
  * The one door through which files are written. Nothing gets outside the folder, whatever a name
@@ -69,12 +66,14 @@ public final class OutputFolder implements AutoCloseable {
   private final OutputStorage storage;
   private final FileRecords records;
   private final OutputFindings findings;
+  private final Removal removal;
   private boolean closed;
 
   private OutputFolder(OutputStorage storage, FileRecords records) {
     this.storage = storage;
     this.records = records;
     this.findings = new OutputFindings(storage);
+    this.removal = new Removal(storage, records, findings);
   }
 
   /**
@@ -218,34 +217,19 @@ public final class OutputFolder implements AutoCloseable {
    *     sake
    */
   public synchronized List<Diagnostic> removeOthers(String folder, Collection<String> produced) {
-    Set<String> current = new TreeSet<>();
-    produced.forEach(name -> current.add(OutputPath.of(name).value()));
-    String prefix = folder.isEmpty() || folder.endsWith("/") ? folder : folder + "/";
-    List<Diagnostic> left = new ArrayList<>();
-    for (String path : records.files()) {
-      boolean below = path.equals(folder) || path.startsWith(prefix);
-      if (below && !current.contains(path)) {
-        removeUnlessKept(path).ifPresent(left::add);
-      }
-    }
-    return left;
+    return removal.others(folder, produced);
   }
 
-  private Optional<Diagnostic> removeUnlessKept(String path) {
-    try {
-      Optional<byte[]> content = storage.read(path);
-      boolean keeps =
-          content.isPresent()
-              && (!records.isOurs(path, content.get()) || ProtectedAreas.anyIn(content.get()));
-      if (keeps) {
-        return Optional.of(findings.abandoned(path));
-      }
-      storage.delete(path);
-      records.remove(path);
-      return Optional.empty();
-    } catch (IOException e) {
-      throw OutputFindings.unwritable(storage.shown(path), e);
-    }
+  /**
+   * Removes what one producer wrote in its latest run and no longer produces, and remembers what it
+   * produces now. Other producers' files in this folder stay, and those that {@link #removeOthers}
+   * leaves.
+   *
+   * @param producer what tells it from others, such as the name of a step in a build
+   * @return as {@link #removeOthers}
+   */
+  public synchronized List<Diagnostic> removeFormer(String producer, Collection<String> produced) {
+    return removal.former(producer, produced);
   }
 
   /**
@@ -295,16 +279,7 @@ public final class OutputFolder implements AutoCloseable {
    * @param folder the name of the folder that they are in, or of a single one
    */
   public synchronized void removeAll(String folder) {
-    for (String path : records.files()) {
-      if (path.equals(folder) || path.startsWith(folder + "/")) {
-        try {
-          storage.delete(path);
-          records.remove(path);
-        } catch (IOException e) {
-          throw OutputFindings.unwritable(storage.shown(path), e);
-        }
-      }
-    }
+    removal.all(folder);
   }
 
   /**
@@ -363,16 +338,7 @@ public final class OutputFolder implements AutoCloseable {
    * Whether the records of earlier runs were unreadable, so that existing files count as people's.
    */
   public Optional<Diagnostic> damage() {
-    return records.damaged()
-        ? Optional.of(
-            Diagnostic.warning(
-                    "output.records.damaged",
-                    "The records of the files written earlier cannot be read.",
-                    SourceLocation.of(storage.shown(OutputPath.RESERVED + "/files.json")))
-                .withHint(
-                    "Files that differ count as edited by hand; delete them to have them"
-                        + " written again."))
-        : Optional.empty();
+    return records.damaged() ? Optional.of(findings.damaged()) : Optional.empty();
   }
 
   /** Writes the records of this folder and lets other runs in. */

@@ -17,6 +17,7 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -46,6 +47,53 @@ class EarlierRunsTest {
     assertTrue(Files.exists(temporary.resolve("ros2/p/d")));
     assertTrue(Files.exists(temporary.resolve("report.html")));
     assertFalse(Files.exists(temporary.resolve("ros2/old")));
+  }
+
+  @Test
+  void removesWhatTheSameProducerNoLongerProduces() throws IOException {
+    produce("sources", "a", "b", "c", "d");
+    produce("other", "e", "b");
+    Files.writeString(temporary.resolve("c"), "mine");
+
+    assertEquals(1, produce("sources", "a", "e").size(), "c is edited");
+    assertTrue(Files.exists(temporary.resolve("c")));
+    assertFalse(Files.exists(temporary.resolve("d")));
+    assertFalse(Files.exists(temporary.resolve("b")), "until the other one writes it again");
+    assertEquals(1, produce("sources", "a").size(), "c is still there");
+    assertFalse(Files.exists(temporary.resolve("e")));
+
+    assertEquals(List.of(), produce("other", "e", "b"));
+    assertTrue(Files.exists(temporary.resolve("a")));
+    assertTrue(Files.exists(temporary.resolve("b")));
+    assertTrue(Files.exists(temporary.resolve("e")));
+  }
+
+  private List<Diagnostic> produce(String producer, String... names) {
+    try (OutputFolder folder = OutputFolder.open(temporary)) {
+      for (String name : names) {
+        folder.write(name, bytes(name));
+      }
+      return folder.removeFormer(producer, List.of(names));
+    }
+  }
+
+  @Test
+  void listsOfProducersReachNothingElse() {
+    Map<String, byte[]> files = new HashMap<>();
+    try (OutputFolder folder = OutputFolder.inMemory(files)) {
+      folder.write("a", bytes("a"));
+      assertEquals(List.of(), folder.removeFormer("x", List.of("a")));
+    }
+    String list =
+        files.keySet().stream().filter(name -> name.contains("produced-")).findFirst().get();
+    files.put(list, bytes("../x\n/y\nmine\n.eventchain/files.json\na"));
+    files.put("../x", bytes(""));
+    files.put("mine", bytes("mine"));
+    try (OutputFolder folder = OutputFolder.inMemory(files)) {
+      assertEquals(List.of(), folder.removeFormer("x", List.of()));
+    }
+    assertTrue(files.keySet().containsAll(Set.of("../x", "mine", ".eventchain/files.json")));
+    assertFalse(files.containsKey("a"));
   }
 
   @Test

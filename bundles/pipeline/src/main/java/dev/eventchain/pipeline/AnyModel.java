@@ -19,6 +19,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.TreeSet;
 import org.eclipse.emf.ecore.EPackage;
 
 /** Generation from models of any Ecore metamodel, without a project. */
@@ -43,6 +44,19 @@ public final class AnyModel {
     }
   }
 
+  /**
+   * Where the text goes.
+   *
+   * @param folder where the files go; without one, a block that writes a file is an error, and what
+   *     others print is all there is
+   * @param overwrite whether files that a person has edited are replaced
+   * @param trace whether {@code trace.json} is written, too, which says where each line comes from
+   * @param producer what tells this generation from others into the same folder: files that it
+   *     wrote when it last ran, and no longer writes, are removed. Without it, they stay
+   */
+  public record Target(
+      Optional<Path> folder, boolean overwrite, boolean trace, Optional<String> producer) {}
+
   private AnyModel() {}
 
   /**
@@ -52,10 +66,7 @@ public final class AnyModel {
    * @param template with its modules, services and properties
    * @param models the template runs on the elements of each of them, and sees those that they refer
    *     to in other files
-   * @param folder where the files go; without one, a block that writes a file is an error, and what
-   *     others print is all there is
-   * @param overwrite whether files that a person has edited are replaced
-   * @param trace whether {@code trace.json} is written, too, which says where each line comes from
+   * @param target where the files go
    * @param lenient whether what Acceleo continues after without failing is a warning
    * @param suppressions what is wrong with the models and is not to count
    * @param timeLimit the processor time that the patterns of a data type may take
@@ -68,9 +79,7 @@ public final class AnyModel {
       Map<String, Path> map,
       Template template,
       List<Path> models,
-      Optional<Path> folder,
-      boolean overwrite,
-      boolean trace,
+      Target target,
       boolean lenient,
       Suppressions suppressions,
       Duration timeLimit) {
@@ -80,17 +89,17 @@ public final class AnyModel {
       TemplateModule module =
           TemplateModule.compile(
               template.main(), template.sources(), templatePackages(any), classes.loader());
-      WrittenFiles files = new WrittenFiles(folder);
+      WrittenFiles files = new WrittenFiles(target.folder());
       files.found(any.ecore().diagnostics());
       if (!Diagnostic.anyError(suppressions.part(files.diagnostics()).remaining())) {
         GenerationContext context =
             GenerationContext.of(any::locate)
                 .withPropertyFiles(properties)
-                .with(traits(folder.isEmpty(), trace, lenient));
-        if (folder.isEmpty()) {
+                .with(traits(target, lenient));
+        if (target.folder().isEmpty()) {
           generate(any, module, context, files);
         } else {
-          write(any, module, context, files, folder.get(), overwrite);
+          write(any, module, context, files, target);
         }
       }
       return files;
@@ -109,12 +118,12 @@ public final class AnyModel {
     return all;
   }
 
-  private static Set<Trait> traits(boolean printed, boolean trace, boolean lenient) {
+  private static Set<Trait> traits(Target target, boolean lenient) {
     Set<Trait> traits = EnumSet.noneOf(Trait.class);
-    if (printed) {
+    if (target.folder().isEmpty()) {
       traits.add(Trait.PRINTED_ONLY);
     }
-    if (trace) {
+    if (target.trace()) {
       traits.add(Trait.TRACED);
     }
     if (lenient) {
@@ -137,23 +146,24 @@ public final class AnyModel {
       TemplateModule module,
       GenerationContext context,
       WrittenFiles files,
-      Path folder,
-      boolean overwrite) {
-    try (OutputFolder output = OutputFolder.open(folder)) {
+      Target target) {
+    try (OutputFolder output = OutputFolder.open(target.folder().orElseThrow())) {
       GenerationResult result = generate(any, module, context.withEarlier(output::read), files);
-      boolean trace = context.traits().contains(Trait.TRACED);
-      boolean taken = trace && result.files().containsKey(TraceFile.NAME);
+      boolean taken = target.trace() && result.files().containsKey(TraceFile.NAME);
       if (taken) {
         files.found(List.of(traceTaken()));
       }
       if (taken || !result.isWhole()) {
         return;
       }
-      files.write(output, result.files(), overwrite ? OnEdit.OVERWRITE : OnEdit.KEEP);
-      if (trace) {
+      files.write(output, result.files(), target.overwrite() ? OnEdit.OVERWRITE : OnEdit.KEEP);
+      Set<String> produced = new TreeSet<>(result.files().keySet());
+      if (target.trace()) {
         byte[] content = TraceFile.content(result.trace(), "", List.of());
         files.write(output, Map.of(TraceFile.NAME, content), OnEdit.OVERWRITE);
+        produced.add(TraceFile.NAME);
       }
+      target.producer().map(name -> output.removeFormer(name, produced)).ifPresent(files::found);
     }
   }
 

@@ -101,9 +101,7 @@ class AnyModelTest {
         Map.of(),
         new AnyModel.Template(template, List.of(), services, List.of()),
         List.of(models).stream().map(folder::resolve).toList(),
-        Optional.of(folder.resolve("out")),
-        false,
-        false,
+        new AnyModel.Target(Optional.of(folder.resolve("out")), false, false, Optional.empty()),
         false,
         Suppressions.NONE,
         Duration.ofSeconds(30));

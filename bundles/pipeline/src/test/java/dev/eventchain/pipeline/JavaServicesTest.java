@@ -118,9 +118,7 @@ class JavaServicesTest {
             Map.of(),
             new AnyModel.Template(template, List.of(), List.of(classes), List.of()),
             List.of(folder.resolve("model.xmi")),
-            Optional.of(folder.resolve("out")),
-            false,
-            false,
+            new AnyModel.Target(Optional.of(folder.resolve("out")), false, false, Optional.empty()),
             false,
             Suppressions.NONE,
             Duration.ofSeconds(30))
