@@ -21,7 +21,11 @@ final class PageTemplate {
 
   /** Pages hold no HTML, and what rules quote is not to become any. */
   private static final HtmlRenderer RENDERER =
-      HtmlRenderer.builder().extensions(EXTENSIONS).escapeHtml(true).build();
+      HtmlRenderer.builder()
+          .extensions(EXTENSIONS)
+          .escapeHtml(true)
+          .nodeRendererFactory(ConsoleBlocks::new)
+          .build();
 
   private PageTemplate() {}
 

@@ -74,6 +74,25 @@ class SiteBuilderTest {
   }
 
   @Test
+  void commandsCanBeCopiedWithoutPromptsAndWhatIsPrinted() {
+    String text =
+        "# Page\n```console exit=1\n$ a <<'END'\n> b\n>\n> END\nprinted\n```\n```\n$ c\n```\n";
+    String page = PageTemplate.page("page", text, List.of());
+    String block =
+        """
+        <pre><code><span class="prompt">$ </span>a &lt;&lt;'END'
+        <span class="prompt">&gt; </span>b
+        <span class="prompt">&gt;</span>
+        <span class="prompt">&gt; </span>END
+        <span class="printed">printed
+        </span></code></pre>
+        <pre><code>$ c
+        </code></pre>
+        """;
+    assertTrue(page.contains(block), page);
+  }
+
+  @Test
   void pagesThatAreNoLongerThereAreDeletedAndJavadocIsKept(@TempDir Path site) throws IOException {
     Path javadoc = Files.createDirectories(site.resolve(SiteBuilder.API)).resolve("A.html");
     Files.writeString(javadoc, "Javadoc");
