@@ -1,5 +1,6 @@
 package dev.eventchain.maven;
 
+import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.diagnostics.Report;
@@ -24,6 +25,7 @@ import org.apache.maven.plugin.MojoExecution;
 import org.apache.maven.plugin.MojoExecutionException;
 import org.apache.maven.plugin.MojoFailureException;
 import org.apache.maven.plugins.annotations.Parameter;
+import org.apache.maven.project.MavenProject;
 
 /** What all goals share: they end with reports, and findings that decide over the build. */
 abstract class EventchainMojo extends AbstractMojo {
@@ -58,6 +60,9 @@ abstract class EventchainMojo extends AbstractMojo {
   @Parameter(defaultValue = "${project.basedir}", readonly = true, required = true)
   private File basedir;
 
+  @Parameter(defaultValue = "${project}", readonly = true, required = true)
+  private MavenProject project;
+
   @Parameter(defaultValue = "${mojoExecution}", readonly = true, required = true)
   private MojoExecution execution;
 
@@ -75,7 +80,7 @@ abstract class EventchainMojo extends AbstractMojo {
     }
     check();
     Severity limit = limit();
-    Outcome outcome = guarded(this::work);
+    Outcome outcome = guarded(this::workAsConfigured);
     outcome = outcome.unreported(writeReports(outcome));
     new FindingLines(getLog()).print(outcome.diagnostics());
     Report report = outcome.report(version());
@@ -84,6 +89,11 @@ abstract class EventchainMojo extends AbstractMojo {
     }
     getLog().info(report.summary());
     judge(outcome, limit, report.summary());
+  }
+
+  private Outcome workAsConfigured() {
+    List<Diagnostic> misunderstood = PomParameters.check(project, execution);
+    return misunderstood.isEmpty() ? work() : Outcome.of(Coverage.NONE, misunderstood, List.of());
   }
 
   /** A failure is a finding, so that what else was found is reported, too. */
@@ -158,6 +168,10 @@ abstract class EventchainMojo extends AbstractMojo {
       throw new MojoExecutionException(message);
     }
     throw new MojoFailureException(message);
+  }
+
+  final MavenProject project() {
+    return project;
   }
 
   /** The module's folder. */

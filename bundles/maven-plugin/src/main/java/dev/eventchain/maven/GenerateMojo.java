@@ -13,7 +13,6 @@ import org.apache.maven.model.Resource;
 import org.apache.maven.plugins.annotations.LifecyclePhase;
 import org.apache.maven.plugins.annotations.Mojo;
 import org.apache.maven.plugins.annotations.Parameter;
-import org.apache.maven.project.MavenProject;
 
 /**
  * Generates text from models of any Ecore metamodel by a template, or the package of an event
@@ -62,9 +61,6 @@ public final class GenerateMojo extends ModelMojo {
   @Parameter(property = "eventchain.use", defaultValue = "SOURCES")
   private Use use;
 
-  @Parameter(defaultValue = "${project}", readonly = true, required = true)
-  private MavenProject project;
-
   @Override
   Outcome work() {
     Optional<Path> chain = chain();
@@ -109,12 +105,12 @@ public final class GenerateMojo extends ModelMojo {
   private void addToModule() {
     String folder = outputDirectory.getAbsolutePath();
     if (use == Use.SOURCES) {
-      project.addCompileSourceRoot(folder);
+      project().addCompileSourceRoot(folder);
     } else if (use == Use.RESOURCES) {
       Resource resource = new Resource();
       resource.setDirectory(folder);
       resource.addExclude(".eventchain/**");
-      project.addResource(resource);
+      project().addResource(resource);
     }
   }
 }
