@@ -1,5 +1,8 @@
 package dev.eventchain.endtoend;
 
+import static java.nio.charset.StandardCharsets.ISO_8859_1;
+import static java.nio.charset.StandardCharsets.UTF_16;
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -141,9 +144,8 @@ class ChangedModelsTest {
       run("validate-models", path).expect(0).says("<validate><a.xmi>");
     }
     for (String path : List.of("./my project", repository.resolve("my project").toString())) {
-      run("validate-models", "--project=" + path, "--since=HEAD~1")
-          .expect(0)
-          .says("<validate><my project>");
+      String[] arguments = {"--project=" + path, "--since=HEAD~1"};
+      run("validate-models", arguments).expect(0).says("<validate><my project>");
     }
   }
 
@@ -163,6 +165,117 @@ class ChangedModelsTest {
     run("validate-models", "--since=HEAD~1").expect(0).says("nothing was checked");
     run("validate-models", "--since=HEAD~1", "--ocl=./rules.txt").expect(0).says("3 of 3 models");
     run("validate-models", "types/Price.txt", "--messages=types/").expect(0).says("3 of 3 models");
+  }
+
+  @Test
+  void changesOutsideTheCurrentFolderCount() throws Exception {
+    write("models/m.xmi", shop("M", "<branch href=\"../lib/x.lib#/\"/>"));
+    write("lib/x.lib", shop("X", ""));
+    commit("two");
+    write("shop.ecore", METAMODEL + "\n");
+    runIn("models", "--since=HEAD").expect(0).says("1 of 1 models").says("<validate><m.xmi>");
+    git("checkout", "-q", "shop.ecore");
+    runIn("models", "--since=HEAD").expect(0).says("nothing was checked: no file has changed");
+    write("lib/x.lib", shop("X2", ""));
+    runIn("models", "--since=HEAD").expect(0).says("<validate><m.xmi>");
+    runIn("models", "../lib/x.lib").expect(0).says("<validate><m.xmi>");
+    runIn("models", "--since=HEAD", "--ocl=../lib/x.lib").expect(0).says("1 of 1 models");
+    runIn("models", "../lib").expect(2).says("'../lib' is not a file in git");
+  }
+
+  @Test
+  void aPatternThatMatchesNothingFails() throws Exception {
+    write("a.xmi", shop("A2", ""));
+    for (String narrowing : List.of("--since=HEAD", "a.xmi")) {
+      run("validate-models", narrowing, "--models=*.uml").expect(2).says("matches *.uml");
+      run("validate-models", narrowing, "--models=*.xmi", "--models=*.uml").expect(2);
+    }
+    git("rm", "-q", "-f", "*.xmi");
+    run("validate-models", "--since=HEAD").expect(0).says("nothing was checked");
+    run("validate-models", "--since=HEAD", "--models=*.xmi").expect(2);
+    run("validate-models").expect(2).says("no file in git matches *.xmi");
+  }
+
+  @Test
+  void modelsThatAreMissingInTheWorkingTreeAreAnError() throws Exception {
+    Files.createSymbolicLink(repository.resolve("link.xmi"), Path.of("nowhere.xmi"));
+    commit("two");
+    Files.delete(repository.resolve("refers.xmi"));
+    String missing =
+        "2 of 4 models in git are missing in the working tree; the first is 'link.xmi'";
+    for (String narrowing : List.of("--since=", "--since=HEAD", "a.xmi")) {
+      run("validate-models", narrowing).expect(2).says(missing);
+    }
+    git("checkout", "-q", "refers.xmi");
+    git("rm", "-q", "link.xmi");
+    git("update-index", "--skip-worktree", "a.xmi");
+    Files.delete(repository.resolve("a.xmi"));
+    run("validate-models", "--since=HEAD").expect(2).says("the first is 'a.xmi'");
+  }
+
+  @Test
+  void changesAreFollowedThroughFilesThatAreNoModels() throws Exception {
+    write("top.xmi", shop("T", "<branch href=\"mid.lib#/\"/>"));
+    write("mid.lib", shop("M", "<branch href=\"deep/leaf.lib#/\"/>"));
+    write("deep/leaf.lib", shop("L", ""));
+    Files.createSymbolicLink(repository.resolve("link.xmi"), Path.of("deep/leaf.lib"));
+    commit("two");
+    write("deep/leaf.lib", shop("L2", ""));
+    String both = "<validate><link.xmi><top.xmi>";
+    run("validate-models", "--since=HEAD").expect(0).says("2 of 5 models").says(both);
+    run("validate-models", "deep/leaf.lib").expect(0).says(both);
+    run("validate-models", "mid.lib").expect(0).says("1 of 5 models").says("<validate><top.xmi>");
+  }
+
+  @Test
+  void modelsInWhichNamesCannotBeSearchedAreCheckedWithAnyChange() throws Exception {
+    write("x.lib", shop("X", ""));
+    commit("two");
+    for (String written : List.of("%78.lib", "&#120;.lib", "&#x78;.lib", "x&#46;lib", "&#x002E;")) {
+      assertCheckedWithAnyChange(shop("E", written).getBytes(UTF_8), written);
+    }
+    assertCheckedWithAnyChange(shop("E", "x.lib").getBytes(UTF_16), "UTF-16");
+    assertCheckedWithAnyChange(shop("\u00e4", "x.lib").getBytes(ISO_8859_1), "ISO-8859-1");
+    Files.write(repository.resolve("odd.xmi"), shop("E", "&#10;%20 ä").getBytes(UTF_8));
+    commit("three");
+    run("validate-models", "x.lib").expect(0).says("nothing was checked");
+  }
+
+  private void assertCheckedWithAnyChange(byte[] model, String message) throws Exception {
+    Files.write(repository.resolve("odd.xmi"), model);
+    commit(message);
+    run("validate-models", "x.lib").expect(0).says("1 of 4 models").says("<validate><odd.xmi>");
+  }
+
+  @Test
+  void aProjectIsCheckedIfAFileThatItRefersToHasChanged() throws Exception {
+    write("shop/eventchain.yaml", "name: shop\n");
+    write("shop/m.xmi", shop("M", "<branch href=\"../x.lib#/\"/>"));
+    write("x.lib", shop("X", ""));
+    write("types/y.txt", "");
+    commit("two");
+    run("validate-models", "--project=shop", "x.lib").expect(0).says("<validate><shop>");
+    runIn("shop", "--project=.", "../x.lib").expect(0).says("<validate><.>");
+    run("validate-models", "--project=shop", "types/y.txt").expect(0).says("nothing was checked");
+    write("shop/eventchain.yaml", "messages: ../types\n");
+    commit("three");
+    run("validate-models", "--project=shop", "types/y.txt").expect(0).says("<validate><shop>");
+  }
+
+  @Test
+  void whatKeepsItFromRunningIsNamed() throws Exception {
+    Path outputs = Files.createFile(folder.resolve("outputs"));
+    environment.put("GITHUB_OUTPUT", outputs.toString());
+    environment.put("TMPDIR", folder.resolve("nowhere").toString());
+    run("validate-models").expect(2).says("no temporary file can be made in '");
+    environment.remove("TMPDIR");
+    environment.put("EVENTCHAIN", "no-such-program");
+    run("validate-models").expect(2).says("there is no program 'no-such-program'");
+    environment.put("EVENTCHAIN", program("broken", "#!/no/such/shell\n").toString());
+    run("validate-models").expect(2).says("could not be run");
+    assertEquals("", Files.readString(outputs));
+    git("update-ref", "-d", "HEAD");
+    run("validate-models", "--since=main").expect(2).says("this branch has no commits");
   }
 
   @Test
@@ -254,19 +367,27 @@ class ChangedModelsTest {
       command.addAll(List.of("-c", setting));
     }
     Stream.of(arguments).forEach(command::add);
-    ended(command).expect(0);
+    ended(command, repository).expect(0);
   }
 
   private Program.Ended run(String script, String... arguments) throws Exception {
-    List<String> command = new ArrayList<>(List.of(SCRIPTS.resolve(script).toString()));
-    command.addAll(List.of(arguments));
-    return ended(command);
+    return runIn(repository, script, arguments);
   }
 
-  private Program.Ended ended(List<String> command) throws Exception {
+  private Program.Ended runIn(String name, String... arguments) throws Exception {
+    return runIn(repository.resolve(name), "validate-models", arguments);
+  }
+
+  private Program.Ended runIn(Path current, String script, String[] arguments) throws Exception {
+    List<String> command = new ArrayList<>(List.of(SCRIPTS.resolve(script).toString()));
+    command.addAll(List.of(arguments));
+    return ended(command, current);
+  }
+
+  private Program.Ended ended(List<String> command, Path current) throws Exception {
     Path out = folder.resolve("out");
     Path err = folder.resolve("err");
-    ProcessBuilder builder = new ProcessBuilder(command).directory(repository.toFile());
+    ProcessBuilder builder = new ProcessBuilder(command).directory(current.toFile());
     builder.environment().keySet().removeIf(name -> name.startsWith("GIT"));
     builder.environment().putAll(environment);
     int code = builder.redirectOutput(out.toFile()).redirectError(err.toFile()).start().waitFor();
