@@ -50,7 +50,7 @@ final class OutputFindings {
             "output.path.refused",
             "The file '" + OutputPath.shown(name) + "' was not written: " + e.getMessage() + ".",
             SourceLocation.of(storage.shown(name)))
-        .withHint("Replace the link by a folder.");
+        .withHint("Replace the link with a folder.");
   }
 
   static DiagnosticException unwritable(String place, IOException e) {

@@ -87,7 +87,7 @@ public enum Confinement {
                 VARIABLE + " demands bubblewrap, which does not work here.",
                 SourceLocation.NONE)
             .withHint(
-                "Install bubblewrap (bwrap) and allow it to make user namespaces, or unset "
+                "Install bubblewrap (bwrap) and allow it to create user namespaces, or unset "
                     + VARIABLE
                     + "."));
   }
@@ -97,10 +97,13 @@ public enum Confinement {
         DiagnosticException.Reason.INPUT,
         Diagnostic.error(
                 "python.confinement.unknown",
-                VARIABLE + " is '" + wanted + "', which is not a way to confine foreign Python.",
+                VARIABLE
+                    + " is '"
+                    + wanted
+                    + "', which is not a known way to confine foreign Python.",
                 SourceLocation.NONE)
             .withHint(
-                "Write bubblewrap or audit-hooks, or unset it to use the stronger that works."));
+                "Set it to bubblewrap or audit-hooks, or unset it to use the stronger one that works."));
   }
 
   private static boolean bubblewrapWorks(Map<String, String> settings) {

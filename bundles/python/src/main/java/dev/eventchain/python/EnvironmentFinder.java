@@ -85,7 +85,7 @@ final class EnvironmentFinder {
       throw unavailable(
           SourceLocation.of(Path.of(chosen)),
           "EVENTCHAIN_PYTHON names " + chosen + ", which is not an executable file.",
-          "Set it to a Python 3.10 or newer, or unset it to use python3 of the PATH.");
+          "Set it to a Python 3.10 or newer, or unset it to use the python3 on the PATH.");
     }
     throw unavailable(
         SourceLocation.NONE,

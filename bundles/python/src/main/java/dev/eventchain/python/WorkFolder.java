@@ -107,7 +107,7 @@ public final class WorkFolder implements AutoCloseable {
 
   private static String reason(IOException problem) {
     if (problem instanceof AccessDeniedException) {
-      return "this user may not write it";
+      return "this user may not write to it";
     }
     if (problem instanceof NoSuchFileException) {
       return "it does not exist";

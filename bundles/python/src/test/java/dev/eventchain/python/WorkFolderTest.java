@@ -132,7 +132,7 @@ class WorkFolderTest {
     Files.setPosixFilePermissions(closed, PosixFilePermissions.fromString("r-x------"));
     assumeTrue(!Files.isWritable(closed), "this user may write everything");
     assertEquals(
-        "The temporary folder cannot be used: this user may not write it.",
+        "The temporary folder cannot be used: this user may not write to it.",
         failure(closed).message());
   }
 

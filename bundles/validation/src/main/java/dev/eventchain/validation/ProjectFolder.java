@@ -246,6 +246,6 @@ public class ProjectFolder {
                 "file.unreadable",
                 "This cannot be read: " + SourceText.reason(e) + ".",
                 SourceLocation.of(path))
-            .withHint("Check that it is there and that you may read it."));
+            .withHint("Check that it exists and that you may read it."));
   }
 }
