@@ -170,7 +170,7 @@ public final class AnyModel {
   private static Diagnostic traceTaken() {
     return Diagnostic.error(
             "m2t.file.duplicate",
-            "A template writes the file '" + TraceFile.NAME + "', which the trace goes into.",
+            "A template writes the file '" + TraceFile.NAME + "', which is the name of the trace.",
             SourceLocation.of(TraceFile.NAME))
         .withHint("Give the file another name, or leave out --trace.");
   }

@@ -133,7 +133,7 @@ final class ComponentImports {
     String file = pip ? "pyproject.toml" : "package.xml";
     return Diagnostic.warning(
             "project.dependency.unknown",
-            "The component '%s' imports '%s', and %s does not name what provides it: what %s calls that is not known."
+            "The component '%s' imports '%s', and %s does not list the package that provides it: its name for %s is not known."
                 .formatted(component, module, file, tool),
             place)
         .withHint("Add it to the copy of " + file + " that you build.");

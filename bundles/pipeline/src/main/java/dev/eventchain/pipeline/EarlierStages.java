@@ -137,7 +137,9 @@ final class EarlierStages {
         ? Optional.of(
             error(
                 stage,
-                "The stage '" + stage.id() + "' found what was suppressed then and counts now.",
+                "The stage '"
+                    + stage.id()
+                    + "' has findings that were suppressed when it ran, but no longer are.",
                 results(stage)))
         : Optional.empty();
   }
@@ -183,7 +185,7 @@ final class EarlierStages {
             + changes.get(first)
             + " since the stage '"
             + stage.id()
-            + "' ran, so what it made is out of date.",
+            + "' ran, so its results are out of date.",
         SourceName.file(first, run));
   }
 
@@ -199,7 +201,7 @@ final class EarlierStages {
         ? Optional.of(
             error(
                 Stage.GENERATE,
-                "Nothing is remembered of how the package was generated, so it may be out of date.",
+                "There is no record of how the package was generated, so it may be out of date.",
                 results(Stage.GENERATE)))
         : Optional.empty();
   }
@@ -207,12 +209,12 @@ final class EarlierStages {
   private Diagnostic unknown() {
     return Diagnostic.warning(
             OUTDATED,
-            "Nothing is remembered of what "
+            "There is no record of what "
                 + String.join(", ", unknown)
                 + (unknown.size() == 1 ? " was" : " were")
-                + " made from, so nobody can tell whether it is out of date.",
+                + " created from, so it may be out of date.",
             SourceLocation.of(run.options().output()))
-        .withHint("Run '" + run.command("") + "' to have everything made from the current files.");
+        .withHint("Run '" + run.command("") + "' to create everything from the current files.");
   }
 
   private Diagnostic error(Stage stage, String message, Path place) {

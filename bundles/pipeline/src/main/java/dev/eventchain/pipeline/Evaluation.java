@@ -77,7 +77,8 @@ public final class Evaluation {
     public Options {
       models = models.stream().map(String::strip).toList();
       require(
-          runs >= 1 && runs <= MOST_RUNS, "the number of runs is 1 to " + MOST_RUNS + ": --runs 5");
+          runs >= 1 && runs <= MOST_RUNS,
+          "the number of runs must be 1 to " + MOST_RUNS + ": --runs 5");
       require(
           parallel >= 1 && parallel <= MOST_PARALLEL,
           "1 to " + MOST_PARALLEL + " runs can be done at once: --parallel 2");

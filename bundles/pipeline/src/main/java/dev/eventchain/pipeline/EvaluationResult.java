@@ -108,7 +108,7 @@ final class EvaluationResult {
             "evaluation.authored",
             "The answers of '%s' are %s.".formatted(row.model(), EvaluationText.LABEL),
             place()),
-        "They show how an evaluation looks. Let a language model answer: --llm live.");
+        "They only show what an evaluation looks like. Let a language model answer: --llm live.");
   }
 
   private Diagnostic uncounted(EvaluationRow row) {
@@ -117,7 +117,7 @@ final class EvaluationResult {
             "evaluation.run.uncounted",
             "Of '%s', %s.".formatted(row.model(), EvaluationText.counted(row)),
             place()),
-        "The same command goes on with them, once their answers can be had.");
+        "Run the same command again once their answers are available.");
   }
 
   /** Whether the code could not be judged because there was no chain to write it for. */
@@ -134,6 +134,6 @@ final class EvaluationResult {
             "In %d runs no code was judged: no chain was designed, and the project has none."
                 .formatted(runs),
             place()),
-        "Write a chain that people edit to model/chain.xmi, or run the project before.");
+        "Write a chain to model/chain.xmi by hand, or run the project first.");
   }
 }

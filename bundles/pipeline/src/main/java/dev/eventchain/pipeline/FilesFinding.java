@@ -30,6 +30,6 @@ final class FilesFinding {
             named
                 ? SourceLocation.of(((FileSystemException) refused).getFile())
                 : SourceLocation.NONE)
-        .withHint("Check free space and permissions, also of the temporary folder.");
+        .withHint("Check free space and permissions, including those of the temporary folder.");
   }
 }

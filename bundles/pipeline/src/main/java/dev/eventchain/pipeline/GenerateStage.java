@@ -92,7 +92,7 @@ final class GenerateStage implements StageWork {
   private static Diagnostic lost(GenerationResult.Printed printed) {
     return Diagnostic.warning(
             "project.template.printed",
-            "This block prints its text, which is lost: a stage has no standard output.",
+            "The text that this block prints is lost: a stage has no standard output.",
             printed.block())
         .withHint("Write a file, or leave the block out of the templates of the project.");
   }

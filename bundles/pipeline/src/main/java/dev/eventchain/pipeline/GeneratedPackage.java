@@ -75,7 +75,8 @@ record GeneratedPackage(String folder, NodeManifest manifest) {
                   NodeManifest.ID,
                   "There are several manifests: " + String.join(", ", found) + ".",
                   SourceLocation.of(run.file(found.get(1))))
-              .withHint("Let the template write one, and remove what is left of earlier ones."));
+              .withHint(
+                  "Let the template write only one, and delete those left from earlier runs."));
     }
     return found.stream().findFirst();
   }
@@ -91,7 +92,7 @@ record GeneratedPackage(String folder, NodeManifest manifest) {
                 NodeManifest.ID,
                 "The template writes no "
                     + NodeManifest.FILE
-                    + ", so it is not known which nodes there are to simulate.",
+                    + ", so the nodes to simulate are not known.",
                 SourceLocation.of(template))
             .withHint(
                 "Import python::manifest and call [chain.manifestFile()/] where names are those of"

@@ -261,7 +261,7 @@ public final class ProjectStart {
         throw refused(
             "project.foreign",
             folder.relativize(parent) + " is a link that leads elsewhere.",
-            "Replace it by a folder: nothing is written outside of the project.");
+            "Replace it with a folder: nothing is written outside the project.");
       }
     }
     try {

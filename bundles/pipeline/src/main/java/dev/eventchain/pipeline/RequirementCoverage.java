@@ -122,7 +122,8 @@ final class RequirementCoverage {
         Optional<String> topic = TopicIndex.nameOf(output, node);
         if (output.isExternal() && topic.isPresent()) {
           String signal = topic.get() + "." + output.getFieldName();
-          String message = "No criterion reads %s, which leaves the chain because %s asks for it.";
+          String message =
+              "No criterion reads %s, which is an output of the chain because %s requires it.";
           output.getSatisfies().stream()
               .map(Requirement::getId)
               .filter(id -> about(id).stream().noneMatch(it -> it.reads().contains(signal)))
@@ -143,7 +144,7 @@ final class RequirementCoverage {
       if (satisfying.isEmpty()) {
         unproven.put(
             item.id(),
-            "No component of the chain is said to satisfy %s, so no criterion can be about it."
+            "No component of the chain is marked as satisfying %s, so no criterion can test it."
                 .formatted(item.id()));
       } else if (about(item.id()).stream().noneMatch(it -> it.dependsOn(influenced, bench))) {
         unproven.put(

@@ -72,7 +72,7 @@ final class RuleEvidence {
     }
     return values.decide(constraint, budget)
         ? Optional.empty()
-        : Optional.of("it reads measured values, but holds whatever was measured");
+        : Optional.of("it reads measured values, but holds no matter what was measured");
   }
 
   private void miss(OclConstraint constraint, Set<String> named, String why) {
@@ -82,12 +82,12 @@ final class RuleEvidence {
     findings.add(
         Diagnostic.error(
                 "simulation.rule.untested",
-                "'%s', which stands for %s, was not tested: %s."
+                "'%s', which implements %s, was not tested: %s."
                     .formatted(constraint.qualifiedName(), ids, why),
                 constraint.location())
             .withRule(constraint.qualifiedName())
             .withHint(
-                "Write it about what the scenarios measure, add what it is about to the model or"
+                "Let it constrain what the scenarios measure, add what it constrains to the model or"
                     + " the scenarios, or suppress this finding with a reason and an expiry"
                     + " date."));
   }

@@ -240,7 +240,7 @@ final class RunContext {
                   SourceLocation.of(options.output()))
               .withHint(
                   restored
-                      ? "What the stages remember of their files is used instead."
+                      ? "What the stages recorded about their files is used instead."
                       : "Files that differ count as edited by hand; delete them to have them"
                           + " written again."));
     }

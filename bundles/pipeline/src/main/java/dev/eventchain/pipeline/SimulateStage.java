@@ -178,7 +178,7 @@ final class SimulateStage implements StageWork {
   private static Diagnostic unseen(LatencyConstraint constraint, SourceLocation place) {
     return Diagnostic.error(
             "simulation.latency.unmeasured",
-            "The latency constraint '%s' was not measured: others ran the nodes, and nobody saw which output is based on which input."
+            "The latency constraint '%s' was not measured: the nodes were started elsewhere, so it is not known which output is based on which input."
                 .formatted(constraint.getName()),
             place)
         .withHint("Simulate with a driver that starts the nodes, or measure it where they run.");
@@ -187,11 +187,11 @@ final class SimulateStage implements StageWork {
   private static Diagnostic unmeasured(LatencyConstraint constraint, SourceLocation place) {
     return Diagnostic.error(
             "simulation.latency.unmeasured",
-            "The latency constraint '%s' was not measured in any scenario: nothing that '%s' did was based on what came to '%s'."
+            "The latency constraint '%s' was not measured in any scenario: nothing that '%s' did was based on an input of '%s'."
                 .formatted(
                     constraint.getName(), name(constraint.getLast()), name(constraint.getFirst())),
             place)
-        .withHint("Bound the time between components that data connect, both simulated.");
+        .withHint("Bound the time between two simulated components that are connected by data.");
   }
 
   private static String name(SoftwareNode node) {

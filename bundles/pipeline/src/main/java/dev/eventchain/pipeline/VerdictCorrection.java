@@ -91,7 +91,7 @@ final class VerdictCorrection {
         run.find(
             Diagnostic.warning(
                     "agents.verdict.uncorrected",
-                    "The failed scenarios were sent back to the model of '%s' in vain: %s"
+                    "The failed scenarios were sent back to the model of '%s' without success: %s"
                         .formatted(node.getName(), first.message()),
                     SourceLocation.of(file))
                 .withHint(first.hint()));

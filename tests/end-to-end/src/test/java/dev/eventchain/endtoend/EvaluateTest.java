@@ -266,7 +266,7 @@ class EvaluateTest {
     evaluate("--models", "a,a").expect(2).says("'a' is named twice");
     evaluate("--models", "a,,b").expect(2).says("a model has no name");
     evaluate("--models", "direct").expect(2).says("'direct' is not a language model");
-    evaluate("--runs", "0").expect(2).says("the number of runs is 1 to 99");
+    evaluate("--runs", "0").expect(2).says("the number of runs must be 1 to 99");
     evaluate("--parallel", "0").expect(2).says("at once");
     evaluate("--llm", "groq/x", "--models", "y").expect(2).says("names a model");
     evaluate("--llm", "telepathy").expect(2).says("[llm.provider.unknown]");

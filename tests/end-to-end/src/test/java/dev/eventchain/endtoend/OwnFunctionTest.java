@@ -173,7 +173,7 @@ class OwnFunctionTest {
     project
         .run()
         .expect(1)
-        .says("No component of the chain is said to satisfy RAD-2")
+        .says("No component of the chain is marked as satisfying RAD-2")
         .says("[project.requirement.untested RAD-2]");
     project.requireNotPassed();
   }

@@ -202,7 +202,7 @@ class VerdictTest {
         .says("5 requirements proved, 1 not tested, 1 error")
         .says("constraints.ocl:2:")
         .says(
-            "'LatencyConstraint::Quick', which stands for AEB-6, was not tested: the measured model"
+            "'LatencyConstraint::Quick', which implements AEB-6, was not tested: the measured model"
                 + " has no LatencyConstraint.")
         .says("[simulation.rule.untested LatencyConstraint::Quick]");
     assertNoPass();
@@ -215,7 +215,7 @@ class VerdictTest {
     run()
         .expect(1)
         .says("INCOMPLETE")
-        .says("'ChainMeasurement::Quick', which stands for AEB-6, was not tested: it reads")
+        .says("'ChainMeasurement::Quick', which implements AEB-6, was not tested: it reads")
         .says("[simulation.rule.untested ChainMeasurement::Quick]");
     assertNoPass();
     Files.writeString(
