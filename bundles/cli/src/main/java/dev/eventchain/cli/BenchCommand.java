@@ -21,10 +21,10 @@ import picocli.CommandLine.Spec;
     name = "bench",
     mixinStandardHelpOptions = true,
     description = {
-      "List what the simulated world provides and the vehicle takes.",
+      "List what the simulated world provides and what the vehicle accepts.",
       "It also shows how the project's topics are connected to them (bench.yaml; without one, CARLA's "
           + "topics).",
-      "A project whose chain has been designed is checked against it, too."
+      "If the project's chain has been designed, it is checked against this, too."
     })
 final class BenchCommand implements Callable<Integer> {
 
@@ -66,7 +66,7 @@ final class BenchCommand implements Callable<Integer> {
     if (schemas.size() + (folder == null ? 0 : 1) != 1) {
       throw new ParameterException(
           spec.commandLine(),
-          "name a project's folder, or say --schema, --scenario-schema or --faults-schema");
+          "name a project's folder, or use --schema, --scenario-schema or --faults-schema");
     }
     if (!schemas.isEmpty()) {
       console.out().print(schemas.get(0));

@@ -28,7 +28,7 @@ import picocli.CommandLine.Parameters;
       "activity: the components of an event chain, with the topics between them;",
       "instance: a model's elements with their attributes and references;",
       "metamodel: a metamodel's classes. Needs no other program and no network.",
-      "A project without model gets it first, as by 'run DIR --to model'."
+      "If a project has no model yet, it is created first, as by 'run DIR --to model'."
     },
     synopsisHeading = "Usage:%n",
     customSynopsis = {
@@ -64,7 +64,7 @@ final class DiagramCommand extends ProjectCommand {
       return drawProject(Project.open(input));
     }
     if (output() == null) {
-      throw wrongUsage("say where to write: -o FOLDER");
+      throw wrongUsage("name the output folder: -o FOLDER");
     }
     boolean isMetamodel = given.metamodels.isEmpty() && input.toString().endsWith(".ecore");
     Set<Kind> wanted = kindsOr(isMetamodel ? Kind.METAMODEL : Kind.INSTANCE);

@@ -15,9 +15,9 @@ import picocli.CommandLine.Parameters;
     name = "doctor",
     mixinStandardHelpOptions = true,
     description = {
-      "Report which of the things that runs need are on this machine, and which language-model",
+      "Report whether this machine has what runs need, and which language-model",
       "services can be reached: those of a project's models, or all that are known. Keys are never",
-      "shown. Nothing is installed: for Python packages that are missing, it checks whether they",
+      "shown. Nothing is installed: for missing Python packages, it checks whether they",
       "can be fetched, or come from the folder that EVENTCHAIN_WHEELS names."
     })
 final class DoctorCommand implements Callable<Integer> {

@@ -17,15 +17,15 @@ import picocli.CommandLine.Parameters;
     name = "evaluate",
     mixinStandardHelpOptions = true,
     description =
-        "Compare language models: each does all tasks of several runs of the project, from its"
+        "Compare language models: each performs all tasks in several runs of the project, from its"
             + " requirements to the verdict of its scenarios. How often the chain model is valid,"
             + " the function code passes its checks, and all of it works, is counted twice: with"
             + " the first answers, and with those after repair. Results are in OUTPUT/evaluation,"
             + " with a folder for each run. The same command continues where it was interrupted.",
     footer = {
       "",
-      "Exit codes: 0 evaluated, whatever the models came to; 1 no run could be counted;",
-      "2 wrong usage or unreadable input; 3 a service could not be asked, or the budget is",
+      "Exit codes: 0 evaluated, whatever the results; 1 no run could be counted;",
+      "2 wrong usage or unreadable input; 3 a service could not be reached, or the budget is",
       "spent; 4 waiting for an answer; 130 interrupted."
     })
 final class EvaluateCommand extends ProjectCommand {
@@ -47,14 +47,14 @@ final class EvaluateCommand extends ProjectCommand {
       names = "--runs",
       paramLabel = "NUMBER",
       defaultValue = "5",
-      description = "How many runs each model does (default: ${DEFAULT-VALUE}).")
+      description = "The number of runs of each model (default: ${DEFAULT-VALUE}).")
   private int runs;
 
   @Option(
       names = "--parallel",
       paramLabel = "NUMBER",
       defaultValue = "1",
-      description = "How many runs are done at once (default: ${DEFAULT-VALUE}).")
+      description = "The number of runs at the same time (default: ${DEFAULT-VALUE}).")
   private int parallel;
 
   @Option(
@@ -62,9 +62,9 @@ final class EvaluateCommand extends ProjectCommand {
       paramLabel = "SOURCE",
       description =
           "Where answers come from, as for 'run' (default: as eventchain.yaml says). Run n takes"
-              + " the n-th answer that the project has recorded of a prompt, so that none counts"
-              + " twice; with 'replay', a run without answers of its own does not count. What is"
-              + " asked is recorded in the folder of the run.")
+              + " the n-th answer that the project has recorded for a prompt, so that none counts"
+              + " twice; with 'replay', a run without answers of its own does not count. New"
+              + " answers are recorded in the folder of the run.")
   private String llm;
 
   @Option(names = "--schema", description = "Print the JSON Schema of evaluation.json instead.")
@@ -78,7 +78,7 @@ final class EvaluateCommand extends ProjectCommand {
   @Override
   Outcome work() {
     if (schema == (folder != null)) {
-      throw wrongUsage("name a project's folder, or say --schema");
+      throw wrongUsage("name a project's folder, or use --schema");
     }
     if (schema) {
       console.out().print(Evaluation.schema());

@@ -28,7 +28,7 @@ import picocli.CommandLine.Parameters;
     footer = {
       "%nBlocks [file ('stdout', ...)] of a template print to standard error. With -o - they print"
           + " to standard output, no folder is written, and findings go to standard error; a block"
-          + " that writes a file is an error then."
+          + " that writes a file is then an error."
     })
 final class GenerateCommand extends ProjectCommand {
 
@@ -49,7 +49,7 @@ final class GenerateCommand extends ProjectCommand {
       names = "--trace",
       description =
           "With --template: write trace.json, which names the template lines and model elements"
-              + " behind each line. Projects always have it.")
+              + " behind each line. Projects always get one.")
   private boolean trace;
 
   @Option(
@@ -62,7 +62,7 @@ final class GenerateCommand extends ProjectCommand {
   @Option(
       names = "--services",
       paramLabel = "JAR|FOLDER",
-      description = "Java classes that the template may call by invoke(...); may be repeated.")
+      description = "Java classes that the template may call with invoke(...); may be repeated.")
   private List<Path> services = List.of();
 
   @Option(
@@ -98,16 +98,16 @@ final class GenerateCommand extends ProjectCommand {
 
   private Outcome generateProject() {
     if (printsResult()) {
-      throw wrongUsage("a project has many files: -o - is for a template");
+      throw wrongUsage("a project has many files: -o - is only for templates");
     }
     if (!given.metamodels.isEmpty()) {
       throw wrongUsage("a model of a metamodel needs a template: --template FILE");
     }
     if (lenient) {
-      throw wrongUsage("undefined values stop a project: --lenient is for a template");
+      throw wrongUsage("undefined values are errors in a project: --lenient is only for templates");
     }
     if (!services.isEmpty() || !sources.isEmpty() || !properties.isEmpty()) {
-      throw wrongUsage("--services, --source and --properties are for a template: --template FILE");
+      throw wrongUsage("--services, --source and --properties need a template: --template FILE");
     }
     if (inputs.size() > 1) {
       throw wrongUsage("name one project, or a template for several models: --template FILE");
@@ -123,7 +123,7 @@ final class GenerateCommand extends ProjectCommand {
 
   private Outcome generateText() {
     if (output() == null) {
-      throw wrongUsage("say where to write: -o FOLDER");
+      throw wrongUsage("name the output folder: -o FOLDER");
     }
     if (trace && printsResult()) {
       throw wrongUsage("trace.json needs a folder: -o FOLDER");

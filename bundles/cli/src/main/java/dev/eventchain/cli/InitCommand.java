@@ -13,10 +13,10 @@ import picocli.CommandLine.Parameters;
     mixinStandardHelpOptions = true,
     description = {
       "Start a project.",
-      "In a new or empty folder it is a small one that runs as it is: emergency braking with a radar, "
-          + "without a language model. In a folder with software-base/signals.json it gets the files "
-          + "that it needs, with bench.yaml filled in from the signals, and model/chain.xmi from "
-          + "software-base/components.json if these components are a whole chain.",
+      "In a new or empty folder, it is a small example that runs as it is: emergency braking with a radar, "
+          + "without a language model. In a folder with software-base/signals.json the missing "
+          + "files of a project are added, with bench.yaml filled in from the signals, and model/chain.xmi from "
+          + "software-base/components.json if these components form a whole chain.",
       "Existing files are not changed."
     })
 final class InitCommand implements Callable<Integer> {

@@ -24,10 +24,10 @@ import picocli.CommandLine.ParameterException;
     description = "From written requirements to running, validated ROS 2 software.",
     footer = {
       "",
-      "Exit codes: 0 fine; 1 findings of severity error, or a failed verdict; 2 wrong usage or",
-      "unreadable input; 3 something this machine lacks, or a defect of eventchain, which says so;",
-      "4 waiting for an answer; 128 and the number of the signal that ended it: 129 for SIGHUP, 130",
-      "for Ctrl-C, 143 for SIGTERM; every file is then as it was or complete."
+      "Exit codes: 0 success; 1 findings of severity error, or a failed verdict; 2 wrong usage or",
+      "unreadable input; 3 something this machine lacks, or a defect in eventchain, which it reports;",
+      "4 waiting for an answer; 128 plus the number of the signal that ended it: 129 for SIGHUP, 130",
+      "for Ctrl-C, 143 for SIGTERM; every file is then either as it was or complete."
     })
 public final class Main {
 
@@ -100,7 +100,7 @@ public final class Main {
 
   private static void interrupted(PrintWriter err) {
     err.println();
-    err.println("eventchain: interrupted; every file is as it was or complete");
+    err.println("eventchain: interrupted; every file is either as it was or complete");
     err.flush();
   }
 

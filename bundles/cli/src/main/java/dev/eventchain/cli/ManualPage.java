@@ -106,12 +106,13 @@ final class ManualPage {
     }
     section("ENVIRONMENT");
     entry("EVENTCHAIN_MEMORY", "How much memory the program may use, such as 4g (1g).");
-    entry("EVENTCHAIN_PYTHON", "Another Python than the first on the path.");
+    entry("EVENTCHAIN_PYTHON", "The Python to use instead of the first on the path.");
     entry(
         "EVENTCHAIN_WHEELS",
-        "A folder of Python wheels. The Python packages that runs need come from there, and from "
-            + "nowhere else; without it, pip fetches them from its index at the first use.");
-    entry("EVENTCHAIN_CONFINEMENT", "bubblewrap, audit-hooks, or auto: the stronger that works.");
+        "A folder of Python wheels. The Python packages that runs need come only from "
+            + "there; without it, pip fetches them from its index at the first use.");
+    entry(
+        "EVENTCHAIN_CONFINEMENT", "bubblewrap, audit-hooks, or auto: the stronger one that works.");
     entry("XDG_CACHE_HOME", "Where the Python packages are kept (~/.cache).");
     entry("JAVA_HOME", "The Java that runs the program, version 17 or later.");
   }

@@ -45,7 +45,7 @@ abstract class ProjectCommand implements Callable<Integer> {
 
   @Option(
       names = "--overwrite",
-      description = "Replace files in the output folder that a person has edited.")
+      description = "Replace files in the output folder that were edited by hand.")
   private boolean overwrite;
 
   @Option(
@@ -76,10 +76,10 @@ abstract class ProjectCommand implements Callable<Integer> {
     long start = System.nanoTime();
     reporting.check();
     if (output != null && output.toString().isEmpty()) {
-      throw wrongUsage("the output folder has no name: -o FOLDER");
+      throw wrongUsage("the name of the output folder is empty: -o FOLDER");
     }
     if (timeLimit < 1) {
-      throw wrongUsage("the time limit is a number of seconds: --time-limit 60");
+      throw wrongUsage("the time limit must be a number of seconds: --time-limit 60");
     }
     Outcome outcome = outcome();
     double seconds = (System.nanoTime() - start) / 1e9;

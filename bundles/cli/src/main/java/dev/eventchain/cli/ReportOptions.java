@@ -33,8 +33,8 @@ final class ReportOptions {
       converter = TargetConverter.class,
       description =
           "Also write the findings to a file, for example sarif=out/findings.sarif; "
-              + "may be repeated. Missing folders are made. It is written when the command "
-              + "fails, too.")
+              + "may be repeated. Missing folders are created. It is written even when "
+              + "the command fails.")
   List<Target> targets = List.of();
 
   @Option(

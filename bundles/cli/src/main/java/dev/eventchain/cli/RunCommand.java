@@ -32,7 +32,7 @@ final class RunCommand extends ProjectCommand {
       description = "The last stage.")
   private Stage to;
 
-  @Option(names = "--again", description = "Run stages even where nothing has changed.")
+  @Option(names = "--again", description = "Run stages even if nothing has changed.")
   private boolean again;
 
   @Mixin private ScenarioOptions scenarios;
@@ -51,13 +51,13 @@ final class RunCommand extends ProjectCommand {
     }
     boolean simulates = from.compareTo(Stage.SIMULATE) <= 0 && to.compareTo(Stage.SIMULATE) >= 0;
     if (scenarios.mcap && !simulates) {
-      throw wrongUsage("--mcap records a simulation, and the stage simulate is not run");
+      throw wrongUsage("--mcap records a simulation, but the stage simulate is not run");
     }
     if (scenarios.faults != null && !simulates) {
-      throw wrongUsage("--faults is about a simulation, and the stage simulate is not run");
+      throw wrongUsage("--faults applies to a simulation, but the stage simulate is not run");
     }
     if (scenarios.attach && !simulates) {
-      throw wrongUsage("--attach is about a simulation, and the stage simulate is not run");
+      throw wrongUsage("--attach applies to a simulation, but the stage simulate is not run");
     }
     return execute(folder, from, to, again, llm, scenarios);
   }

@@ -27,14 +27,14 @@ final class ScenarioOptions {
       names = "--real-time",
       description =
           "With --driver dds, let nodes run in wall-clock time: execution times are real, and "
-              + "a scenario takes as long as it takes. Where this machine cannot keep up with the world, "
+              + "a scenario takes as long as it takes. If this machine cannot keep up with the world, "
               + "a scenario is not judged.")
   private boolean realTime;
 
   @Option(
       names = "--attach",
       description =
-          "With --driver dds, start no nodes, but drive those that others started, in ROS 2 or "
+          "With --driver dds, start no nodes, but drive those that were started elsewhere, in ROS 2 or "
               + "without, in the domain of ROS_DOMAIN_ID, in wall-clock time. CYCLONEDDS_URI and "
               + "ROS_LOCALHOST_ONLY apply. What happens inside such nodes is not measured.")
   boolean attach;
@@ -69,7 +69,7 @@ final class ScenarioOptions {
       description =
           "Also record every message of each scenario, and where everything is on the road, in "
               + "OUTPUT/mcap/NAME.mcap, for Foxglove, 'ros2 bag' and rosbags: about 1 MB for each "
-              + "simulated second with a lidar. Scenarios are simulated even where nothing has changed.")
+              + "simulated second with a lidar. Scenarios are simulated even if nothing has changed.")
   boolean mcap;
 
   @Option(

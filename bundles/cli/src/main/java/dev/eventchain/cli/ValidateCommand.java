@@ -24,8 +24,8 @@ import picocli.CommandLine.Parameters;
       "Files that they refer to are checked, too.",
       "Event chains are checked by the standard constraints and message contracts, too.",
       "A chain that people edit (model/chain.xmi) is checked as it is, without a language model; "
-          + "design rules without constraints are findings.",
-      "Any other project without model or generated constraints gets them first, as by 'run DIR'."
+          + "design rules without constraints are reported.",
+      "In any other project, a missing model and missing generated constraints are created first, as by 'run DIR'."
     },
     synopsisHeading = "Usage:%n",
     customSynopsis = {
@@ -52,7 +52,8 @@ final class ValidateCommand extends ProjectCommand {
   @Option(
       names = "--messages",
       paramLabel = "FOLDER",
-      description = "Holds PACKAGE/msg/NAME.msg or .idl that event chains use; may be repeated.")
+      description =
+          "A folder with the messages that event chains use, as PACKAGE/msg/NAME.msg or .idl; may be repeated.")
   private List<Path> messages = List.of();
 
   @Mixin private LlmOptions llm;

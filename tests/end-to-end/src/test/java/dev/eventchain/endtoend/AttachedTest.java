@@ -176,6 +176,6 @@ class AttachedTest {
     new Program()
         .run("run", project, "--driver", "dds", "--attach", "--to", "generate")
         .expect(2)
-        .says("--attach is about a simulation");
+        .says("--attach applies to a simulation");
   }
 }
