@@ -25,18 +25,20 @@ abstract class ChainMojo extends EventchainMojo {
   @Parameter(property = "eventchain.chain")
   private File chain;
 
-  /** Where the chain's results go; without it, a folder of the chain's name beside the reports. */
+  /**
+   * Where the chain's results go; without it, a folder with the chain's name beside the reports.
+   */
   @Parameter(property = "eventchain.results")
   private File results;
 
   /**
-   * How the answers of language models are had: {@code replay}, {@code live}, {@code
+   * Where the answers of language models come from: {@code replay}, {@code live}, {@code
    * handoff:FOLDER} and so on; without it, as {@code eventchain.yaml} says.
    */
   @Parameter(property = "eventchain.llm")
   private String llm;
 
-  /** Whether files among the results that a person has edited are replaced. */
+  /** Whether files among the results that were edited by hand are replaced. */
   @Parameter(property = "eventchain.overwrite", defaultValue = "false")
   private boolean overwrite;
 
@@ -83,7 +85,7 @@ abstract class ChainMojo extends EventchainMojo {
     }
   }
 
-  /** Checks the chain's model, and makes it first if there is none. */
+  /** Checks the chain's model, and creates it first if there is none. */
   final Outcome validate(Path folder) {
     Project project = Project.open(folder);
     Path output = resultsOf(folder);

@@ -27,14 +27,14 @@ import org.apache.maven.plugin.MojoFailureException;
 import org.apache.maven.plugins.annotations.Parameter;
 import org.apache.maven.project.MavenProject;
 
-/** What all goals share: they end with reports, and findings that decide over the build. */
+/** What all goals share: they end with reports, and with findings that may fail the build. */
 abstract class EventchainMojo extends AbstractMojo {
 
-  /** Leaves the goal out. */
+  /** Skips the goal. */
   @Parameter(property = "eventchain.skip", defaultValue = "false")
   private boolean skip;
 
-  /** From which severity on a finding fails the build: {@code error} or {@code warning}. */
+  /** The lowest severity of a finding that fails the build: {@code error} or {@code warning}. */
   @Parameter(property = "eventchain.failOn", defaultValue = "error")
   private String failOn;
 
@@ -66,7 +66,7 @@ abstract class EventchainMojo extends AbstractMojo {
   @Parameter(defaultValue = "${mojoExecution}", readonly = true, required = true)
   private MojoExecution execution;
 
-  /** The day on which suppressions are judged. */
+  /** The date for which suppressions are evaluated. */
   private LocalDate today;
 
   /** Does the work of the goal. */
@@ -108,7 +108,7 @@ abstract class EventchainMojo extends AbstractMojo {
   /** Refuses what is wrong before anything is read: it is no defect. */
   private void check() throws MojoFailureException {
     if (timeLimit < 1) {
-      throw new MojoFailureException("timeLimit is a number of seconds, from 1 on.");
+      throw new MojoFailureException("timeLimit must be a number of seconds, at least 1.");
     }
     try {
       today = Today.of(System.getenv(), Clock.systemUTC()).date();

@@ -16,8 +16,8 @@ import org.apache.maven.plugins.annotations.Parameter;
 
 /**
  * Generates text from models of any Ecore metamodel by a template, or the package of an event
- * chain. Files that hold their text already are not touched; those that an earlier run of the
- * execution wrote, and that are no longer generated, are deleted.
+ * chain. Files that are up to date are not touched; those that an earlier run of the execution
+ * wrote, and that are no longer generated, are deleted.
  */
 @Mojo(name = "generate", defaultPhase = LifecyclePhase.GENERATE_SOURCES, threadSafe = true)
 public final class GenerateMojo extends ModelMojo {
@@ -39,7 +39,7 @@ public final class GenerateMojo extends ModelMojo {
   /** Source roots of the template: {@code [import a::b]} is {@code a/b.mtl} below one of them. */
   @Parameter private List<File> sources = List.of();
 
-  /** Jars and folders of classes that the template may call by {@code invoke(...)}. */
+  /** Jars and folders of classes that the template may call with {@code invoke(...)}. */
   @Parameter private List<File> services = List.of();
 
   /** Properties files that {@code getProperty('key')} reads, in this order. */
@@ -53,11 +53,11 @@ public final class GenerateMojo extends ModelMojo {
   @Parameter(property = "eventchain.lenient", defaultValue = "false")
   private boolean lenient;
 
-  /** Where the files go that a template writes. */
+  /** The folder for the files that a template writes. */
   @Parameter(defaultValue = "${project.build.directory}/generated-sources/eventchain")
   private File outputDirectory;
 
-  /** Whether they are {@code SOURCES}, {@code RESOURCES} or {@code NONE} of the module's. */
+  /** Whether the module has them as {@code SOURCES}, {@code RESOURCES} or {@code NONE} of these. */
   @Parameter(property = "eventchain.use", defaultValue = "SOURCES")
   private Use use;
 

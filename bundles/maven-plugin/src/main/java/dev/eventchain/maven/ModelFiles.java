@@ -60,9 +60,9 @@ public final class ModelFiles {
     }
     String message =
         directory == null
-            ? "A set of models has no directory."
+            ? "A set of models names no directory."
             : isThere()
-                ? "No file in the folder is a model: includes "
+                ? "No file in the folder matches: includes "
                     + includes
                     + ", excludes "
                     + excludes

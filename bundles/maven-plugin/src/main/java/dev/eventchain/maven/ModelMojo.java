@@ -26,12 +26,12 @@ abstract class ModelMojo extends ChainMojo {
   @Parameter private List<File> metamodels = List.of();
 
   /**
-   * Where files are that references name by a URI: each with {@code uri}, a whole one or what they
-   * begin with, such as {@code platform:/resource/}, and {@code path}.
+   * Where to find files that references name by a URI: each with {@code uri}, a whole one or what
+   * they begin with, such as {@code platform:/resource/}, and {@code path}.
    */
   @Parameter private List<UriMapping> mappings = List.of();
 
-  /** Whether the build may go on where there is no model at all. */
+  /** Whether the build may continue if there is no model at all. */
   @Parameter(property = "eventchain.allowEmpty", defaultValue = "false")
   private boolean allowEmpty;
 

@@ -21,7 +21,7 @@ final class NothingToDo {
             message,
             place.map(Places::shown).map(SourceLocation::of).orElse(SourceLocation.NONE))
         .withHint(
-            "Name models by <models>, or a project by <chain>; where there need not be any, say"
+            "Name models with <models>, or a project with <chain>; if none are needed, set"
                 + " <allowEmpty>true</allowEmpty>, or <skip>true</skip>.");
   }
 }

@@ -16,13 +16,13 @@ public class SimulateMojo extends ChainMojo {
 
   /**
    * How the nodes run: {@code LOCKSTEP}, all in one process, or {@code DDS}, each in a process of
-   * its own with Cyclone DDS between them; {@code DDS_IN_REAL_TIME} lets them run by the clock on
-   * the wall, and {@code DDS_ATTACHED} drives nodes that others started.
+   * its own with Cyclone DDS between them; {@code DDS_IN_REAL_TIME} lets them run in wall-clock
+   * time, and {@code DDS_ATTACHED} drives nodes that were started elsewhere.
    */
   @Parameter(property = "eventchain.driver", defaultValue = "LOCKSTEP")
   private Driver driver;
 
-  /** A file with faults that scenarios are simulated with besides. */
+  /** A file with faults that scenarios are also simulated with. */
   @Parameter(property = "eventchain.faults")
   private File faults;
 

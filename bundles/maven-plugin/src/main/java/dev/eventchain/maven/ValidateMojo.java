@@ -13,8 +13,8 @@ import org.apache.maven.plugins.annotations.Mojo;
 import org.apache.maven.plugins.annotations.Parameter;
 
 /**
- * Checks models of any Ecore metamodel, or an event chain, with OCL, and fails the build for what
- * is wrong.
+ * Checks models of any Ecore metamodel, or an event chain, with OCL, and fails the build if there
+ * are errors.
  */
 @Mojo(name = "validate", defaultPhase = LifecyclePhase.VERIFY, threadSafe = true)
 public final class ValidateMojo extends ModelMojo {
