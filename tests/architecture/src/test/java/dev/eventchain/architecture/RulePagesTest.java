@@ -134,7 +134,7 @@ class RulePagesTest {
 
   @Test
   void everyFindingIsShownByATest() throws IOException {
-    Pattern tests = Pattern.compile(".*/src/test/.*|.*/ros2-runtime/tests/.*\\.py");
+    Pattern tests = Pattern.compile(".*/src/(?:test|it)/.*|.*/ros2-runtime/tests/.*\\.py");
     String all =
         String.join("\n", texts(BUNDLES, tests))
             + String.join("\n", texts(Path.of("..", "end-to-end"), tests));
