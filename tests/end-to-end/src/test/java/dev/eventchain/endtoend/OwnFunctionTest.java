@@ -145,7 +145,7 @@ class OwnFunctionTest {
         .run()
         .expect(1)
         .says("requirements.md:3:")
-        .says("No criterion reads /cluster/collision_warning.data, which leaves the chain")
+        .says("No criterion reads /cluster/collision_warning.data, which is an output of the chain")
         .says("[project.requirement.untested RAD-2]")
         .says("INCOMPLETE: 2 of 2 scenarios passed, but not all was tested")
         .says("3 requirements proved, 1 not tested, 1 error");

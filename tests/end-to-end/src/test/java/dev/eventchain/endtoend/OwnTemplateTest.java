@@ -77,7 +77,8 @@ class OwnTemplateTest {
     use("printing.mtl");
     Program.Ended ended = new Program().run("generate", project).expect(0);
     String text = ended.says("[project.template.printed]").out();
-    assertTrue(text.contains("printing.mtl:5:8: warning: This block prints its text"), text);
+    assertTrue(
+        text.contains("printing.mtl:5:8: warning: The text that this block prints is lost"), text);
     assertEquals(text.indexOf("template.printed"), text.lastIndexOf("template.printed"), text);
   }
 

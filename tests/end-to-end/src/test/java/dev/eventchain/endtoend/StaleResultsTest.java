@@ -264,7 +264,7 @@ class StaleResultsTest {
     run("run --from generate")
         .expect(0)
         .says("PASSED")
-        .says("chain.json, components, chain.xmi, generated.ocl were made from");
+        .says("chain.json, components, chain.xmi, generated.ocl were created from");
     run("run").expect(0).says("PASSED");
     Program.Ended again = run("run --from generate").expect(0);
     assertFalse(again.out().contains(OUTDATED), again.out());
