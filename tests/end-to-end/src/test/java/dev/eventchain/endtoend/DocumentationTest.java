@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
@@ -28,6 +29,8 @@ class DocumentationTest {
 
   private static final Pattern BLOCK =
       Pattern.compile("(?ms)^```console(?: exit=(\\d+))?\\n(.*?)^```$");
+
+  private static final Pattern YAML = Pattern.compile("(?ms)^```yaml\\n(.*?)^```$");
 
   @TempDir Path folder;
 
@@ -64,6 +67,24 @@ class DocumentationTest {
   @ValueSource(strings = {"build-server.md", "formats.md", "projects.md", "simulation.md"})
   void others(String page) throws Exception {
     assertTrue(run(page) >= 1);
+  }
+
+  @Test
+  void settingsOfLanguageModelsAreRead() throws Exception {
+    run(new Step("eventchain init my-project\n", "...\n"), 0);
+    Path settings = folder.resolve("my-project/eventchain.yaml");
+    String written = Files.readString(settings);
+    Matcher block = YAML.matcher(Files.readString(PAGES.resolve("language-models.md")));
+    Step validate = new Step("eventchain validate my-project\n", "...\n");
+    int blocks = 0;
+    for (; block.find(); blocks++) {
+      String text = block.group(1);
+      Files.writeString(settings, text.startsWith("name:") ? text : written + text);
+      run(validate, 0);
+      Files.writeString(settings, "modles: {}\n", StandardOpenOption.APPEND);
+      run(validate, 2);
+    }
+    assertEquals(2, blocks);
   }
 
   /** A page that is run by no test above would not be noticed otherwise. */
