@@ -15,10 +15,11 @@ import picocli.CommandLine.Parameters;
     name = "doctor",
     mixinStandardHelpOptions = true,
     description = {
-      "Report whether this machine has what runs need, and which language-model",
-      "services can be reached: those of a project's models, or all that are known. Keys are never",
-      "shown. Nothing is installed: for missing Python packages, it checks whether they",
-      "can be fetched, or come from the folder that EVENTCHAIN_WHEELS names."
+      "Report whether this machine has what runs need.",
+      "It also says which language-model services can be reached: those of a project's models, or all "
+          + "known ones. Keys are never shown. Nothing is installed: if Python packages are missing, "
+          + "it checks whether they can be fetched, or come from the folder that EVENTCHAIN_WHEELS "
+          + "names."
     })
 final class DoctorCommand implements Callable<Integer> {
 

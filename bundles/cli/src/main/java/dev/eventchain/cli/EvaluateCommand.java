@@ -16,12 +16,14 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "evaluate",
     mixinStandardHelpOptions = true,
-    description =
-        "Compare language models: each performs all tasks in several runs of the project, from its"
-            + " requirements to the verdict of its scenarios. How often the chain model is valid,"
-            + " the function code passes its checks, and all of it works, is counted twice: with"
-            + " the first answers, and with those after repair. Results are in OUTPUT/evaluation,"
-            + " with a folder for each run. The same command continues where it was interrupted.",
+    description = {
+      "Compare language models.",
+      "Each performs all tasks in several runs of the project, from its"
+          + " requirements to the verdict of its scenarios. How often the chain model is valid,"
+          + " the function code passes its checks, and all of it works, is counted twice: with"
+          + " the first answers, and with those after repair. Results are in OUTPUT/evaluation,"
+          + " with a folder for each run. The same command continues where it was interrupted."
+    },
     footer = {
       "",
       "Exit codes: 0 evaluated, whatever the results; 1 no run could be counted;",
