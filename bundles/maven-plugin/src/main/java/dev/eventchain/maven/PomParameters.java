@@ -41,7 +41,12 @@ final class PomParameters {
 
   /** What is wrong with the configuration of an execution; nothing if the pom has none. */
   static List<Diagnostic> check(MavenProject project, MojoExecution execution) {
-    Plugin plugin = project.getPlugin(execution.getPlugin().getKey());
+    String key = execution.getPlugin().getKey();
+    Plugin plugin = project.getPlugin(key);
+    if (plugin == null && project.getPluginManagement() != null) {
+      // A goal that is called by its name takes its configuration from there.
+      plugin = project.getPluginManagement().getPluginsAsMap().get(key);
+    }
     if (plugin == null) {
       return List.of();
     }
