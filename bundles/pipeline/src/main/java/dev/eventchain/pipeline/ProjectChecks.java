@@ -34,7 +34,8 @@ final class ProjectChecks {
   static ChainChecks of(RunContext run) {
     Constraints constraints = constraints(run);
     List<Requirements.Item> rules = run.designRules().map(Requirements::items).orElse(List.of());
-    return of(run, constraints, constraints.uncovered(rules, run::command));
+    Path output = run.options().output();
+    return of(run, constraints, ChainChecks.unchecked(run.project(), constraints, rules, output));
   }
 
   /** The checks of a project before constraints are generated. */
@@ -44,13 +45,13 @@ final class ProjectChecks {
   }
 
   private static ChainChecks of(
-      RunContext run, Constraints constraints, List<Diagnostic> uncovered) {
+      RunContext run, Constraints constraints, List<Diagnostic> unchecked) {
     return ChainChecks.of(
         constraints,
         run.softwareBase(),
         run.messages(),
         ProjectScenarios.requirements(run),
-        uncovered);
+        unchecked);
   }
 
   /** The files that the checks of a project depend on, besides the chain's. */

@@ -11,6 +11,7 @@ import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.LatencyConstraint;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import dev.eventchain.python.Confinement;
 import dev.eventchain.rules.OclResult;
 import dev.eventchain.simulation.FaultPlan;
 import dev.eventchain.simulation.Scenario;
@@ -47,7 +48,7 @@ final class SimulateStage implements StageWork {
   @Override
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
     Project project = run.project();
-    fingerprint.add(run.options().driver());
+    fingerprint.add(run.options().driver()).add(Confinement.demanded());
     run.options().faults().ifPresent(fingerprint::addFile);
     fingerprint.addFile(run.model());
     for (Path file : Scenario.filesIn(project.scenarios())) {

@@ -33,6 +33,8 @@ public enum Confinement {
 
   private static final String VARIABLE = "EVENTCHAIN_CONFINEMENT";
   private static final String AUTOMATIC = "auto";
+  private static final String HOOKS_ALONE = "audit-hooks";
+  private static final String NAMESPACES = "bubblewrap";
   private static final List<String> PROBE =
       List.of("bwrap", "--unshare-all", "--die-with-parent", "--new-session", "--cap-drop", "ALL");
   private static final int PROBE_SECONDS = 5;
@@ -67,11 +69,28 @@ public enum Confinement {
   }
 
   static Confinement detect(Map<String, String> settings) {
+    return switch (demanded(settings)) {
+      case AUTOMATIC -> bubblewrapWorks(settings) ? BUBBLEWRAP : AUDIT_HOOKS;
+      case HOOKS_ALONE -> AUDIT_HOOKS;
+      default -> demandBubblewrap(settings);
+    };
+  }
+
+  /**
+   * The name in {@code EVENTCHAIN_CONFINEMENT}, {@code auto} if that is unset or empty. What ran
+   * under one demand says nothing about another. Starts nothing.
+   *
+   * @throws DiagnosticException {@code python.confinement.unknown} as {@link #detect()}
+   */
+  public static String demanded() {
+    return demanded(System.getenv());
+  }
+
+  static String demanded(Map<String, String> settings) {
     String wanted = settings.getOrDefault(VARIABLE, "");
     return switch (wanted) {
-      case "", AUTOMATIC -> bubblewrapWorks(settings) ? BUBBLEWRAP : AUDIT_HOOKS;
-      case "audit-hooks" -> AUDIT_HOOKS;
-      case "bubblewrap" -> demandBubblewrap(settings);
+      case "" -> AUTOMATIC;
+      case AUTOMATIC, HOOKS_ALONE, NAMESPACES -> wanted;
       default -> throw unknown(wanted);
     };
   }

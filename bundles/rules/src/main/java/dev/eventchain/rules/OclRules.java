@@ -9,8 +9,13 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
 import java.util.function.Function;
+import java.util.stream.Stream;
+import java.util.stream.StreamSupport;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EDataType;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.util.EcoreUtil;
 
 /**
  * Invariants and definitions from Complete OCL documents, parsed and checked against metamodels.
@@ -87,6 +92,24 @@ public final class OclRules {
   /** The qualified names of the invariants without errors: {@code Class::Name}. */
   public List<String> constraintNames() {
     return constraints.stream().map(OclConstraint::qualifiedName).toList();
+  }
+
+  /**
+   * Whether some invariant is about an element, one inside it, or a value that one of them stores.
+   * Ends at the first such element.
+   */
+  public boolean areAbout(EObject root) {
+    List<EClassifier> contexts =
+        constraints.stream().<EClassifier>map(OclConstraint::context).distinct().toList();
+    Iterable<EObject> inside = () -> EcoreUtil.getAllProperContents(root, false);
+    return Stream.concat(Stream.of(root), StreamSupport.stream(inside.spliterator(), false))
+        .anyMatch(element -> contexts.stream().anyMatch(type -> isAbout(type, element)));
+  }
+
+  private static boolean isAbout(EClassifier type, EObject element) {
+    return type instanceof EDataType values
+        ? !HeldValue.of(values, List.of(element)).isEmpty()
+        : type.isInstance(element);
   }
 
   /** The invariant of this qualified name. */

@@ -33,19 +33,19 @@ public final class ChainChecks {
   private final ChainAnalysis analysis;
   private final SoftwareBase base;
   private final List<Requirements.Item> requirements;
-  private final List<Diagnostic> uncovered;
+  private final List<Diagnostic> unchecked;
 
   private ChainChecks(
       Constraints constraints,
       SoftwareBase base,
       MessageCatalog messages,
       List<Requirements.Item> requirements,
-      List<Diagnostic> uncovered) {
+      List<Diagnostic> unchecked) {
     this.constraints = constraints;
     this.analysis = ChainAnalysis.of(messages, base.signals());
     this.base = base;
     this.requirements = requirements;
-    this.uncovered = uncovered;
+    this.unchecked = unchecked;
   }
 
   /**
@@ -56,7 +56,7 @@ public final class ChainChecks {
    * @param analysis the contracts
    * @param reuse how existing components are used otherwise than they are
    * @param trace how the model's requirements are others than those that are written
-   * @param uncovered the design rules that no constraint stands for
+   * @param unchecked what people wrote and nothing checks, as {@link #unchecked}
    */
   public record Outcome(
       EcoreChecks ecore,
@@ -64,7 +64,7 @@ public final class ChainChecks {
       AnalysisResult analysis,
       List<Diagnostic> reuse,
       List<Diagnostic> trace,
-      List<Diagnostic> uncovered) {
+      List<Diagnostic> unchecked) {
 
     /** All findings. */
     public List<Diagnostic> diagnostics() {
@@ -73,7 +73,7 @@ public final class ChainChecks {
       all.addAll(analysis.diagnostics());
       all.addAll(reuse);
       all.addAll(trace);
-      all.addAll(uncovered);
+      all.addAll(unchecked);
       return all;
     }
 
@@ -121,9 +121,7 @@ public final class ChainChecks {
         base.orElseThrow(),
         messages.orElseThrow(),
         requirements.orElseThrow(),
-        constraints
-            .orElseThrow()
-            .uncovered(rules.orElseThrow(), more -> folder.command(output, more)));
+        unchecked(folder, constraints.get(), rules.orElseThrow(), output));
   }
 
   /**
@@ -141,6 +139,20 @@ public final class ChainChecks {
         List.of());
   }
 
+  /**
+   * What people wrote and nothing checks: design rules without constraints, and documents that are
+   * not read.
+   *
+   * @param output the folder of the project's results
+   */
+  public static List<Diagnostic> unchecked(
+      ProjectFolder folder, Constraints constraints, List<Requirements.Item> rules, Path output) {
+    List<Diagnostic> found =
+        new ArrayList<>(constraints.uncovered(rules, more -> folder.command(output, more)));
+    found.addAll(folder.unreadConstraints());
+    return found;
+  }
+
   private static List<Requirements.Item> requirements(ProjectFolder folder) {
     Path file = folder.requirements();
     return ProjectFolder.isAbsent(file) ? List.of() : items(file);
@@ -154,15 +166,15 @@ public final class ChainChecks {
    * The checks of a project whose files have been read.
    *
    * @param requirements those that are written; none if there is no such file
-   * @param uncovered the design rules that no constraint stands for
+   * @param unchecked what people wrote and nothing checks, as {@link #unchecked}
    */
   public static ChainChecks of(
       Constraints constraints,
       SoftwareBase base,
       MessageCatalog messages,
       List<Requirements.Item> requirements,
-      List<Diagnostic> uncovered) {
-    return new ChainChecks(constraints, base, messages, requirements, uncovered);
+      List<Diagnostic> unchecked) {
+    return new ChainChecks(constraints, base, messages, requirements, unchecked);
   }
 
   /** Checks a chain that was read from a file. */
@@ -195,6 +207,6 @@ public final class ChainChecks {
         analysis.check(chain, featureLocator),
         base.check(chain, featureLocator),
         RequirementTrace.check(requirements, chain, featureLocator),
-        uncovered);
+        unchecked);
   }
 }

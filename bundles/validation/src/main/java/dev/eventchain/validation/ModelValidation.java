@@ -132,6 +132,9 @@ public final class ModelValidation {
     if (onlyMetamodel && coverage.evaluations(Coverage.Kind.METAMODEL) > 0) {
       found.removeIf(finding -> finding.id().equals("ocl.nothing-evaluated"));
     }
+    if (result.evaluations() > 0) {
+      found.addAll(any.unconstrained(rules));
+    }
     found.addAll(any.ecore.diagnostics());
     if (metamodels.isEmpty()) {
       Validation contracts = any.contracts(MessageCatalog.of(messages));
@@ -139,6 +142,21 @@ public final class ModelValidation {
       found.addAll(contracts.diagnostics());
     }
     return new Validation(coverage, found);
+  }
+
+  /** What was found beside models that no constraint is about must not pass for a check of them. */
+  private List<Diagnostic> unconstrained(OclRules rules) {
+    return models.stream()
+        .filter(model -> model.roots().stream().noneMatch(rules::areAbout))
+        .map(model -> SourceLocation.of(origins.locate(model.roots().get(0)).file()))
+        .map(
+            file ->
+                Diagnostic.warning(
+                        "ocl.model-unconstrained",
+                        "No constraint applies to any element of this model: only its metamodel was checked.",
+                        file)
+                    .withHint("Name a document with constraints on its classes (--ocl)."))
+        .toList();
   }
 
   private static List<EObject> roots(List<LoadedModel> models) {

@@ -58,8 +58,9 @@ public class ProjectFolder {
   /**
    * What the configuration says.
    *
-   * @throws DiagnosticException INPUT if it is not a project ({@code project.missing}), or the file
-   *     cannot be read
+   * @throws DiagnosticException INPUT if it is not a project ({@code project.missing}), the file
+   *     cannot be read, or another one is not read because of the case of its name ({@code
+   *     project.file.misnamed})
    */
   public final SourceText configurationText() {
     if (!Files.isDirectory(folder)) {
@@ -77,6 +78,7 @@ public class ProjectFolder {
                   SourceLocation.of(folder))
               .withHint("Name the folder of a project, for example examples/aeb."));
     }
+    ProjectFileNames.refuseOtherCase(folder);
     return SourceText.read(configurationFile());
   }
 
@@ -143,6 +145,11 @@ public class ProjectFolder {
   /** The constraints that people wrote, and those that they import. */
   public final List<Path> ownConstraints() {
     return OclRules.files(existing("constraints.ocl").stream().toList());
+  }
+
+  /** A warning for each OCL document of the folder that is not read. */
+  public final List<Diagnostic> unreadConstraints() {
+    return ProjectFileNames.unreadConstraints(folder, ownConstraints());
   }
 
   /** The constraints that an earlier run has generated, when there are any. */

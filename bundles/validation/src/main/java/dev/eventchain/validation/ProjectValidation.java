@@ -91,7 +91,7 @@ public final class ProjectValidation {
     return kept.get();
   }
 
-  /** The content of what the checks are made of, and which files there are in the software base. */
+  /** The content of what the checks are made of, and which files there are besides. */
   private String stateOfFiles() {
     List<Path> files = new ArrayList<>(Constraints.files(folder, output));
     files.add(folder.designRulesFile());
@@ -109,6 +109,7 @@ public final class ProjectValidation {
     if (Files.isDirectory(folder.softwareBase())) {
       ProjectFolder.below(folder.softwareBase()).forEach(file -> digest.add(file + "\n"));
     }
+    digest.add(folder.unreadConstraints().toString());
     return digest.hex();
   }
 

@@ -102,6 +102,22 @@ class ModelValidationTest {
   }
 
   @Test
+  void aModelThatNoConstraintIsAboutIsNamedBesideOthers() throws IOException {
+    demand();
+    Path people =
+        Files.writeString(folder.resolve("rules.ocl"), "context Shop inv Named: name <> ''\n");
+    Validation found = validate(List.of(people), "bakery.xmi", "anna.xmi");
+    assertEquals(List.of("ocl.model-unconstrained"), ids(found.diagnostics()));
+    assertTrue(found.diagnostics().get(0).location().file().endsWith("anna.xmi"));
+    Path values =
+        Files.writeString(
+            folder.resolve("values.ocl"),
+            "package ecore context EString inv Named: self <> '' endpackage\n");
+    assertEquals(
+        List.of(), ids(validate(List.of(people, values), "bakery.xmi", "anna.xmi").diagnostics()));
+  }
+
+  @Test
   void filesThatAModelRefersToAreValidatedToo() throws IOException {
     demand();
     Files.writeString(folder.resolve("anna.xmi"), person("Anna").replace("name=", "xmi:id="));
@@ -109,7 +125,9 @@ class ModelValidationTest {
         Files.writeString(
             folder.resolve("rules.ocl"), "context Person inv Named: self.name <> null\n");
     Validation found = validate(List.of(ocl), "bakery.xmi");
-    assertEquals(List.of("ocl.violated", "ecore.required"), ids(found.diagnostics()));
+    assertEquals(
+        List.of("ocl.violated", "ocl.model-unconstrained", "ecore.required"),
+        ids(found.diagnostics()));
     assertEquals(2, found.coverage().elements());
     assertEquals(4, found.coverage().files().size());
     assertTrue(found.diagnostics().get(0).location().file().endsWith("anna.xmi"));

@@ -186,6 +186,26 @@ class ProjectValidationTest {
   }
 
   @Test
+  void filesThatAreNotReadAreNamed() throws IOException {
+    String constraints = "context SoftwareNode inv Slow: self.frequency < 100";
+    project.write("timing.ocl", constraints);
+    assertEquals(List.of("timing.ocl:0 project.constraints.unread"), found());
+    project.write("constraints.ocl", "import 'timing.ocl'\n");
+    assertEquals(List.of(), found());
+    Files.delete(project.file("timing.ocl"));
+    Files.delete(project.file("constraints.ocl"));
+    project.write("Constraints.ocl", constraints);
+    project.write("Tests/Brake_Request.yaml", "");
+    Files.move(project.file("model/chain.xmi"), project.file("model/Chain.xmi"));
+    assertEquals(
+        List.of(
+            "Constraints.ocl:0 project.file.misnamed",
+            "model/Chain.xmi:0 project.file.misnamed",
+            "Tests:0 project.file.misnamed"),
+        found().stream().filter(each -> each.contains("misnamed")).toList());
+  }
+
+  @Test
   void aModelThatWasMadeFromADescriptionIsFoundWrongInThat() throws IOException {
     derive();
     assertEquals(List.of(), found());

@@ -237,6 +237,15 @@ class BadInputTest {
   void unknownConfinementIsWrongUsage() {
     ended = new Program().with("EVENTCHAIN_CONFINEMENT", "none").run("run", project, "--again");
     ended.expect(2).says("python.confinement.unknown").says("bubblewrap or audit-hooks");
+    ended = new Program().with("EVENTCHAIN_CONFINEMENT", "none").run("run", project);
+    ended.expect(2).says("python.confinement.unknown");
+  }
+
+  @Test
+  void whatRanUnderAnotherConfinementRunsAgain() {
+    new Program().run("run", project).expect(0);
+    ended = new Program().with("EVENTCHAIN_CONFINEMENT", "audit-hooks").run("run", project);
+    ended.expect(0).says("✓ Simulate").says("times real time, Python audit hooks");
   }
 
   @Test
