@@ -71,11 +71,24 @@ final class ValidateCommand extends ProjectCommand {
       }
       return validate(Project.open(inputs.get(0)));
     }
+    refuseFolders();
     Suppressions suppressions = suppressions();
     Validation validation =
         ModelValidation.validate(
             given.metamodels, given.map, constraints, inputs, messages, timeLimit());
     return Outcome.of(validation.coverage(), validation.diagnostics(), suppressions);
+  }
+
+  /** A folder among model files, or with their options, is no model: say what is meant for it. */
+  private void refuseFolders() {
+    for (Path input : inputs) {
+      if (Files.isDirectory(input)) {
+        throw wrongUsage(
+            input
+                + " is a folder: a project is validated alone, by its own constraints.ocl and without"
+                + " --metamodel and --ocl; models are named one by one");
+      }
+    }
   }
 
   /** What is to be validated, and by what, must be there, so the stages that make it run before. */

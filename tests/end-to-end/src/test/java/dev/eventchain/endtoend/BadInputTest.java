@@ -346,6 +346,8 @@ class BadInputTest {
         "run . --from simulate --to design|2|comes after",
         "run . --to nowhere|2|nowhere",
         "validate --ocl a.ocl b.xmi|2|b.xmi",
+        "validate . --ocl a.ocl|2|. is a folder",
+        "validate a.xmi .|2|models are named one by one",
         "generate --template t.mtl m.xmi|2|-o",
         "explain nothing.at.all|2|explain.unknown",
       })
