@@ -111,6 +111,9 @@ abstract class ProjectCommand implements Callable<Integer> {
   final void print(String text) {
     PrintWriter writer = printsResult() ? console.out() : console.err();
     writer.print(text);
+    if (!printsResult() && !text.isEmpty() && !text.endsWith("\n")) {
+      writer.println(); // findings follow
+    }
     writer.flush();
   }
 

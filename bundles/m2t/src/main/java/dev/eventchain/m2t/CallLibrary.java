@@ -189,13 +189,18 @@ final class CallLibrary implements OperationLibrary {
       GenerationRun run = evaluation.attachment(GenerationRun.class);
       List<Object> all = all(source, arguments);
       Callable callable = find(all, run);
-      if (callable != null) {
-        return callable.call(all, run);
+      return callable == null ? untaken(all, run) : callable.call(all, run);
+    }
+
+    /** A template that refuses by its guard prints nothing; what no parameter takes is a mistake. */
+    private Object untaken(List<Object> arguments, GenerationRun run) {
+      if (Stream.of(candidates).anyMatch(candidate -> candidate.takes(arguments))) {
+        return "";
       }
-      return callsTemplates()
-          ? ""
-          : new Invalid(
-              "no query '" + name + "' takes these arguments", run.place(), Invalid.Kind.OTHER);
+      return new Invalid(
+          "no %s '%s' takes these arguments".formatted(callsTemplates() ? "template" : "query", name),
+          run.place(),
+          Invalid.Kind.OTHER);
     }
 
     /**
@@ -215,6 +220,8 @@ final class CallLibrary implements OperationLibrary {
           return value;
         }
         run.appendIndented(Texts.of(value), indentation);
+      } else if (untaken(all, run) instanceof Invalid invalid) {
+        return invalid;
       }
       return null;
     }

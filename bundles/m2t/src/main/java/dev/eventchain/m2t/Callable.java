@@ -50,8 +50,13 @@ abstract class Callable {
   /** The static type of a call's result. */
   abstract EClassifier resultType();
 
-  /** Whether it takes these arguments in this run; null goes everywhere. */
+  /** Whether it takes these arguments in this run. */
   boolean accepts(List<Object> arguments, GenerationRun run) {
+    return takes(arguments);
+  }
+
+  /** Whether its parameters take these arguments; null goes everywhere. */
+  final boolean takes(List<Object> arguments) {
     for (int i = 0; i < arguments.size(); i++) {
       Object argument = arguments.get(i);
       if (argument != null && !parameters.get(i).accepts().test(argument)) {

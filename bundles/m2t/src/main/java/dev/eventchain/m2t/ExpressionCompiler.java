@@ -13,6 +13,7 @@ import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.impl.BasicEObjectImpl;
 import org.eclipse.ocl.types.AnyType;
+import org.eclipse.ocl.types.TupleType;
 
 /** Parses and checks the expressions and types of one module. */
 record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage usage) {
@@ -75,6 +76,7 @@ record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage 
   private void note(Expression expression, int start) {
     usage.add(expression);
     Lints.separators(expression, problems, start);
+    Lints.computedInJava(expression, problems, start);
     boolean withoutServices =
         expression.libraryCalls().stream()
             .anyMatch(
@@ -119,7 +121,8 @@ record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage 
     if (language.elementType(type).isPresent()) {
       return value -> value instanceof Collection<?>;
     }
-    if (type instanceof EClass eClass && language.type(type) == type) {
+    boolean isTuple = type instanceof TupleType<?, ?>;
+    if (!isTuple && type instanceof EClass eClass && language.type(type) == type) {
       return new Instances(eClass);
     }
     return value -> language.isInstance(value, type);

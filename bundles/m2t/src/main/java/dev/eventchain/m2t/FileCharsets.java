@@ -87,7 +87,7 @@ final class FileCharsets {
                 + file.path()
                 + "' has characters that "
                 + charset
-                + " lacks; they became '?'.",
+                + " lacks; they would become '?'.",
             charset.equals(StandardCharsets.UTF_8)
                 ? "Use whole characters: this is half of one that Java counts as two."
                 : "Write the file in UTF-8.");

@@ -19,6 +19,9 @@ import org.eclipse.emf.ecore.EObject;
 /** A file of a run, which one or more blocks write, and what people wrote into the earlier one. */
 final class GeneratedFile {
 
+  /** Of the warning that an area of the earlier file is in no block. */
+  static final String LOST_AREA = "m2t.protected.lost";
+
   /** An area of the earlier file. */
   private static final class Earlier {
     private final String line;
@@ -239,7 +242,7 @@ final class GeneratedFile {
         area.loss =
             run.report()
                 .warning(
-                    "m2t.protected.lost",
+                    LOST_AREA,
                     SourceLocation.of(path),
                     "The protected area '"
                         + OutputPath.shown(area.id())

@@ -136,7 +136,8 @@ final class GenerationRun {
     GenerationTrace trace = tracing == null ? GenerationTrace.NONE : tracing.result();
     SortedMap<String, byte[]> contents = files.contents();
     List<Diagnostic> found = report.all();
-    GenerationResult result = new GenerationResult(contents, files.printed(), found, trace);
+    GenerationResult result =
+        new GenerationResult(contents, files.printed(), found, trace).withoutUnsavedLosses();
     return context.has(Trait.LENIENT) ? result.lenient() : result;
   }
 
@@ -249,7 +250,16 @@ final class GenerationRun {
 
   /** Reports why generation cannot continue; to be thrown. */
   StoppedException stop(Invalid invalid) {
-    return calls.tooDeep().isPresent() ? stopTooDeep() : stop(invalid.reason(), invalid.location());
+    if (calls.tooDeep().isPresent()) {
+      return stopTooDeep();
+    }
+    return invalid.kind() == Invalid.Kind.COST
+        ? stop(
+            "ocl.limit",
+            invalid.reason(),
+            invalid.location(),
+            "Ask for less at once, or for the same in several steps.")
+        : stopRecursion(invalid.reason(), invalid.location());
   }
 
   /**
@@ -258,7 +268,7 @@ final class GenerationRun {
    */
   StoppedException stopTooDeep() {
     Callable callable = calls.tooDeep().orElseThrow();
-    return stop(
+    return stopRecursion(
         "'" + callable.name() + "' recurses endlessly, or deeper than memory allows",
         callable.place().location());
   }
@@ -268,14 +278,14 @@ final class GenerationRun {
     return calls.keptDepth() >= MANY_CALLS;
   }
 
-  private StoppedException stop(String reason, SourceLocation location) {
+  private StoppedException stopRecursion(String reason, SourceLocation location) {
+    return stop("m2t.recursion", reason, location, "End the recursion, for example by a guard.");
+  }
+
+  private StoppedException stop(String id, String reason, SourceLocation location, String hint) {
     if (!stopped) {
       stopped = true;
-      report.error(
-          "m2t.recursion",
-          location,
-          "Generation was stopped: " + reason + ".",
-          "End the recursion, for example by a guard.");
+      report.error(id, location, "Generation was stopped: " + reason + ".", hint);
     }
     return new StoppedException();
   }

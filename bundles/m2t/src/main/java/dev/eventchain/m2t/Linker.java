@@ -147,11 +147,40 @@ final class Linker {
     unit.callables()
         .filter(callable -> !(callable instanceof Template))
         .forEach(callable -> refuseDuplicate(unit, callable, signatures));
+    Set<String> always = new HashSet<>();
+    unit.loaded().syntax().templates().stream()
+        .filter(template -> unit.templates().containsKey(template))
+        .filter(template -> template.overrides().isEmpty())
+        .forEach(template -> warnOfUnreachable(unit, template, always));
+  }
+
+  /**
+   * Warns of a template behind one that takes the same arguments whatever they are. One with a guard
+   * is asked before those without.
+   *
+   * @param always the signatures of the templates so far that have no guard
+   */
+  private static void warnOfUnreachable(Unit unit, Syntax.Template template, Set<String> always) {
+    String signature = signature(unit.templates().get(template));
+    if (template.guard().isEmpty() && !always.add(signature)) {
+      unit.loaded()
+          .problems()
+          .warning(
+              "m2t.name.duplicate",
+              template.name().start(),
+              "This template is never called: an earlier one is also called '"
+                  + template.name().text()
+                  + "', has the same parameters, and no guard.",
+              "Rename one of them, or give one of them a guard.");
+    }
+  }
+
+  private static String signature(Callable callable) {
+    return callable.name() + callable.parameters().stream().map(p -> p.type().getName()).toList();
   }
 
   private static void refuseDuplicate(Unit unit, Callable callable, Set<String> signatures) {
-    List<String> types = callable.parameters().stream().map(p -> p.type().getName()).toList();
-    if (!signatures.add(callable.name() + types)) {
+    if (!signatures.add(signature(callable))) {
       unit.loaded()
           .problems()
           .error(

@@ -4,6 +4,7 @@ import dev.eventchain.m2t.syntax.Problems;
 import dev.eventchain.m2t.syntax.Syntax;
 import dev.eventchain.m2t.syntax.Syntax.Visibility;
 import dev.eventchain.ocl.Expression;
+import dev.eventchain.ocl.Names;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
@@ -13,6 +14,7 @@ import java.util.Optional;
 import java.util.Set;
 import org.eclipse.emf.ecore.EClass;
 import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.ocl.types.AnyType;
 import org.eclipse.ocl.types.BagType;
 import org.eclipse.ocl.types.OrderedSetType;
@@ -69,6 +71,18 @@ final class Lints {
             && !expression.get().holdsAtMostOne();
     if (warned) {
       order(expression.get().type(), what, problems, start);
+    }
+  }
+
+  /** Warns of features whose values only Java code computes, which nobody loads. */
+  static void computedInJava(Expression expression, Problems problems, int start) {
+    for (EStructuralFeature feature : expression.computedInJava()) {
+      problems.warning(
+          "m2t.feature.java",
+          start,
+          "This reads '%s' of %s, which only Java code computes: it always has its default."
+              .formatted(feature.getName(), Names.of(feature.getEContainingClass())),
+          "Give the feature a derivation in OCL, or compute it in a query.");
     }
   }
 

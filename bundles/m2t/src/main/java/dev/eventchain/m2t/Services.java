@@ -61,16 +61,23 @@ final class Services {
   private Class<?> find(String className, String shown) {
     boolean isName =
         className.chars().allMatch(each -> each == '.' || Character.isJavaIdentifierPart(each));
+    boolean isForeign = false;
     try {
       // Nobody's class is initialised before it is known whose it is.
       Class<?> type = isName ? Class.forName(className, false, loader.orElseThrow()) : null;
       if (type != null && type.getClassLoader() == loader.get()) {
         return type;
       }
+      isForeign = type != null;
     } catch (ClassNotFoundException e) {
       // The same as a class that belongs to somebody else.
     }
-    throw new ServiceException(shown + "is missing: the services have no such class");
+    throw new ServiceException(
+        shown
+            + (isForeign
+                ? "is not a service: templates call the classes of their services only, not those of"
+                    + " Java, EMF or this program"
+                : "is missing: the services have no such class"));
   }
 
   private Method method(Class<?> type, String signature, String shown) {

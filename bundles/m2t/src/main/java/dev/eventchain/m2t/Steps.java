@@ -265,6 +265,15 @@ final class Steps {
           || charsetName instanceof Invalid) {
         return;
       }
+      if (Texts.of(fileName).isEmpty()) {
+        String what = fileName == null ? "null" : "empty";
+        run.report()
+            .undefined(
+                name,
+                new Invalid("the name of the file is " + what, name.location(), Invalid.Kind.OTHER),
+                Undefined.FILE);
+        return;
+      }
       FileMode actual = Boolean.TRUE.equals(append) ? FileMode.APPEND : mode;
       Optional<String> named =
           Optional.ofNullable(charsetName).map(Texts::of).filter(text -> !text.isEmpty());

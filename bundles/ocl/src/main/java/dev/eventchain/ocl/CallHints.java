@@ -119,6 +119,7 @@ final class CallHints {
       return "There is a '" + name + "', but for other types or another number of arguments.";
     }
     known.addAll(ofLibraries);
+    known.removeIf(each -> !Character.isJavaIdentifierStart(each.charAt(0))); // operators
     return SYNONYMS.getOrDefault(name, List.of()).stream()
         .filter(known::contains)
         .findFirst()

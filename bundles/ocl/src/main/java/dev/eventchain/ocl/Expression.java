@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Iterator;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -19,6 +20,7 @@ import org.eclipse.ocl.expressions.CollectionLiteralExp;
 import org.eclipse.ocl.expressions.IteratorExp;
 import org.eclipse.ocl.expressions.OCLExpression;
 import org.eclipse.ocl.expressions.OperationCallExp;
+import org.eclipse.ocl.expressions.PropertyCallExp;
 import org.eclipse.ocl.expressions.VariableExp;
 import org.eclipse.ocl.types.CollectionType;
 
@@ -162,11 +164,21 @@ public final class Expression {
     return known;
   }
 
+  /**
+   * The features anywhere in the expression that only Java code computes, which is not there:
+   * reading them gives their defaults.
+   */
+  public List<EStructuralFeature> computedInJava() {
+    return parts().computedInJava();
+  }
+
   /** What linters ask for, found in one walk. */
-  private record Parts(List<LibraryCall> calls, Set<String> variables) {
+  private record Parts(
+      List<LibraryCall> calls, Set<String> variables, List<EStructuralFeature> computedInJava) {
     static Parts of(OCLExpression<EClassifier> ast) {
       List<LibraryCall> calls = new ArrayList<>();
       Set<String> variables = new TreeSet<>();
+      Set<EStructuralFeature> computedInJava = new LinkedHashSet<>();
       Iterator<EObject> all = EcoreUtil.getAllContents(List.of(ast));
       while (all.hasNext()) {
         EObject part = all.next();
@@ -177,9 +189,16 @@ public final class Expression {
         } else if (part instanceof VariableExp<?, ?> variable
             && variable.getReferredVariable() != null) {
           variables.add(variable.getReferredVariable().getName());
+        } else if (part instanceof PropertyCallExp<?, ?> read
+            && read.getReferredProperty() instanceof EStructuralFeature feature
+            && OclAnnotations.isComputedInJava(feature)) {
+          computedInJava.add(feature);
         }
       }
-      return new Parts(List.copyOf(calls), Collections.unmodifiableSet(variables));
+      return new Parts(
+          List.copyOf(calls),
+          Collections.unmodifiableSet(variables),
+          List.copyOf(computedInJava));
     }
   }
 

@@ -248,8 +248,13 @@ public final class ExpressionLanguage {
       body.eAdapters().add(new InvalidOrigin.Source(range.source()));
       return collector.failed() ? Optional.empty() : Optional.of(body);
     } catch (RuntimeException | StackOverflowError e) {
-      boolean deep = e instanceof StackOverflowError;
-      String why = deep ? "is nested too deeply." : "cannot be read: " + e.getMessage();
+      String why = "cannot be read: " + e.getMessage();
+      if (e instanceof StackOverflowError) {
+        why = "is nested too deeply.";
+      } else if (e instanceof ClassCastException) {
+        // The parser expects a plain name where the grammar allows more.
+        why = "has a type where the parser takes only its name, such as Tuple(...) as an argument.";
+      }
       collector.add("ocl.syntax", true, "The expression " + why, "", 0);
       return Optional.empty();
     } finally {

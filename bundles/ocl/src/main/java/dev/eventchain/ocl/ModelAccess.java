@@ -3,6 +3,7 @@ package dev.eventchain.ocl;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.util.Collection;
+import java.util.HashMap;
 import java.util.Iterator;
 import java.util.Map;
 import java.util.Optional;
@@ -20,6 +21,8 @@ import org.eclipse.ocl.ecore.CollectionType;
 import org.eclipse.ocl.ecore.EcoreEvaluationEnvironment;
 import org.eclipse.ocl.ecore.PrimitiveType;
 import org.eclipse.ocl.expressions.CollectionKind;
+import org.eclipse.ocl.types.TupleType;
+import org.eclipse.ocl.util.Tuple;
 
 /**
  * Access to models: features, operations, types of values, tuples. Differs from what it extends in
@@ -89,8 +92,30 @@ final class ModelAccess extends EcoreEvaluationEnvironment {
     } else if (value instanceof Enumerator && type instanceof EEnum enumeration) {
       return enumeration.getELiterals().stream()
           .anyMatch(literal -> literal == value || literal.getInstance() == value);
+    } else if (value instanceof Tuple<?, ?> tuple && type instanceof TupleType<?, ?> parts) {
+      return areInstances((Tuple<?, EStructuralFeature>) tuple, parts, exactly);
     }
     return exactly ? super.isTypeOf(value, type) : super.isKindOf(value, type);
+  }
+
+  /** Tuples are of a type that has the same parts, and takes the value of each. */
+  private boolean areInstances(
+      Tuple<?, EStructuralFeature> tuple, TupleType<?, ?> type, boolean exactly) {
+    Map<String, Object> values = new HashMap<>();
+    for (Object part : tuple.getTupleType().oclProperties()) {
+      EStructuralFeature feature = (EStructuralFeature) part;
+      values.put(feature.getName(), tuple.getValue(feature));
+    }
+    return values.size() == type.oclProperties().size()
+        && type.oclProperties().stream()
+            .map(EStructuralFeature.class::cast)
+            .allMatch(part -> isPart(values, part, exactly));
+  }
+
+  private boolean isPart(Map<String, Object> values, EStructuralFeature part, boolean exactly) {
+    Object value = values.get(part.getName());
+    return values.containsKey(part.getName())
+        && (value == null || isInstance(value, part.getEType(), exactly));
   }
 
   private static boolean isNumberOf(Object number, EClassifier type, boolean exactly) {

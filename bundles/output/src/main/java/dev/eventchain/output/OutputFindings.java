@@ -15,9 +15,20 @@ final class OutputFindings {
     this.storage = storage;
   }
 
-  Diagnostic kept(String path) {
-    return edited(path, "differs from what was written, and was kept.")
-        .withHint("Delete the file to have it written again.");
+  /**
+   * A file that was kept.
+   *
+   * @param known whether an earlier run wrote a file of this name
+   */
+  Diagnostic kept(String path, boolean known) {
+    String what =
+        known
+            ? "differs from what was written, and was kept."
+            : "was there before and was not written by a run, and was kept.";
+    return edited(path, what)
+        .withHint(
+            "Replace it with --overwrite, which keeps the content of protected areas; deleting it"
+                + " does not.");
   }
 
   Diagnostic overwritten(String path) {

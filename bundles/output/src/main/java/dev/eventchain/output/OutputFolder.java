@@ -148,7 +148,7 @@ public final class OutputFolder implements AutoCloseable {
         && !records.isOurs(path, present.get())
         && !addsLostAreas(path, present.get(), content)) {
       if (onEdit == OnEdit.KEEP) {
-        return new Written(Outcome.KEPT, Optional.of(findings.kept(path)));
+        return new Written(Outcome.KEPT, Optional.of(kept(path)));
       }
       finding = Optional.of(findings.overwritten(path));
     }
@@ -156,6 +156,10 @@ public final class OutputFolder implements AutoCloseable {
     storage.replace(path, content);
     records.put(path, fingerprint);
     return new Written(Outcome.WRITTEN, finding);
+  }
+
+  private Diagnostic kept(String path) {
+    return findings.kept(path, !records.written(path).isEmpty());
   }
 
   /** Whether lost areas come behind what there is, of which a person may have taken some away. */
@@ -202,7 +206,7 @@ public final class OutputFolder implements AutoCloseable {
    */
   public synchronized Optional<Diagnostic> accept(String name) {
     return isEdited(name)
-        ? Optional.of(findings.kept(OutputPath.of(name).value()))
+        ? Optional.of(kept(OutputPath.of(name).value()))
         : Optional.empty();
   }
 

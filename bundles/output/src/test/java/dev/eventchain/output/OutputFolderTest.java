@@ -159,7 +159,14 @@ class OutputFolderTest {
   @Test
   void keepsAFileThatAPersonPutThere() throws IOException {
     Files.writeString(temporary.resolve("x"), "mine");
-    assertEquals(Outcome.KEPT, write(temporary, "x", "ours"));
+    try (OutputFolder folder = OutputFolder.open(temporary)) {
+      OutputFolder.Written written = folder.write("x", bytes("ours"));
+      assertEquals(Outcome.KEPT, written.outcome());
+      Diagnostic finding = written.finding().orElseThrow();
+      assertTrue(finding.message().contains("not written by a run"), finding.message());
+      // Deleting it, too, would have it written, without what protected areas contain.
+      assertTrue(finding.hint().contains("--overwrite"), finding.hint());
+    }
   }
 
   @Test

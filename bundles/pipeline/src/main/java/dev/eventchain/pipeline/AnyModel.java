@@ -101,6 +101,8 @@ public final class AnyModel {
         } else {
           write(any, module, context, files, target);
         }
+      } else if (target.folder().isPresent()) {
+        files.wroteNothing();
       }
       return files;
     }
@@ -154,6 +156,7 @@ public final class AnyModel {
         files.found(List.of(traceTaken()));
       }
       if (taken || !result.isWhole()) {
+        files.wroteNothing();
         return;
       }
       files.write(output, result.files(), target.overwrite() ? OnEdit.OVERWRITE : OnEdit.KEEP);

@@ -18,6 +18,7 @@ public final class WrittenFiles {
 
   private final Optional<Path> folder;
   private String printed = "";
+  private boolean isRefused;
   private final List<Diagnostic> found = new ArrayList<>();
   private final Map<Outcome, Integer> counts = new EnumMap<>(Outcome.class);
 
@@ -42,6 +43,11 @@ public final class WrittenFiles {
         });
   }
 
+  /** Notes that a generation was not whole, so that none of its files is written. */
+  void wroteNothing() {
+    isRefused = true;
+  }
+
   /** What templates printed instead of writing a file. */
   public String printed() {
     return printed;
@@ -52,8 +58,14 @@ public final class WrittenFiles {
     return List.copyOf(found);
   }
 
-  /** For people: {@code 3 files in out: 1 written, 2 unchanged}; empty if there are none. */
+  /**
+   * For people: {@code 3 files in out: 1 written, 2 unchanged}; that nothing was written because of
+   * errors; or empty if there are no files.
+   */
   public String summary() {
+    if (isRefused) {
+      return "nothing was written in " + folder.orElseThrow().normalize();
+    }
     int files = counts.values().stream().mapToInt(Integer::intValue).sum();
     List<String> parts = new ArrayList<>();
     counts.forEach(

@@ -289,7 +289,19 @@ final class BlockParser {
     if (id.isEmpty()) {
       return Optional.empty();
     }
+    warnOfAreaOnOneLine(token, tokens.get(next));
     return Optional.of(new Syntax.Protected(token.start(), id.get(), startPrefix, endPrefix, body));
+  }
+
+  /** What is behind the id on its line is read as a part of the id when the file is read again. */
+  private void warnOfAreaOnOneLine(Token open, Token close) {
+    if (problems.source().text().substring(open.end(), close.start()).indexOf('\n') < 0) {
+      problems.warning(
+          "m2t.protected.id",
+          open.start(),
+          "This protected area is on one line, where nobody can edit it without changing its id.",
+          "Put its text, and the closing tag, on lines of their own.");
+    }
   }
 
   private static Optional<SourceRange> some(SourceRange span) {

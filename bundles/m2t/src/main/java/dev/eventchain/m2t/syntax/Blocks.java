@@ -6,6 +6,7 @@ import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 /**
  * Which tags make a block. Tags that fit nowhere are reported and dropped; blocks that are not
@@ -14,6 +15,8 @@ import java.util.Map;
 final class Blocks {
   /** Deeper blocks would only be found in a template that a machine wrote to do harm. */
   static final int DEEPEST = 200;
+
+  private static final Set<String> BRANCHED = Set.of("if", "let");
 
   private static final Map<String, String> MIDDLE_OF = Map.of("elseif", "if", "elselet", "let");
 
@@ -92,7 +95,9 @@ final class Blocks {
       problems.syntax(
           token.start(),
           "An '" + keyword + "' is outside the block it belongs to.",
-          "Close the blocks inside it first.");
+          open.stream().skip(1).noneMatch(outer -> BRANCHED.contains(outer.keyword()))
+              ? "It belongs between [if ...] and [/if], or [let ...] and [/let]."
+              : "Close the block '" + around + "' before it.");
     }
   }
 

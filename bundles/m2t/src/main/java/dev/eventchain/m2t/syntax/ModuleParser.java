@@ -213,7 +213,8 @@ final class ModuleParser {
     Optional<SourceRange> post =
         reader.acceptWord("post") ? reader.parentheses("an operation") : Optional.empty();
     List<Variable> variables = reader.variablesInBraces();
-    reader.expectEnd("'overrides', '?', 'post', '{' or the end of the tag");
+    reader.expectEnd(
+        "the end of the tag, behind 'overrides', '? (guard)', 'post (...)' and '{...}' in this order");
     templates.add(
         new Template(
             name.get(), visibility, parameters, overrides, guard, post, variables, main, body));

@@ -202,7 +202,9 @@ final class TemplateLexer {
         comment ? "There is no comment to close here." : message,
         comment
             ? "A comment that ends with '/]' is closed already; write [comment] to close it here."
-            : "A block is closed by its name alone: [/for].");
+            : BLOCKS.contains(name)
+                ? "A block is closed by its name alone: [/" + name + "]."
+                : "A block is closed by its name, such as [/for] or [/template].");
     return broken(start, tagged ? end + 1 : nameEnd);
   }
 
