@@ -296,7 +296,7 @@ public final class MessageCatalog {
           Diagnostic.error(
                   "message.type.unknown", "There is no message type " + base + ".", field.place())
               .withHint(
-                  "Put its definition into PACKAGE/msg/NAME.msg, or .idl, beside the others."));
+                  "Put its definition into PACKAGE/msg/NAME.msg, or .idl, next to the others."));
       return Optional.empty();
     }
     try {

@@ -53,7 +53,8 @@ public final class InstanceModeler {
     }
     if (objects.all().isEmpty() && findings.isEmpty()) {
       findings.add(
-          Diagnostic.error("modeler.instance.empty", "There is no object here.", text.at("")));
+          Diagnostic.error(
+              "modeler.instance.empty", "The document contains no object.", text.at("")));
     }
     return new Modeled<>(roots, origins, findings.stream().distinct().sorted().toList());
   }

@@ -169,7 +169,7 @@ public final class ModelComparison {
     differences.add(
         Diagnostic.warning(
             "modeler.comparison.order",
-            "'%s' is in another order; expected is %s."
+            "'%s' is in a different order; expected: %s."
                 .formatted(reference.getName(), names(wanted)),
             locator.apply(actual)));
   }

@@ -260,7 +260,7 @@ public final class SoftwareBase {
         default -> {
           json.find(
               "modeler.component.implementation",
-              "'" + written + "' is not an implementation; it is 'component' or 'node'.",
+              "'" + written + "' is not an implementation; write 'component' or 'node'.",
               json.at("implementation"));
           yield ComponentImplementation.COMPONENT;
         }
