@@ -208,7 +208,7 @@ public final class DdsParticipant implements AutoCloseable {
   public synchronized void announce(String node) {
     requireOpen();
     if (graph.isPresent()) {
-      throw new IllegalStateException("This participant is announced already.");
+      throw new IllegalStateException("This participant is already announced.");
     }
     List<AutoCloseable> known = List.copyOf(endpoints);
     Graph announced = new Graph(this, cyclone, node);

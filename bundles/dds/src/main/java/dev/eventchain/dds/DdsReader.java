@@ -108,7 +108,7 @@ public final class DdsReader implements AutoCloseable {
     requireOpen();
     if (thread.isPresent()) {
       throw new IllegalStateException(
-          "The samples of " + endpoint.topic() + " go to its listener.");
+          "The samples of " + endpoint.topic() + " are delivered to its listener.");
     }
     return takeAll();
   }

@@ -67,7 +67,7 @@ record DdsDomain(int number, String tag) {
                 "dds.domain.none",
                 "No DDS domain from " + FIRST + " to " + LAST + " is free: " + last + ".",
                 SourceLocation.NONE)
-            .withHint("Is the loopback interface up? It is needed, and nothing else."));
+            .withHint("Is the loopback interface up? Nothing else is needed."));
   }
 
   /** It may be taken again. */

@@ -17,7 +17,7 @@ final class NodeLoss {
   static DiagnosticException stopped(String node, long now, UserFiles files) {
     return finding(
         "simulation.node.lost",
-        "Node " + node + " was stopped " + at(now) + " and does nothing any more.",
+        "Node " + node + " was stopped " + at(now) + " and did nothing from then on.",
         "Something has sent SIGSTOP to its process.",
         node,
         files);
@@ -48,7 +48,7 @@ final class NodeLoss {
     return finding(
         "simulation.wire.unmatched",
         "Not connected in time: " + String.join("; ", missing) + ".",
-        "Nodes communicate over the loopback interface: is it up, and does UDP pass?",
+        "Nodes communicate over the loopback interface: is it up, and does it let UDP through?",
         "",
         files);
   }

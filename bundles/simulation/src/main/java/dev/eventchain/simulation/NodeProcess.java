@@ -164,7 +164,7 @@ final class NodeProcess implements Supervisor.Watched, AutoCloseable {
 
   private void answered(Frame frame) {
     if (frame.kind() != awaited) {
-      throw failures.garbage("an answer of kind " + frame.kind() + " that nobody asked for");
+      throw failures.garbage("an unexpected answer of kind " + frame.kind());
     }
     awaited = NOTHING;
     answer = json(frame);

@@ -55,7 +55,7 @@ final class RunLogCheck {
         earliest = activation.end();
       }
     }
-    require(names.equals(List.copyOf(log.nodes().keySet())), "other nodes than those configured");
+    require(names.equals(List.copyOf(log.nodes().keySet())), "nodes other than those configured");
     checkPublications();
     checkCommands(commands);
   }
@@ -80,7 +80,7 @@ final class RunLogCheck {
         earliest = activation.end();
       }
     }
-    require(names.equals(List.copyOf(log.nodes().keySet())), "other nodes than those configured");
+    require(names.equals(List.copyOf(log.nodes().keySet())), "nodes other than those configured");
     checkPublications();
   }
 

@@ -118,7 +118,9 @@ final class Silence {
           "Look at its `lost`, `latency_ms` and `rate_hz` in bench.yaml, and how long scenarios last.";
     } else if (vehicle) {
       why = "never came: no component writes it.";
-      hint = "Let a component write the command, or the scenarios say nothing about the software.";
+      hint =
+          "Let a component write the command; otherwise, the scenarios say nothing about the"
+              + " software.";
     } else {
       why = "never came: no component writes it, and the simulated vehicle does not send it.";
       hint = "Read a topic of the simulated vehicle, or add the component that writes this one.";

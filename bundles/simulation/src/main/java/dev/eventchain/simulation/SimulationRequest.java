@@ -130,7 +130,7 @@ public record SimulationRequest(
       throw new IllegalArgumentException("a simulation needs a scenario and a process");
     }
     if (attachment.isPresent() != (driver == Driver.DDS_ATTACHED)) {
-      throw new IllegalArgumentException("to be attached, one has to know where");
+      throw new IllegalArgumentException("attaching needs a domain");
     }
   }
 
