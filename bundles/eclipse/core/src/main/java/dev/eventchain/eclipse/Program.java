@@ -47,7 +47,7 @@ public record Program(Path file) {
     }
     String problem =
         set.isEmpty()
-            ? "There is no program 'eventchain' on the path."
+            ? "There is no program 'eventchain' on the PATH."
             : "'" + set + "' is not a program that can be started.";
     throw new CoreException(
         EventchainCore.failure(problem + " Set it under Window > Preferences > Eventchain.", null));
