@@ -52,7 +52,7 @@ public final class ComponentTester {
     found.addAll(check.wrong(tests));
     SourceLocation place = source.at(0);
     if (tests.tests().isEmpty() && tests.properties().isEmpty() && found.isEmpty()) {
-      String message = "There is no test and no property here.";
+      String message = "The file contains no test and no property.";
       found.add(Diagnostic.error(ComponentTestsReader.FORMAT, message, place));
     } else if (found.isEmpty()) {
       check.gaps(tests, place).ifPresent(found::add);

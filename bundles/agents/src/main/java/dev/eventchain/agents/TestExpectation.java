@@ -61,7 +61,7 @@ record TestExpectation(
     if ((least == Double.NEGATIVE_INFINITY && most == Double.POSITIVE_INFINITY) || least > most) {
       object.find(
           ComponentTestsReader.FORMAT,
-          "Nothing, or nothing that can be, is expected here.",
+          "Nothing is expected here, or nothing that is possible.",
           object.location());
       return Optional.empty();
     }

@@ -94,7 +94,7 @@ public final class Spending {
     return stop(
         "llm.budget.spent",
         message.formatted(spent, allowed),
-        "What has been answered is kept with --record. Allow more with 'budget' in eventchain.yaml.");
+        "With --record, the answers so far are kept. Allow more with 'budget' in eventchain.yaml.");
   }
 
   private static DiagnosticException stop(String id, String message, String hint) {

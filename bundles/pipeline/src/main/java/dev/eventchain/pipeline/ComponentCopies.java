@@ -47,7 +47,7 @@ final class ComponentCopies {
   private static Diagnostic edited(SoftwareNode node, Path copy, Path source) {
     return Diagnostic.error(
             "eventchain.file.edited",
-            "This copy of the component '%s' is not what %s is: a verdict would be about another one."
+            "This copy of the component '%s' differs from %s, so a verdict would be about different code."
                 .formatted(node.getName(), SourceLocation.of(source).file()),
             SourceLocation.of(copy))
         .withHint(
