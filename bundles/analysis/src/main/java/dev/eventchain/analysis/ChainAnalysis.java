@@ -36,8 +36,8 @@ public final class ChainAnalysis {
    * An analysis of chains for one vehicle.
    *
    * @param catalog the message types that there are
-   * @param signals the topics outside the chain; empty if nobody knows them, so that who writes and
-   *     reads at the ends of the chain cannot be checked
+   * @param signals the topics outside the chain; empty if they are not known, so that who writes
+   *     and reads at the ends of the chain cannot be checked
    */
   public static ChainAnalysis of(MessageCatalog catalog, Optional<List<Signal>> signals) {
     return new ChainAnalysis(catalog, signals.map(ChainAnalysis::byTopic));

@@ -11,8 +11,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Whether the library's memory is as this bundle takes it: one message of nested types goes to
- * oneself with its own time.
+ * Whether the library's memory layout is the one that this bundle assumes: a message of nested
+ * types is sent to oneself with a time of its own.
  */
 final class LayoutCheck {
 

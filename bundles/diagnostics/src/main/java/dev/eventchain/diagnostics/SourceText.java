@@ -36,7 +36,7 @@ public final class SourceText {
 
   private record Line(int index, String text) {}
 
-  /** Where all of the text stands; null if its own lines are those of its file. */
+  /** Where all of the text is; null if its own lines are those of its file. */
   private final SourceLocation place;
 
   private SourceText(String name, String text, SourceLocation place) {

@@ -55,7 +55,7 @@ public final class Suppressions {
    * @param message their message
    * @param reason why that is right
    * @param expires the last day on which it is
-   * @param location where the entry stands
+   * @param location where the entry is
    */
   public record Entry(
       String id,

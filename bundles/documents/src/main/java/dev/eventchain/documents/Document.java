@@ -39,8 +39,8 @@ public final class Document {
 
   /**
    * Reads a text: one document, at most 200 levels deep and 16 Mi characters long, in which every
-   * text can be shown. A key that stands twice, a key that is not text, and a text with control
-   * characters are findings, and reading continues.
+   * text can be shown. A duplicate key, a key that is not text, and a text with control characters
+   * are findings, and reading continues.
    *
    * @param findings gets what is wrong with the document
    * @throws DiagnosticException INPUT if it is no such document ({@link FindingIds#syntax})

@@ -64,7 +64,7 @@ public record AnswerSchema(JsonNode nested, JsonNode flat, JsonNode told) {
   /**
    * What is sent.
    *
-   * @throws IllegalStateException if nobody has chosen a shape: a request would be recorded as one
+   * @throws IllegalStateException if no shape has been chosen: a request would be recorded as one
    *     that it is not
    */
   JsonNode chosen() {

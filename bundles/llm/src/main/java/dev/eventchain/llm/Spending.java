@@ -14,7 +14,7 @@ import java.util.TreeMap;
 
 /** What the calls of a run have cost, and what they may cost. Safe for threads. */
 public final class Spending {
-  /** The findings after which a run asks nobody any more: what may be spent is spent. */
+  /** The findings after which a run asks no more models: the budget is spent. */
   public static final Set<String> ENDS = Set.of("llm.budget.spent", "llm.price.missing");
 
   private final ModelServices services;

@@ -27,7 +27,7 @@ public record GenerationResult(
     List<Diagnostic> diagnostics,
     GenerationTrace trace) {
 
-  /** What a block printed, and where it stands. */
+  /** What a block printed, and where it is. */
   public record Printed(SourceLocation block, String text) {}
 
   /** What is found where a value is undefined, in a template or in a Java service. */

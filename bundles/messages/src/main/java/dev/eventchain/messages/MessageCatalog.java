@@ -144,8 +144,8 @@ public final class MessageCatalog {
   }
 
   /**
-   * Everything that is wrong with the definitions in the user's folders; definitions that nobody
-   * can use because of their place or name ({@code message.place}) are warned about.
+   * Everything that is wrong with the definitions in the user's folders; definitions that cannot be
+   * used because of their place or name ({@code message.place}) are warned about.
    */
   public List<Diagnostic> diagnostics() {
     Set<Diagnostic> found = new TreeSet<>();

@@ -91,7 +91,7 @@ public final class TopicIndex {
    * A topic.
    *
    * @param name its full name
-   * @return empty if nobody is on it
+   * @return empty if the chain neither reads nor writes it
    */
   public Optional<Topic> find(String name) {
     return Optional.ofNullable(topics.get(name));

@@ -317,7 +317,7 @@ public final class EventChainReader {
     return value;
   }
 
-  /** A number, a truth value or a text; the model has what was written. */
+  /** A number, a Boolean or a string; the model has what was written. */
   private Optional<String> safeValue(ObjectReader json) {
     Optional<JsonNode> value = json.value("safe_value");
     if (value.isPresent() && !value.get().isValueNode()) {

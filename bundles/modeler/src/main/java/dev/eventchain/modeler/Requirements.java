@@ -35,7 +35,7 @@ public record Requirements(List<Item> items, List<Diagnostic> diagnostics) {
    *
    * @param id the id under which people know it
    * @param text what it says, on one line
-   * @param location where it stands
+   * @param location where it is
    */
   public record Item(String id, String text, SourceLocation location) {}
 

@@ -23,8 +23,8 @@ import org.eclipse.ocl.expressions.VariableExp;
 import org.eclipse.ocl.types.CollectionType;
 
 /**
- * A parsed and checked OCL expression. Immutable; several threads can evaluate it at once, each
- * with an {@link Evaluation} of its own.
+ * A parsed and checked OCL expression. Immutable; several threads can evaluate it at the same time,
+ * each with an {@link Evaluation} of its own.
  */
 public final class Expression {
 
@@ -59,7 +59,7 @@ public final class Expression {
     return ast.getType();
   }
 
-  /** Where the expression stands. */
+  /** Where the expression is. */
   public SourceLocation location() {
     SourceLocation known = location;
     if (known == null) {
@@ -266,7 +266,7 @@ public final class Expression {
    * Why a condition is false, in words: the values that made it so. Parts of it are evaluated
    * again.
    *
-   * @param run binds the variables as for the evaluation; its time limit holds for this, too
+   * @param run binds the variables as for the evaluation; its time limit applies to this, too
    * @return such as {@code self.pages is 3}; empty if there is nothing to tell
    */
   public String whyFalse(Evaluation run) {

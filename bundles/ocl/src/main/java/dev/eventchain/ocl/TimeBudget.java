@@ -36,7 +36,7 @@ public final class TimeBudget {
 
     /**
      * Nanoseconds for which a processor worked for the calling thread, from an arbitrary start;
-     * wall time where Java cannot tell. A hundred times as dear as {@link #wall}.
+     * wall time where Java cannot tell. A hundred times as expensive as {@link #wall}.
      */
     long processor();
 

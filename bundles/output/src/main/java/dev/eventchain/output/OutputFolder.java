@@ -158,7 +158,9 @@ public final class OutputFolder implements AutoCloseable {
     return new Written(Outcome.WRITTEN, finding);
   }
 
-  /** Whether lost areas come behind what there is, of which a person may have taken some away. */
+  /**
+   * Whether lost areas are appended to the existing ones, some of which a person may have removed.
+   */
   private static boolean addsLostAreas(String path, byte[] present, byte[] content) {
     return path.endsWith(ProtectedAreas.LOST)
         && content.length > present.length
@@ -185,7 +187,7 @@ public final class OutputFolder implements AutoCloseable {
   }
 
   /**
-   * Whether a file is there that is not as we wrote it: a person changed it, or put it there.
+   * Whether there is a file that is not as we wrote it: a person changed it, or put it there.
    * Changes inside protected areas do not count, they are what the areas are for.
    */
   public synchronized boolean isEdited(String name) {
@@ -195,7 +197,7 @@ public final class OutputFolder implements AutoCloseable {
   }
 
   /**
-   * Accepts a file as it stands, for a run that continues from a person's version of it.
+   * Accepts a file as it is, for a run that continues from a person's version of it.
    *
    * @return the warning {@code eventchain.file.edited} if a person changed it; nothing if it is as
    *     we wrote it or does not exist

@@ -21,8 +21,8 @@ final class ComponentCopies {
   }
 
   /**
-   * A copy that somebody changed is kept, but a verdict about it would say nothing about the
-   * component of the project.
+   * An edited copy is kept, but a verdict about it would say nothing about the component of the
+   * project.
    *
    * @throws DiagnosticException FINDINGS with an error for each, unless people accept them
    */

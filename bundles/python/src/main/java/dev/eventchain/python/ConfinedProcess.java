@@ -16,7 +16,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
 
 /**
- * A Python process that runs a program which nobody trusts.
+ * A Python process that runs an untrusted program.
  *
  * <p>It reads Python itself, the system's libraries and the paths it is given, writes its work
  * folder and nothing else, has no network but what {@link Builder#preparation} made, starts no
@@ -25,9 +25,9 @@ import java.util.stream.Stream;
  * UTF-8, no byte code files); home and temporary folder are the work folder. See {@link
  * Confinement} for what this rests on.
  *
- * <p>Standard output is the caller's to read; a process that nobody reads stands still until its
- * time is over. Standard error is always read and its first and last parts are kept; one that
- * writes more than 16 MiB there is ended.
+ * <p>Standard output is the caller's to read; a process whose output is not read blocks until its
+ * time is up. Standard error is always read and its first and last parts are kept; one that writes
+ * more than 16 MiB there is ended.
  */
 public final class ConfinedProcess implements AutoCloseable {
 

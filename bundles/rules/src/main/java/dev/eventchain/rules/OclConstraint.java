@@ -82,7 +82,7 @@ public final class OclConstraint {
     return comments.named(ids);
   }
 
-  /** Where it stands. */
+  /** Where it is. */
   public SourceLocation location() {
     return location;
   }

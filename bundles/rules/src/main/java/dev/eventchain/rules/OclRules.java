@@ -65,7 +65,7 @@ public final class OclRules {
    * As {@link #parse(List, Collection)}, with the invariants that the metamodels hold in
    * annotations: first those, then the documents'.
    *
-   * @param places where elements of the metamodels stand
+   * @param places where elements of the metamodels are
    */
   public static OclRules parse(
       List<SourceText> documents,

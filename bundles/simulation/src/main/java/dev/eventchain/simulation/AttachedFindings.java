@@ -98,7 +98,7 @@ final class AttachedFindings {
             taken.isEmpty() ? "" : setup.writer(taken.get(0))));
   }
 
-  /** What the vehicle takes and nobody wrote in any scenario, where something else came. */
+  /** What the vehicle takes and nothing wrote in any scenario, although other messages came. */
   static List<Diagnostic> neverHeard(List<Run> runs, NodeSetup setup) {
     List<String> taken = taken(setup);
     boolean anything = runs.stream().anyMatch(run -> silentIn(run, setup).isEmpty());

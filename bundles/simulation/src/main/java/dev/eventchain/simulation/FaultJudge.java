@@ -178,7 +178,10 @@ final class FaultJudge {
         World.seconds(trace.end().time()));
   }
 
-  /** As long as both runs last; who stood at the end of the shorter one would still stand. */
+  /**
+   * As long as both runs last; a vehicle that was stationary at the end of the shorter one would
+   * still be.
+   */
   private static Deviation deviation(Trace faulty, Trace without) {
     Deviation largest = new Deviation(0, 0);
     boolean stands = without.end().speed() == 0.0 && without.impactSpeed().isEmpty();

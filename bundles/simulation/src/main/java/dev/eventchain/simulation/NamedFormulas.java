@@ -27,7 +27,7 @@ final class NamedFormulas {
     this.formulas = formulas;
   }
 
-  /** The criteria that stand in a section {@code accept}. */
+  /** The criteria that are in a section {@code accept}. */
   static List<FormulaCriterion> read(ObjectReader section, FormulasReader formulas) {
     NamedFormulas named = new NamedFormulas(section, formulas);
     named.limit(

@@ -6,14 +6,14 @@ import dev.eventchain.diagnostics.SourceLocation;
 import java.util.List;
 import java.util.Locale;
 
-/** Findings about nodes that stand still or cannot be reached. */
+/** Findings about nodes that are stopped or cannot be reached. */
 final class NodeLoss {
 
   private static final double SECOND = 1e9;
 
   private NodeLoss() {}
 
-  /** A node stands still. */
+  /** A node is stopped. */
   static DiagnosticException stopped(String node, long now, UserFiles files) {
     return finding(
         "simulation.node.lost",

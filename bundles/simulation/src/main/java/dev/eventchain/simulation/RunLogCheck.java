@@ -138,7 +138,7 @@ final class RunLogCheck {
             });
   }
 
-  /** What moved the vehicle has to stand in the record. */
+  /** What moved the vehicle has to be in the record. */
   private void checkCommands(List<Outbound> commands) {
     Map<Integer, Map<Long, Integer>> known = new HashMap<>();
     int index = 0;

@@ -15,7 +15,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
-/** Reads scenario files. Units stand in the names of the keys and become SI units here. */
+/** Reads scenario files. Units are in the names of the keys and become SI units here. */
 final class ScenarioReader {
 
   private static final FindingIds IDS =

@@ -79,7 +79,7 @@ public record Program(Path file) {
     List<String> command = new ArrayList<>(List.of(file.toString()));
     command.addAll(arguments);
     Process process = start(command, folder);
-    // If the workbench is ended from outside, nobody is left who could end the run.
+    // If the workbench is ended from outside, nothing is left that could end the run.
     Thread end = new Thread(process::destroy);
     Runtime.getRuntime().addShutdownHook(end);
     try {

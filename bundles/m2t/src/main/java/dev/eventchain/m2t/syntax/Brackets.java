@@ -193,7 +193,7 @@ public final class Brackets {
     return found >= 0 && found < end;
   }
 
-  /** The offset behind a tag. */
+  /** The offset after a tag. */
   private int tagEnd(int start, int lineEnd) {
     boolean quoted = false;
     for (int i = start + 1; i < lineEnd; i++) {

@@ -27,7 +27,7 @@ import org.eclipse.ui.part.FileEditorInput;
 /** Changes the text of a file in a job, unless an editor has changes of it that are not saved. */
 final class FileEdit {
 
-  /** Makes the new text of the old one; nothing if it cannot be done any more. */
+  /** Makes the new text from the old one; nothing if that is no longer possible. */
   @FunctionalInterface
   interface Change {
     Optional<String> apply(String text) throws CoreException;
