@@ -105,7 +105,7 @@ final class AttachedFindings {
     return taken.stream()
         .filter(topic -> anything)
         .filter(topic -> runs.stream().allMatch(run -> run.log().publicationsOf(topic).isEmpty()))
-        .map(topic -> silent(topic + " never came in any scenario.", setup.writer(topic)))
+        .map(topic -> silent(topic + " never arrived in any scenario.", setup.writer(topic)))
         .toList();
   }
 

@@ -101,7 +101,7 @@ record Outside(List<Peer> peers, NavigableSet<String> nodes, boolean isEmpty, Wi
             .distinct()
             .toList();
     return others.isEmpty()
-        ? "nobody " + (writes ? "writes " : "reads ") + world.topic() + " (" + world.type() + ")"
+        ? "nothing " + (writes ? "writes " : "reads ") + world.topic() + " (" + world.type() + ")"
         : world.topic() + " is " + is + String.join(" and", others);
   }
 

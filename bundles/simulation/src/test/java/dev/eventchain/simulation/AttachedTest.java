@@ -140,10 +140,10 @@ class AttachedTest {
     assertEquals(
         "No node was found in domain "
             + domain.number()
-            + ", within 0 s: nobody reads /carla/ego_vehicle/lidar (sensor_msgs/msg/PointCloud2);"
-            + " nobody reads /carla/ego_vehicle/vehicle_status"
+            + ", within 0 s: nothing reads /carla/ego_vehicle/lidar (sensor_msgs/msg/PointCloud2);"
+            + " nothing reads /carla/ego_vehicle/vehicle_status"
             + " (carla_msgs/msg/CarlaEgoVehicleStatus);"
-            + " nobody writes /carla/ego_vehicle/vehicle_control_cmd"
+            + " nothing writes /carla/ego_vehicle/vehicle_control_cmd"
             + " (carla_msgs/msg/CarlaEgoVehicleControl).",
         found.message());
   }
