@@ -15,9 +15,9 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
 /**
- * What OCL cannot say about a chain: whether its components, and the vehicle around it, mean the
- * same by each topic, which otherwise fails on the road and in silence; and what follows from the
- * flow of the whole chain.
+ * What OCL cannot say about a chain: whether its components, and the vehicle around it, agree on
+ * the meaning of each topic, which otherwise fails on the road and silently; and what follows from
+ * the flow of the whole chain.
  *
  * <p>What a single element looks like is left to the standard constraints: data without a topic, a
  * legal type or a field are not looked at here.

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 
-/** Reads messages of one topic. Safe for several threads. */
+/** Reads messages of one topic. Thread-safe. */
 public final class DdsReader implements AutoCloseable {
 
   private static final int ANY_STATE = 0x7F;

@@ -8,7 +8,7 @@ import dev.eventchain.messages.QosSettings;
 import java.time.Duration;
 import java.util.List;
 
-/** Writes messages of one topic. Safe for several threads, which wait for each other. */
+/** Writes messages of one topic. Thread-safe: threads wait for each other. */
 public final class DdsWriter implements AutoCloseable {
 
   /** {@code ddsi_serdata.timestamp}; {@link LayoutCheck} holds the library to it. */

@@ -17,7 +17,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Map;
 
-/** A text and its name, which turns offsets into places. Immutable. */
+/** A text and its name, which turns offsets into locations. Immutable. */
 public final class SourceText {
 
   private static final long LARGEST = 256L << 20;

@@ -11,8 +11,9 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
- * Findings that people have decided to live with for a while, each with a reason and an end. A
- * suppressed finding does not make a command fail, and stays visible in the reports. Immutable.
+ * Findings that people have decided to live with for a while, each with a reason and an expiry
+ * date. A suppressed finding does not make a command fail, and stays visible in the reports.
+ * Immutable.
  */
 public final class Suppressions {
 

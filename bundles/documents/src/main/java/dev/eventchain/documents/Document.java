@@ -11,8 +11,8 @@ import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
- * A JSON or YAML file that knows the place of each of its values and keys. What is in it is named
- * by JSON pointers, in YAML too. Immutable.
+ * A JSON or YAML file that knows the location of each of its values and keys. Its values are
+ * addressed by JSON pointers, in YAML, too. Immutable.
  */
 public final class Document {
 

@@ -5,8 +5,8 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 
 /**
- * The JSON Schema of an answer in the shapes that models take. Which one is sent is decided by the
- * model that is asked; answers in each say the same.
+ * The JSON Schema of an answer in the shapes that models take. The model that is asked determines
+ * which one is sent; answers in all shapes have the same meaning.
  *
  * @param nested with definitions and pointers to them; every property is required, and may be null
  *     where there is nothing to say

@@ -12,7 +12,7 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 
-/** What the calls of a run have cost, and what they may cost. Safe for threads. */
+/** What the calls of a run have cost, and what they may cost. Thread-safe. */
 public final class Spending {
   /** The findings after which a run asks no more models: the budget is spent. */
   public static final Set<String> ENDS = Set.of("llm.budget.spent", "llm.price.missing");

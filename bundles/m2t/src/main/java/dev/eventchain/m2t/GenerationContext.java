@@ -13,7 +13,7 @@ import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EObject;
 
 /**
- * What a generation knows besides the model.
+ * What a generation knows in addition to the model.
  *
  * @param locator where a model element is, for findings
  * @param earlier the content of a file of the output folder, usually {@link OutputFolder#read};

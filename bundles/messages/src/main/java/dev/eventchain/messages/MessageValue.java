@@ -15,7 +15,7 @@ import java.util.StringJoiner;
  *   <li>arrays and sequences of strings and messages as {@link java.util.List}.
  * </ul>
  *
- * Mutable; not safe for several threads at once.
+ * Mutable; not thread-safe.
  */
 public final class MessageValue {
 

@@ -21,7 +21,7 @@ import org.eclipse.emf.common.util.Enumerator;
 
 /**
  * The JSON Schema of the event-chain descriptions that {@link EventChainReader} reads, as far as
- * somebody who designs a chain writes them. Since strict modes want an object at the root, the
+ * they are written by the designer of a chain. Since strict modes want an object at the root, the
  * array of components is in its property {@code components}.
  *
  * <p>Only what is closed is an enumeration: the ids of the requirements, the message types that

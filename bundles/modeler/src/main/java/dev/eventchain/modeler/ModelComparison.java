@@ -14,8 +14,8 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EReference;
 
 /**
- * Compares two models of the same metamodel: what one says and the other does not. Each made by its
- * own way, they check each other.
+ * Compares two models of the same metamodel: what one contains and the other does not. If they were
+ * made independently, they check each other.
  */
 public final class ModelComparison {
 

@@ -30,7 +30,7 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
 /**
- * What a project has already: the components of {@code components.json} with their files, and the
+ * What a project already has: the components of {@code components.json} with their files, and the
  * signals of {@code signals.json}.
  */
 public final class SoftwareBase {

@@ -41,7 +41,10 @@ public final class Expression {
   /** As {@link #lowered}, to find out why there is no value; made when that is first asked. */
   private volatile Lowered traced;
 
-  /** Made when it is first asked for, as the next; threads that do so at once find the same. */
+  /**
+   * Made when it is first asked for, as the next; threads that do so at the same time find the
+   * same.
+   */
   private volatile SourceLocation location;
 
   private volatile Parts parts;

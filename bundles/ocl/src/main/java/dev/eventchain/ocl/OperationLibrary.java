@@ -62,7 +62,7 @@ public interface OperationLibrary {
    */
   record Operation(String name, EClassifier resultType, Implementation implementation) {}
 
-  /** What an operation does. Must be safe for threads. */
+  /** What an operation does. Must be thread-safe. */
   @FunctionalInterface
   interface Implementation {
 

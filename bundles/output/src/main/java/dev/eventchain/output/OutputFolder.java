@@ -13,10 +13,10 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The one door through which files are written. Nothing gets outside the folder, whatever a name
- * says; a file appears whole or not at all; a file that holds the content already is not touched;
- * and a file that a person changed is never replaced silently. What was written is remembered in
- * {@code .eventchain/files.json} inside the folder.
+ * The only way to write files. Nothing gets outside the folder, whatever a name says; a file
+ * appears complete or not at all; a file that already has the content is not touched; and a file
+ * that a person changed is never replaced silently. What was written is remembered in {@code
+ * .eventchain/files.json} inside the folder.
  *
  * <p>File names are relative, with {@code /} between their parts. Safe for use by several threads.
  */

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What a run is to do.
+ * What a run should do.
  *
  * @param output the folder that everything is written to
  * @param first the first stage; what earlier stages made is read from the output folder

@@ -19,7 +19,7 @@ import java.util.stream.Stream;
  * A Python process that runs an untrusted program.
  *
  * <p>It reads Python itself, the system's libraries and the paths it is given, writes its work
- * folder and nothing else, has no network but what {@link Builder#preparation} made, starts no
+ * folder and nothing else, has no network except what {@link Builder#preparation} made, starts no
  * processes, and ends when it uses more than its limits, when it is closed, or when this Java ends.
  * It sees no environment variables but those that make it repeatable ({@code PYTHONHASHSEED=0},
  * UTF-8, no byte code files); home and temporary folder are the work folder. See {@link

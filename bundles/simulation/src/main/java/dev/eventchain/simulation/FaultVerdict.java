@@ -9,8 +9,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * What came of a fault: what the vehicle did, next to what it did without the fault, and by what
- * the fault was detected.
+ * The effect of a fault: what the vehicle did, compared with what it did without the fault, and
+ * what detected the fault.
  *
  * @param name the fault's name
  * @param scenario the name of the scenario

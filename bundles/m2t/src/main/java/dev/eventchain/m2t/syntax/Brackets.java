@@ -9,8 +9,8 @@ import java.util.Optional;
 
 /**
  * Looks for brackets in the literal text of a template that have no partner: usually a {@code [}
- * that was forgotten, for it has to be written {@code ['['/]}. Where the brackets depend on
- * conditions or are computed it keeps silent.
+ * that was forgotten, for it has to be written {@code ['['/]}. It reports nothing where the
+ * brackets depend on conditions or are computed.
  */
 public final class Brackets {
   private final String source;
