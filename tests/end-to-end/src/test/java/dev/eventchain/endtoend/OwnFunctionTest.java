@@ -263,7 +263,7 @@ class OwnFunctionTest {
     project
         .run()
         .expect(1)
-        .says(copy + ": error: This copy of the component 'Collision_Warning' is not what ")
+        .says(copy + ": error: This copy of the component 'Collision_Warning' differs from ")
         .says("[eventchain.file.edited]");
     project.requireNotPassed();
     new Program().run("run", project.path(), "--overwrite").expect(0).says("PASSED");
