@@ -37,7 +37,7 @@ public record AgentContext(
     }
   }
 
-  /** A context with the usual number of repairs that tells nobody of its progress. */
+  /** A context with the usual number of repairs that does not report its progress. */
   public static AgentContext of(ChatModel model) {
     return new AgentContext(
         model, DEFAULT_REPAIRS, finding -> false, message -> {}, exchange -> {});

@@ -5,7 +5,7 @@ import dev.eventchain.llm.ChatResponse;
 import java.util.List;
 
 /**
- * What an agent made.
+ * What an agent produced.
  *
  * @param text the artefact, normalised: the text of a file with LF line ends and a line break at
  *     its end

@@ -39,7 +39,7 @@ record AnswerText(Optional<SourceText> artefact, List<Diagnostic> problems) {
     String text = response.text().replace("\r\n", "\n").replace("\uFEFF", "");
     text = THINKING.matcher(text).replaceFirst("");
     if (THINKING_WITHOUT_END.matcher(text).find()) {
-      return truncated(file, "The answer ends inside the thinking before it.");
+      return truncated(file, "The answer ends inside the thinking that comes before it.");
     }
     FencedBlocks blocks = FencedBlocks.in(text);
     if (!blocks.all().isEmpty()) {

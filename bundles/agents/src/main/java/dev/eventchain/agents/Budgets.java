@@ -10,7 +10,7 @@ import java.util.Set;
 
 /**
  * What components may cost, in descriptions of components. It says nothing about what they do, so
- * prompts leave it out: a new budget asks nobody for a new answer.
+ * prompts leave it out: a new budget needs no new answer.
  */
 final class Budgets {
   private static final Set<String> KEYS =

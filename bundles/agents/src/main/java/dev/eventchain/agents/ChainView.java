@@ -18,7 +18,7 @@ record ChainView(List<ChainView.Component> components) {
   /**
    * A component.
    *
-   * @param pointer where it stands
+   * @param pointer where it is
    */
   record Component(
       String name, JsonNode json, String pointer, List<Port> inputs, List<Port> outputs) {
@@ -47,7 +47,7 @@ record ChainView(List<ChainView.Component> components) {
   /**
    * A topic that a component reads or writes.
    *
-   * @param pointer where it stands
+   * @param pointer where it is
    */
   record Port(String topic, String pointer, List<Value> values) {}
 
@@ -55,7 +55,7 @@ record ChainView(List<ChainView.Component> components) {
    * A value that a component reads or writes.
    *
    * @param unit empty if none is stated
-   * @param pointer where it stands
+   * @param pointer where it is
    */
   record Value(String name, String type, String unit, String pointer) {}
 

@@ -156,7 +156,7 @@ final class ComponentTestRun {
             "The test '%s' of %s fails: %s".formatted(test, requirement, message),
             place)
         .withHint(
-            "Correct the component; or the test, if it asks for something that nobody wants.");
+            "Correct the component; or the test, if it asks for something that is not wanted.");
   }
 
   /** A component that remembers outside its object gives another one something else. */

@@ -12,9 +12,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The tests of a component: calls of {@code execute} with what must come of them, and properties
+ * The tests of a component: calls of {@code execute} with their expected results, and properties
  * over ranges of inputs, each for the requirement that asks for it. Whatever language it is written
- * in, a component is called by what the chain says of it.
+ * in, a component is called as the chain describes it.
  */
 public final class ComponentTester {
   private final SourceText source;
@@ -52,7 +52,7 @@ public final class ComponentTester {
     found.addAll(check.wrong(tests));
     SourceLocation place = source.at(0);
     if (tests.tests().isEmpty() && tests.properties().isEmpty() && found.isEmpty()) {
-      String message = "There is no test and no property here.";
+      String message = "The file contains no test and no property.";
       found.add(Diagnostic.error(ComponentTestsReader.FORMAT, message, place));
     } else if (found.isEmpty()) {
       check.gaps(tests, place).ifPresent(found::add);

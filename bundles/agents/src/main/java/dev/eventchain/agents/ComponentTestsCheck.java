@@ -85,7 +85,7 @@ final class ComponentTestsCheck {
       found.add(
           Diagnostic.error(
               ComponentTestsReader.FORMAT,
-              "Another test is called '%s', too.".formatted(name),
+              "Another test is already called '%s'.".formatted(name),
               place));
     }
   }
@@ -173,7 +173,7 @@ final class ComponentTestsCheck {
                     "No test is " + String.join(", none ", missing) + ".",
                     place)
                 .withHint(
-                    "Add them; just below and just above is at most a tenth of the value away."));
+                    "Add them; just below and just above mean at most a tenth of the value away."));
   }
 
   /** The values of inputs at which a requirement of the component wants something else. */

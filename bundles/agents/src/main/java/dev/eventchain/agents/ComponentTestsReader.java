@@ -76,7 +76,7 @@ final class ComponentTestsReader {
             name ->
                 file.find(
                     FORMAT,
-                    "These tests are of '%s', not of '%s'.".formatted(name, component),
+                    "These tests are for '%s', not for '%s'.".formatted(name, component),
                     file.at("component")));
     List<Case> tests = file.objects("tests").stream().flatMap(test -> test(test).stream()).toList();
     List<Property> properties =
@@ -152,7 +152,7 @@ final class ComponentTestsReader {
           } else if (before.containsKey(name)) {
             complete.put(name, before.get(name));
           } else {
-            given.find(FORMAT, "There is no value of the input '" + name + "'.", given.location());
+            given.find(FORMAT, "There is no value for the input '" + name + "'.", given.location());
           }
         });
     given.refuseOthers();
@@ -180,7 +180,7 @@ final class ComponentTestsReader {
               }
               given.refuseOthers();
               if (given.names().isEmpty()) {
-                given.find(FORMAT, "No output is expected to be anything.", given.location());
+                given.find(FORMAT, "Nothing is expected of any output.", given.location());
               }
             });
     return expected;
@@ -212,7 +212,7 @@ final class ComponentTestsReader {
     boolean isVaried = kind == Kind.RANGE || over.containsKey(input);
     if (!isVaried) {
       property.find(
-          FORMAT, "'over' does not say the range of '" + input + "'.", property.location());
+          FORMAT, "'over' does not give the range of '" + input + "'.", property.location());
     }
     boolean isWhole = !output.isEmpty() && !over.isEmpty() && isVaried;
     return isWhole && (kind != Kind.RANGE || bounds.isPresent())
@@ -271,7 +271,7 @@ final class ComponentTestsReader {
     } else if (inputs.get(name).type().contains("[") || from >= to) {
       range.find(
           FORMAT,
-          "An input that is varied is a number, from a lower one to a higher one.",
+          "A varied input must be a number, and its range must go from a lower to a higher one.",
           range.location());
     }
     return new double[] {from, to};
@@ -291,7 +291,7 @@ final class ComponentTestsReader {
             others.put(name, written.get());
           } else if (!over.containsKey(name)) {
             property.find(
-                FORMAT, "There is no value of the input '" + name + "'.", property.location());
+                FORMAT, "There is no value for the input '" + name + "'.", property.location());
           }
         });
     given.ifPresent(ObjectReader::refuseOthers);

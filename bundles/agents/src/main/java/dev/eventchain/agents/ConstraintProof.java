@@ -52,7 +52,7 @@ final class ConstraintProof {
     if (proof.holds && proof.fails) {
       return Optional.empty();
     }
-    String within = proof.budget.isSpent() ? " in the time there is" : "";
+    String within = proof.budget.isSpent() ? " in the time available" : "";
     String missing = proof.holds ? "fails" : "holds";
     return Optional.of(
         "No model was found%s for which '%s' %s".formatted(within, constraint.name(), missing));

@@ -19,7 +19,7 @@ record FencedBlocks(List<FencedBlocks.Block> all) {
    * One block.
    *
    * @param language its tag in lower case, or empty
-   * @param text what stands between the fences
+   * @param text what is between the fences
    * @param closed whether the closing fence is there
    */
   record Block(String language, String text, boolean closed) {}

@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * Whether a Python module is the component that the chain describes, and stands its inputs at their
+ * Whether a Python module is the component that the chain describes, and copes with inputs at their
  * edges.
  */
 final class ImplementationCheck {

@@ -5,7 +5,7 @@ import dev.eventchain.agents.ChainView.Port;
 import java.util.HashMap;
 import java.util.Map;
 
-/** Whether the components of a described chain stand in the order of their data flow. */
+/** Whether the components of a described chain are in the order of their data flow. */
 final class OrderCheck {
   private final Findings findings;
 

@@ -56,7 +56,7 @@ final class RepairLoop {
    * @param template the prompt
    * @param values what its places are filled with
    * @param schema the JSON Schema of the answer, if it has one
-   * @param check finds what is wrong with an artefact; errors that nobody accepts send it back
+   * @param check finds what is wrong with an artefact; errors that are not suppressed send it back
    * @throws DiagnosticException FINDINGS with what was wrong with the last answer
    */
   AgentResult run(

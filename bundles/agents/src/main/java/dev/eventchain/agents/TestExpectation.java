@@ -9,7 +9,7 @@ import java.util.Optional;
  * What an output must be after a test: exactly a value, a number within a tolerance of another one,
  * or a number within bounds.
  *
- * @param exact the value, if one is stated; a number, a truth value, a text or an array
+ * @param exact the value, if one is stated; a number, a Boolean, a string or an array
  * @param tolerance how far numbers may be from it
  * @param least the least number; only where no value is stated, as those below
  * @param above whether the least number itself is too small
@@ -61,7 +61,7 @@ record TestExpectation(
     if ((least == Double.NEGATIVE_INFINITY && most == Double.POSITIVE_INFINITY) || least > most) {
       object.find(
           ComponentTestsReader.FORMAT,
-          "Nothing, or nothing that can be, is expected here.",
+          "Nothing is expected here, or nothing that is possible.",
           object.location());
       return Optional.empty();
     }

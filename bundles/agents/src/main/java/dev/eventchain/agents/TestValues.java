@@ -100,7 +100,7 @@ final class TestValues {
         .orElseThrow(() -> new Unfit("a number, 'inf', '-inf', 'nan' or {from, step}"));
   }
 
-  /** A number as it stands. */
+  /** A number as it is. */
   static Optional<Double> literal(JsonNode written) {
     if (written.isNumber()) {
       return Optional.of(written.asDouble());

@@ -33,7 +33,7 @@ class ConstraintProofTest {
     EventChain chain = EventchainFactory.eINSTANCE.createEventChain();
     chain.setName("a");
     assertEquals(
-        Optional.of("No model was found in the time there is for which 'Slow' holds"),
+        Optional.of("No model was found in the time available for which 'Slow' holds"),
         ConstraintProof.objection(
             constraint, List.of(chain), TimeBudget.of(Duration.ofMillis(100))));
   }

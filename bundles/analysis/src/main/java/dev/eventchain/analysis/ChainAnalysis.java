@@ -15,9 +15,9 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
 /**
- * What OCL cannot say about a chain: whether its components, and the vehicle around it, mean the
- * same by each topic, which otherwise fails on the road and in silence; and what follows from the
- * flow of the whole chain.
+ * What OCL cannot say about a chain: whether its components, and the vehicle around it, agree on
+ * the meaning of each topic, which otherwise fails on the road and silently; and what follows from
+ * the flow of the whole chain.
  *
  * <p>What a single element looks like is left to the standard constraints: data without a topic, a
  * legal type or a field are not looked at here.
@@ -36,8 +36,8 @@ public final class ChainAnalysis {
    * An analysis of chains for one vehicle.
    *
    * @param catalog the message types that there are
-   * @param signals the topics outside the chain; empty if nobody knows them, so that who writes and
-   *     reads at the ends of the chain cannot be checked
+   * @param signals the topics outside the chain; empty if they are not known, so that who writes
+   *     and reads at the ends of the chain cannot be checked
    */
   public static ChainAnalysis of(MessageCatalog catalog, Optional<List<Signal>> signals) {
     return new ChainAnalysis(catalog, signals.map(ChainAnalysis::byTopic));

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** Whether a type that somebody wrote down is that of a field. */
+/** Whether a declared type is that of a field. */
 final class DeclaredType {
 
   private static final Pattern TYPE =

@@ -66,7 +66,7 @@ final class QosContracts {
               findings.at(data, Literals.DATA__QOS),
               "%s states two different qualities of service for %s."
                   .formatted(endpoint.name(), topic.name()),
-              "It has one message for all fields of a topic, and the first profile holds for it:"
+              "A topic has one message for all its fields, and its first profile applies:"
                   + " state the same here.",
               findings.at(holder, Literals.DATA__QOS));
         }
@@ -115,7 +115,7 @@ final class QosContracts {
         findings.info(
             Rule.QOS_UNDECIDED,
             here.place().get(),
-            "Whether messages of %s on %s reach %s depends on the %s: offered is %s, requested %s."
+            "Whether messages of %s on %s reach %s depends on the %s: %s is offered, %s requested."
                 .formatted(
                     offer.name(),
                     topic,

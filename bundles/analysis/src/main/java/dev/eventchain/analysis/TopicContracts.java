@@ -49,7 +49,7 @@ final class TopicContracts {
    * Prepares the checks.
    *
    * @param signals what the vehicle's description says, by topic; empty if there is none, so that
-   *     nobody knows what comes from outside the chain
+   *     it is unknown what comes from outside the chain
    */
   TopicContracts(
       List<Topic> topics,
@@ -225,7 +225,7 @@ final class TopicContracts {
         : ".";
   }
 
-  /** The topic that may have been meant: one that somebody uses, or at least knows. */
+  /** The topic that may have been meant: one that is used, or at least known. */
   private String hint(String topic, Set<String> used, String otherwise) {
     Set<String> known = new TreeSet<>(used);
     known.addAll(signals);
@@ -243,7 +243,7 @@ final class TopicContracts {
     return topic.signal().map(Signal::location).orElse(SourceLocation.NONE);
   }
 
-  /** A field that nobody sets is zero, empty or false in every message. */
+  /** A field that is not set is zero, empty or false in every message. */
   private void fieldsAreSet(Topic topic, Endpoint subscriber) {
     if (topic.publishers().isEmpty() || topic.is(Signal.Direction.PROVIDED)) {
       return;

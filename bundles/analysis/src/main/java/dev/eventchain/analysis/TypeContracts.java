@@ -78,7 +78,7 @@ final class TypeContracts {
     try {
       return catalog.find(name);
     } catch (DiagnosticException e) {
-      // That it is wrong is said once, by the catalog, where its definition stands.
+      // The catalog reports once, at its definition, that it is wrong.
       broken.add(name);
       return Optional.empty();
     }

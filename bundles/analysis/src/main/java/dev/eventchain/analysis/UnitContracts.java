@@ -79,7 +79,7 @@ final class UnitContracts {
           Rule.UNIT_MISMATCH,
           findings.at(data, Literals.DATA__UNIT),
           message,
-          "'%s' is not a known unit, such as m/s2, km/h, deg, %%: write both sides alike."
+          "'%s' is not a known unit, such as m/s2, km/h, deg, %%: write the same on both sides."
               .formatted(unread),
           place);
       return;

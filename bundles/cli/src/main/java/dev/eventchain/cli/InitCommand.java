@@ -16,7 +16,7 @@ import picocli.CommandLine.Parameters;
       "In a new or empty folder, it is a small example that runs as it is: emergency braking with a radar, "
           + "without a language model. In a folder with software-base/signals.json the missing "
           + "files of a project are added, with bench.yaml filled in from the signals, and model/chain.xmi from "
-          + "software-base/components.json if these components form a whole chain.",
+          + "software-base/components.json if these components form a complete chain.",
       "Existing files are not changed."
     })
 final class InitCommand implements Callable<Integer> {

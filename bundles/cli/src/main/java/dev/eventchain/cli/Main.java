@@ -86,8 +86,8 @@ public final class Main {
   }
 
   /**
-   * Ends the process if a thread dies that nobody looks after, so that its part of the work is not
-   * missing without a word. What was not printed yet is left out: it may be a verdict.
+   * Ends the process if an unattended thread dies, so that its part of the work is not missing
+   * without a word. What was not printed yet is left out: it may be a verdict.
    */
   private static void giveUp(Throwable problem, PrintWriter err) {
     try {

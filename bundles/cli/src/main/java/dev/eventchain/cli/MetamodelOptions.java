@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Map;
 import picocli.CommandLine.Option;
 
-/** What the models are instances of that stand in no project. */
+/** The metamodels of models that are not in a project. */
 final class MetamodelOptions {
 
   @Option(

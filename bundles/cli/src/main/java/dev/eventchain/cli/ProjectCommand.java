@@ -217,7 +217,8 @@ abstract class ProjectCommand implements Callable<Integer> {
     try {
       return execute(Project.open(folder), first, last, again, llm, scenarios);
     } catch (DiagnosticException e) {
-      // The project or its suppressions cannot be read, so nobody knows what a verdict is about.
+      // The project or its suppressions cannot be read, so it is unknown what a verdict would be
+      // about.
       if (last.compareTo(Stage.SIMULATE) >= 0) {
         Pipeline.withdrawVerdict(
             output == null ? new ProjectFolder(folder).defaultOutput() : output);

@@ -91,7 +91,7 @@ final class ValidateCommand extends ProjectCommand {
     }
   }
 
-  /** What is to be validated, and by what, must be there, so the stages that make it run before. */
+  /** What is validated, and by what, has to exist, so the stages that create it run first. */
   private Outcome validate(Project project) {
     boolean ready = project.isReadyToValidate(outputOf(project));
     Stage first = ready ? Stage.VALIDATE : Stage.DESIGN;

@@ -99,7 +99,7 @@ interface Cyclone extends Library {
 
   void qsetUserdata(Pointer qos, byte[] data, long size);
 
-  // A truth value of C is a byte; what stands next to it in the register means nothing.
+  // A Boolean of C is a byte; what stands next to it in the register means nothing.
 
   byte qgetReliability(Pointer qos, int[] kind, long[] maximalBlockingTime);
 

@@ -21,7 +21,7 @@ public final class DdsLibrary {
   private static final String ID = "dds.unavailable";
   private static final String SETTING = "EVENTCHAIN_LIBDDSC";
   private static final String HINT =
-      "Name a libddsc of Cyclone DDS 11.0.1 in " + SETTING + ", or unset it.";
+      "Set " + SETTING + " to a libddsc of Cyclone DDS 11.0.1, or unset it.";
 
   /** What this process has loaded; guarded by the class. */
   private static Optional<DdsLibrary> loaded = Optional.empty();
@@ -58,7 +58,8 @@ public final class DdsLibrary {
       }
       loaded = Optional.of(library);
     } else if (!loaded.get().path.equals(path)) {
-      throw unavailable(path, "This process uses " + loaded.get().path + ", not " + path + ".");
+      throw unavailable(
+          path, "This process already uses " + loaded.get().path + ", not " + path + ".");
     }
     return loaded.get();
   }
@@ -71,7 +72,7 @@ public final class DdsLibrary {
   private static DiagnosticException missing() {
     return new DiagnosticException(
         DiagnosticException.Reason.UNAVAILABLE,
-        Diagnostic.error(ID, "There is no library of Cyclone DDS.", SourceLocation.NONE)
+        Diagnostic.error(ID, "No Cyclone DDS library was found.", SourceLocation.NONE)
             .withHint(HINT));
   }
 
@@ -89,7 +90,7 @@ public final class DdsLibrary {
     } catch (IOException e) {
       throw unavailable(path, path + " cannot be read.");
     }
-    throw unavailable(path, "The library of Cyclone DDS, " + path + ", is not there.");
+    throw unavailable(path, "The Cyclone DDS library, " + path + ", does not exist.");
   }
 
   private static Cyclone open(Path path) {
@@ -98,7 +99,7 @@ public final class DdsLibrary {
             Library.OPTION_FUNCTION_MAPPER, Cyclone.NAMES, Library.OPTION_STRING_ENCODING, "UTF-8");
     try {
       if (Native.SIZE_T_SIZE != Long.BYTES) {
-        throw unavailable(path, "Cyclone DDS is used on 64-bit machines only.");
+        throw unavailable(path, "Cyclone DDS is supported on 64-bit machines only.");
       }
       NativeLibrary library = NativeLibrary.getInstance(path.toString(), options);
       requireFunctions(path, library);

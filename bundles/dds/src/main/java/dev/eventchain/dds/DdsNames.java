@@ -6,7 +6,9 @@ import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 
-/** How names of ROS 2 stand in DDS (design.ros2.org, "Topic and Service name mapping to DDS"). */
+/**
+ * How names of ROS 2 are written in DDS (design.ros2.org, "Topic and Service name mapping to DDS").
+ */
 final class DdsNames {
 
   private static final String TOPIC = "rt";

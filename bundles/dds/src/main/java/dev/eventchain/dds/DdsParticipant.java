@@ -13,7 +13,7 @@ import java.util.regex.Pattern;
 
 /**
  * Takes part in a domain: makes writers and readers of topics, and announces them as ROS 2 does.
- * Safe for several threads. After {@link #close} everything of it refuses to work with an {@link
+ * Thread-safe. After {@link #close}, it and all that it made throw an {@link
  * IllegalStateException}.
  */
 public final class DdsParticipant implements AutoCloseable {
@@ -208,7 +208,7 @@ public final class DdsParticipant implements AutoCloseable {
   public synchronized void announce(String node) {
     requireOpen();
     if (graph.isPresent()) {
-      throw new IllegalStateException("This participant is announced already.");
+      throw new IllegalStateException("This participant is already announced.");
     }
     List<AutoCloseable> known = List.copyOf(endpoints);
     Graph announced = new Graph(this, cyclone, node);

@@ -9,7 +9,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Consumer;
 
-/** Reads messages of one topic. Safe for several threads. */
+/** Reads messages of one topic. Thread-safe. */
 public final class DdsReader implements AutoCloseable {
 
   private static final int ANY_STATE = 0x7F;
@@ -108,7 +108,7 @@ public final class DdsReader implements AutoCloseable {
     requireOpen();
     if (thread.isPresent()) {
       throw new IllegalStateException(
-          "The samples of " + endpoint.topic() + " go to its listener.");
+          "The samples of " + endpoint.topic() + " are delivered to its listener.");
     }
     return takeAll();
   }

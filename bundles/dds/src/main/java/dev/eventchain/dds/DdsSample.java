@@ -1,6 +1,6 @@
 package dev.eventchain.dds;
 
-/** A sample that came. */
+/** A received sample. */
 public final class DdsSample {
 
   private final byte[] bytes;

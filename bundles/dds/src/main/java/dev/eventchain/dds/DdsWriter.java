@@ -8,7 +8,7 @@ import dev.eventchain.messages.QosSettings;
 import java.time.Duration;
 import java.util.List;
 
-/** Writes messages of one topic. Safe for several threads, which wait for each other. */
+/** Writes messages of one topic. Thread-safe: threads wait for each other. */
 public final class DdsWriter implements AutoCloseable {
 
   /** {@code ddsi_serdata.timestamp}; {@link LayoutCheck} holds the library to it. */
@@ -69,7 +69,8 @@ public final class DdsWriter implements AutoCloseable {
    */
   public synchronized boolean write(byte[] cdr, long sourceTimestamp) {
     if (sourceTimestamp < 0) {
-      throw new IllegalArgumentException("A source timestamp is not negative: " + sourceTimestamp);
+      throw new IllegalArgumentException(
+          "A source timestamp must not be negative: " + sourceTimestamp);
     }
     Pointer data = serialized(cdr);
     data.setLong(SOURCE_TIMESTAMP, sourceTimestamp);
@@ -97,7 +98,8 @@ public final class DdsWriter implements AutoCloseable {
     vector.setLong(Long.BYTES, cdr.length);
     Pointer data = Samples.ddsiSerdataFromSerIov(serialType, DATA, 1, vector, cdr.length);
     if (data == null) {
-      throw new IllegalArgumentException("The bytes are no message " + endpoint.type() + ".");
+      throw new IllegalArgumentException(
+          "The bytes are not a message of the type " + endpoint.type() + ".");
     }
     return data;
   }

@@ -73,7 +73,8 @@ final class Discovery {
         read(readers, (at, handle) -> List.of(isGraph(at))).stream()
             .anyMatch(Boolean::booleanValue);
     if (!known) {
-      throw new IllegalStateException("What is built in of Cyclone DDS has another structure.");
+      throw new IllegalStateException(
+          "The built-in topics of Cyclone DDS have an unexpected structure.");
     }
   }
 
@@ -84,7 +85,9 @@ final class Discovery {
 
   private int reader(DdsParticipant participant, int topic) {
     return Codes.check(
-        cyclone, cyclone.createReader(participant.handle(), topic, null, null), "see who is there");
+        cyclone,
+        cyclone.createReader(participant.handle(), topic, null, null),
+        "discover other endpoints");
   }
 
   private static String hex(byte[] gid) {
@@ -117,7 +120,7 @@ final class Discovery {
           Codes.check(
               cyclone,
               cyclone.readMask(reader, pointers, information, room, room, ALIVE),
-              "see who is there");
+              "discover other endpoints");
       List<T> found = new ArrayList<>();
       for (int i = 0; i < count; i++) {
         long offset = i * INFORMATION_SIZE;

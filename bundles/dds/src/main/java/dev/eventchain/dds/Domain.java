@@ -32,7 +32,7 @@ final class Domain {
   static synchronized Domain join(Cyclone cyclone, int id, String configuration) {
     if (id < 0 || id > HIGHEST) {
       throw new IllegalArgumentException(
-          "There is no domain " + id + ": they have numbers from 0 to " + HIGHEST + ".");
+          "There is no domain " + id + ": domains are numbered from 0 to " + HIGHEST + ".");
     }
     Domain domain = DOMAINS.get(id);
     if (domain == null) {
@@ -46,7 +46,7 @@ final class Domain {
       DOMAINS.put(id, domain);
     } else if (!domain.configuration.equals(configuration)) {
       throw new IllegalStateException(
-          "Domain " + id + " is in use in this process, with another configuration.");
+          "Domain " + id + " is in use in this process, with a different configuration.");
     }
     domain.participants++;
     return domain;

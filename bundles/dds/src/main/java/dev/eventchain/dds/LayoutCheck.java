@@ -11,8 +11,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * Whether the library's memory is as this bundle takes it: one message of nested types goes to
- * oneself with its own time.
+ * Whether the library's memory layout is the one that this bundle assumes: a message of nested
+ * types is sent to oneself with a time of its own.
  */
 final class LayoutCheck {
 
@@ -51,13 +51,14 @@ final class LayoutCheck {
           data.getInt(KIND) == KIND_OF_DATA
               && data.getLong(DdsWriter.SOURCE_TIMESTAMP) == Long.MIN_VALUE;
       Samples.ddsiSerdataUnref(data);
-      require(known, "a sample in memory has another structure");
+      require(known, "a sample in memory has a different structure");
       require(writer.waitForMatches(1, PATIENCE), "a writer does not find a reader");
       require(writer.write(bytes, STAMP), "a sample cannot be written");
       List<DdsSample> samples = reader.take(PATIENCE);
-      require(samples.size() == 1, "a sample that was written does not come");
-      require(samples.get(0).sourceTimestamp() == STAMP, "a sample comes with another time");
-      require(Arrays.equals(samples.get(0).bytes(), bytes), "a sample comes with other bytes");
+      require(samples.size() == 1, "a sample that was written does not arrive");
+      require(samples.get(0).sourceTimestamp() == STAMP, "a sample arrives with a different time");
+      require(
+          Arrays.equals(samples.get(0).bytes(), bytes), "a sample arrives with different bytes");
     }
   }
 

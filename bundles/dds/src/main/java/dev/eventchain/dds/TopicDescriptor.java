@@ -46,7 +46,7 @@ final class TopicDescriptor {
             && isSize(mappingSize)
             && pointer.getPointer(TYPE_NAME).getString(0).equals(typeName);
     if (!known) {
-      throw new IllegalStateException("The library describes types in a way that is not known.");
+      throw new IllegalStateException("The library describes types in an unknown way.");
     }
     pointer.setInt(FLAGS, pointer.getInt(FLAGS) & ~HAS_TYPE_INFORMATION);
     set(null, 0, null, 0);

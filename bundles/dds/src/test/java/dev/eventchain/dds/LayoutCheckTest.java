@@ -43,8 +43,7 @@ class LayoutCheckTest {
     DdsLibrary changed = libraryWith(change);
     IllegalStateException problem =
         assertThrows(IllegalStateException.class, () -> LayoutCheck.run(changed));
-    assertEquals(
-        "The library describes types in a way that is not known.", problem.getMessage(), name);
+    assertEquals("The library describes types in an unknown way.", problem.getMessage(), name);
   }
 
   private static DdsLibrary libraryWith(Consumer<Pointer> change) {

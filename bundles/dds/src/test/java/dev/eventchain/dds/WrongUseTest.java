@@ -54,17 +54,17 @@ class WrongUseTest {
 
   @Test
   void withoutLibraryTheMessageSaysWhatToDo() {
-    assertEquals("There is no library of Cyclone DDS.", unavailable(Optional.empty(), Map.of()));
+    assertEquals("No Cyclone DDS library was found.", unavailable(Optional.empty(), Map.of()));
   }
 
   @Test
   void aLibraryThatIsNotThereIsNamed() {
     Path nowhere = folder.resolve("libddsc.so");
     assertEquals(
-        "The library of Cyclone DDS, " + nowhere + ", is not there.",
+        "The Cyclone DDS library, " + nowhere + ", does not exist.",
         unavailable(Optional.of(nowhere), Map.of()));
     assertEquals(
-        "The library of Cyclone DDS, " + nowhere + ", is not there.",
+        "The Cyclone DDS library, " + nowhere + ", does not exist.",
         unavailable(Optional.empty(), Map.of("EVENTCHAIN_LIBDDSC", nowhere.toString())));
   }
 
@@ -73,7 +73,7 @@ class WrongUseTest {
     DdsLibrary library = Wire.library();
     Path other = Files.writeString(folder.resolve("libddsc.so"), "no library");
     assertEquals(
-        "This process uses " + library.path() + ", not " + other.toRealPath() + ".",
+        "This process already uses " + library.path() + ", not " + other.toRealPath() + ".",
         unavailable(Optional.of(other), Map.of()));
     assertEquals(library, DdsLibrary.load(Optional.of(library.path())));
     assertEquals(
@@ -114,7 +114,7 @@ class WrongUseTest {
   void aReaderWithAListenerIsNotTakenFrom() {
     try (DdsParticipant participant = Wire.alone()) {
       DdsReader reader = participant.reader("/a", FLOAT, QOS, sample -> {});
-      refused("The samples of /a go to its listener.", reader::take);
+      refused("The samples of /a are delivered to its listener.", reader::take);
     }
   }
 
@@ -129,16 +129,18 @@ class WrongUseTest {
           "The bytes end before the message std_msgs/msg/Float32 does.",
           () -> numbers.write(new byte[] {0, 1, 0, 0, 1, 2, 3}));
       refused(
-          "4 bytes follow on the message std_msgs/msg/Float32.",
+          "4 bytes follow the message std_msgs/msg/Float32.",
           () -> numbers.write(Arrays.copyOf(NUMBER, NUMBER.length + 4)));
       refused(
           "Representation 7 is not plain CDR (0 or 1).",
           () -> numbers.write(new byte[] {0, 7, 0, 0, 0, 0, 0, 0}));
-      refused("A source timestamp is not negative: -1", () -> numbers.write(NUMBER, -1));
+      refused("A source timestamp must not be negative: -1", () -> numbers.write(NUMBER, -1));
       DdsWriter texts =
           participant.writer("/texts", RandomMessages.type("std_msgs/msg/String"), QOS);
       byte[] unterminated = HexFormat.of().parseHex("00010000" + "02000000" + "6162");
-      refused("The bytes are no message std_msgs/msg/String.", () -> texts.write(unterminated));
+      refused(
+          "The bytes are not a message of the type std_msgs/msg/String.",
+          () -> texts.write(unterminated));
       DdsWriter flags = participant.writer("/flags", RandomMessages.type("std_msgs/msg/Bool"), QOS);
       refused("A bool is 0 or 1, not 2.", () -> flags.write(new byte[] {0, 1, 0, 0, 2}));
     }
@@ -179,7 +181,7 @@ class WrongUseTest {
     String configuration = DdsParticipant.loopbackConfiguration("a");
     for (int domain : new int[] {-1, 231, Integer.MAX_VALUE}) {
       refused(
-          "There is no domain " + domain + ": they have numbers from 0 to 230.",
+          "There is no domain " + domain + ": domains are numbered from 0 to 230.",
           () -> DdsParticipant.on(library, domain, configuration).close());
     }
     for (String tag : List.of("", "a b", "<a/>", "a".repeat(65))) {
@@ -211,7 +213,7 @@ class WrongUseTest {
     try (DdsParticipant first = DdsParticipant.loopback(library, domain, tag);
         DdsParticipant second = DdsParticipant.loopback(library, domain, tag)) {
       refused(
-          "Domain " + domain + " is in use in this process, with another configuration.",
+          "Domain " + domain + " is in use in this process, with a different configuration.",
           () -> DdsParticipant.loopback(library, domain, Wire.newTag()));
       first.writer("/a", FLOAT, QOS);
       assertTrue(second.reader("/a", FLOAT, QOS).waitForMatches(1, Wire.PATIENCE));

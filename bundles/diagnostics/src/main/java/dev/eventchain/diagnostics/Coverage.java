@@ -48,7 +48,7 @@ public record Coverage(List<String> files, long elements, List<Check> checks) {
    * @param rule the user's rule, such as an OCL constraint's qualified name; empty if the id says
    *     it all
    * @param severity how bad its findings are
-   * @param location where the rule stands; {@link SourceLocation#NONE} if it is part of the program
+   * @param location where the rule is; {@link SourceLocation#NONE} if it is part of the program
    * @param hint what to do about its findings; may be empty
    * @param evaluations how often it was evaluated; 0 if there was nothing that it is about
    */

@@ -18,8 +18,8 @@ import java.util.stream.Stream;
  * @param hint what to do about it; empty if nothing helps that the message does not say
  * @param rule the user's own rule that found it, such as an OCL constraint's qualified name; empty
  *     if the id says it all
- * @param related other places that it is about, most telling first: where the violated rule stands,
- *     or the other side of a contract
+ * @param related other places that it is about, most telling first: where the violated rule is, or
+ *     the other side of a contract
  */
 public record Diagnostic(
     String id,

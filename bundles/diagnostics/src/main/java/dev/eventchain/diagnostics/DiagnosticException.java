@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.function.Supplier;
 
 /**
- * A stage could not make its result, and these findings say why. Findings that leave a result stand
- * in the result instead.
+ * A stage could not make its result, and these findings say why. Findings that still allow a result
+ * are part of the result instead.
  */
 public final class DiagnosticException extends RuntimeException {
 
@@ -52,7 +52,7 @@ public final class DiagnosticException extends RuntimeException {
     return diagnostics;
   }
 
-  /** Goes with a failure that nobody foresaw, and says what it is about. */
+  /** Accompanies an unforeseen failure, and says what it is about. */
   private static final class Place extends RuntimeException {
 
     private static final long serialVersionUID = 1L;
@@ -92,7 +92,7 @@ public final class DiagnosticException extends RuntimeException {
         });
   }
 
-  /** What was handled when a failure happened; {@link SourceLocation#NONE} if nobody knows. */
+  /** What was handled when a failure happened; {@link SourceLocation#NONE} if unknown. */
   public static SourceLocation placeOf(Throwable failure) {
     for (Throwable cause = failure; cause != null; cause = cause.getCause()) {
       for (Throwable with : cause.getSuppressed()) {

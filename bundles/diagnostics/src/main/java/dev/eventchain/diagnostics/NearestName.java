@@ -7,7 +7,7 @@ import java.util.Locale;
 import java.util.Optional;
 import java.util.stream.Collectors;
 
-/** Finds the name that somebody meant who wrote one that does not exist. */
+/** Finds the name that was probably meant by one that does not exist. */
 public final class NearestName {
 
   private static final int MOST_NAMES_LISTED = 12;

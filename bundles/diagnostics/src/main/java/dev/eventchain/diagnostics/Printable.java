@@ -65,7 +65,7 @@ public final class Printable {
         && (index == 0 || !Character.isHighSurrogate(text.charAt(index - 1)));
   }
 
-  /** Characters that make text run the other way or break a line where nobody sees it. */
+  /** Characters that reverse the direction of text, or break a line invisibly. */
   private static boolean isDirection(char c) {
     return (c >= '\u202A' && c <= '\u202E')
         || (c >= '\u2066' && c <= '\u2069')

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Objects;
 
 /**
- * All that a command has to say about its input, which every {@link DiagnosticFormat} renders.
+ * Everything that a command reports about its input, which every {@link DiagnosticFormat} renders.
  *
  * @param version the version of the program
  * @param exitCode the exit code of the command

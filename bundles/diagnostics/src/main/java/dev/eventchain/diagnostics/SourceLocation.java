@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.Comparator;
 
 /**
- * Where something stands.
+ * Where something is.
  *
  * @param file the file as people know it, with {@code /} between its parts; empty if there is none
  * @param line the line, from 1; 0 if unknown

@@ -3,7 +3,7 @@ package dev.eventchain.diagnostics;
 import java.util.Objects;
 
 /**
- * A part of a text that knows the text, so that whoever is given one can say where it stands.
+ * A part of a text that knows the text, so that whoever is given one can say where it is.
  *
  * @param source the whole text
  * @param start the offset of the first character
@@ -16,7 +16,7 @@ public record SourceRange(SourceText source, int start, int end) {
     Objects.checkFromToIndex(start, end, source.text().length());
   }
 
-  /** What stands there. */
+  /** What is there. */
   public String text() {
     return source.text().substring(start, end);
   }

@@ -17,7 +17,7 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.Map;
 
-/** A text and its name, which turns offsets into places. Immutable. */
+/** A text and its name, which turns offsets into locations. Immutable. */
 public final class SourceText {
 
   private static final long LARGEST = 256L << 20;
@@ -36,7 +36,7 @@ public final class SourceText {
 
   private record Line(int index, String text) {}
 
-  /** Where all of the text stands; null if its own lines are those of its file. */
+  /** Where all of the text is; null if its own lines are those of its file. */
   private final SourceLocation place;
 
   private SourceText(String name, String text, SourceLocation place) {

@@ -11,8 +11,9 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
- * Findings that people have decided to live with for a while, each with a reason and an end. A
- * suppressed finding does not make a command fail, and stays visible in the reports. Immutable.
+ * Findings that people have decided to live with for a while, each with a reason and an expiry
+ * date. A suppressed finding does not make a command fail, and stays visible in the reports.
+ * Immutable.
  */
 public final class Suppressions {
 
@@ -55,7 +56,7 @@ public final class Suppressions {
    * @param message their message
    * @param reason why that is right
    * @param expires the last day on which it is
-   * @param location where the entry stands
+   * @param location where the entry is
    */
   public record Entry(
       String id,

@@ -11,8 +11,8 @@ import java.util.Optional;
 import java.util.function.Consumer;
 
 /**
- * A JSON or YAML file that knows the place of each of its values and keys. What is in it is named
- * by JSON pointers, in YAML too. Immutable.
+ * A JSON or YAML file that knows the location of each of its values and keys. Its values are
+ * addressed by JSON pointers, in YAML, too. Immutable.
  */
 public final class Document {
 
@@ -39,8 +39,8 @@ public final class Document {
 
   /**
    * Reads a text: one document, at most 200 levels deep and 16 Mi characters long, in which every
-   * text can be shown. A key that stands twice, a key that is not text, and a text with control
-   * characters are findings, and reading continues.
+   * text can be shown. A duplicate key, a key that is not text, and a text with control characters
+   * are findings, and reading continues.
    *
    * @param findings gets what is wrong with the document
    * @throws DiagnosticException INPUT if it is no such document ({@link FindingIds#syntax})

@@ -1,7 +1,7 @@
 package dev.eventchain.documents;
 
 /**
- * Which numbers can be.
+ * Which numbers are allowed.
  *
  * @param least the least one
  * @param above whether the least one itself cannot be

@@ -19,7 +19,7 @@ import java.util.function.Consumer;
  * a finding, and reading continues.
  *
  * <p>A value of the wrong type is never turned into the right one. In JSON, {@code null} counts as
- * not written; in YAML it is a value that somebody forgot.
+ * not written; in YAML it is a forgotten value.
  */
 public final class ObjectReader {
 
@@ -226,7 +226,7 @@ public final class ObjectReader {
     return value.map(node -> new ObjectReader(document, pointerTo(name), node, findings));
   }
 
-  /** An object that must be there. */
+  /** A required object. */
   public Optional<ObjectReader> requiredObject(String name) {
     Optional<ObjectReader> found = object(name);
     require(name);
@@ -238,14 +238,14 @@ public final class ObjectReader {
     return document.objects(pointerTo(name), array(name), findings);
   }
 
-  /** The objects of an array that must be there. */
+  /** The objects of a required array. */
   public List<ObjectReader> requiredObjects(String name) {
     List<ObjectReader> found = objects(name);
     require(name);
     return found;
   }
 
-  /** Reports the keys that nobody asked for. Called last. */
+  /** Reports the keys that were not asked for. Called last. */
   public void refuseOthers() {
     for (String name : names()) {
       if (!known.contains(name)) {
@@ -289,7 +289,7 @@ public final class ObjectReader {
     return text.length() > 60 ? text.substring(0, 60) + "..." : text;
   }
 
-  /** What stands here, with the value itself if it is short enough to be shown. */
+  /** What is here, with the value itself if it is short enough to be shown. */
   private String shown(JsonNode value) {
     String kind = document.kind(value);
     if (!value.isValueNode() || value.isNull()) {

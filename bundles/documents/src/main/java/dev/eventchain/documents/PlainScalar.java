@@ -5,7 +5,7 @@ import java.util.regex.Pattern;
 /**
  * What a YAML scalar without quotes says. Versions of YAML disagree about {@code yes}, {@code 012},
  * {@code 1:30}, {@code 0x1F} or {@code 1_000}: these are the text that is written, which is refused
- * where a number or a truth value is meant.
+ * where a number or a Boolean is meant.
  */
 enum PlainScalar {
   NOTHING,

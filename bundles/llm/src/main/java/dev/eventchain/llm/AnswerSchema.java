@@ -5,8 +5,8 @@ import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 
 /**
- * The JSON Schema of an answer in the shapes that models take. Which one is sent is decided by the
- * model that is asked; answers in each say the same.
+ * The JSON Schema of an answer in the shapes that models take. The model that is asked determines
+ * which one is sent; answers in all shapes have the same meaning.
  *
  * @param nested with definitions and pointers to them; every property is required, and may be null
  *     where there is nothing to say
@@ -64,7 +64,7 @@ public record AnswerSchema(JsonNode nested, JsonNode flat, JsonNode told) {
   /**
    * What is sent.
    *
-   * @throws IllegalStateException if nobody has chosen a shape: a request would be recorded as one
+   * @throws IllegalStateException if no shape has been chosen: a request would be recorded as one
    *     that it is not
    */
   JsonNode chosen() {

@@ -120,7 +120,7 @@ final class BodyStream extends InputStream implements Flow.Subscriber<List<ByteB
   private CallFailure silent() {
     return new CallFailure(
         CallFailure.Kind.LATE,
-        "nothing came for " + Deadline.text(patience) + " in the middle of the answer",
+        "nothing arrived for " + Deadline.text(patience) + " in the middle of the answer",
         "Try again, or allow more with 'silence_s' of the service in eventchain.yaml.");
   }
 

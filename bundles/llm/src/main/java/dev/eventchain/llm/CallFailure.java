@@ -17,7 +17,7 @@ final class CallFailure extends RuntimeException {
 
   /** What went wrong, by what the user can do about it. */
   enum Kind {
-    /** Nobody is there, or the connection broke before an answer began. */
+    /** Nothing answers, or the connection broke before an answer began. */
     UNREACHABLE("llm.service.unreachable", true),
     /** The service is overloaded or broken at the moment. */
     FAILED("llm.service.failed", true),

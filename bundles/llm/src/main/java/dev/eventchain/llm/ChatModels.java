@@ -27,7 +27,7 @@ public final class ChatModels {
 
   /**
    * Opens a model for one run. Recordings and hand-off count the identical requests of a run, so a
-   * run opens a model once, or once for each task, and a new run opens it again. Safe for threads.
+   * run opens a model once, or once for each task, and a new run opens it again. Thread-safe.
    *
    * @param models which models are asked, the next one where one cannot be reached: {@code
    *     SERVICE/NAME}; a name alone stands for a model that a person asks. It is part of what

@@ -142,7 +142,7 @@ final class CommandModel implements ChatModel {
                 "The command '%s' %s%s".formatted(command.get(0), how, said),
                 SourceLocation.NONE)
             .withHint(
-                "It gets the prompt on standard input, writes the answer to standard output, and"
-                    + " ends with exit code 0."));
+                "It gets the prompt on standard input, and must write the answer to standard output"
+                    + " and end with exit code 0."));
   }
 }

@@ -62,7 +62,10 @@ final class ErrorBody {
               CallFailure.Kind.LIMITED, message, "Wait, or ask another model.", retryAfter);
       case 408, 500, 502, 503, 504, 529 ->
           new CallFailure(
-              CallFailure.Kind.FAILED, message, "Try again later, or ask another.", retryAfter);
+              CallFailure.Kind.FAILED,
+              message,
+              "Try again later, or ask another model.",
+              retryAfter);
       default ->
           new CallFailure(
               CallFailure.Kind.REJECTED,

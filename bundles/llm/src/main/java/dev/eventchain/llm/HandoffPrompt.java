@@ -34,7 +34,7 @@ final class HandoffPrompt {
     out.append("<!-- prompt %s, key %s -->\n".formatted(name, key.value()));
     out.append(
         "<!-- Give the model what follows. Save its answer as %s.answer.md\n".formatted(name));
-    out.append("     beside this file, then run the same command again. -->\n\n");
+    out.append("     next to this file, then run the same command again. -->\n\n");
     return out.append(conversation(request)).append('\n').toString();
   }
 
@@ -58,7 +58,8 @@ final class HandoffPrompt {
   }
 
   private static void appendConversation(StringBuilder out, List<ChatMessage> messages) {
-    out.append("<!-- A conversation goes on. In the chat where it began, give only message ");
+    out.append(
+        "<!-- This continues a conversation. In the chat where it began, give only message ");
     out.append(messages.size()).append("; in a new chat, all of them. -->\n\n");
     for (int i = 0; i < messages.size(); i++) {
       ChatMessage message = messages.get(i);

@@ -31,7 +31,7 @@ final class MeteredModel implements ChatModel {
                       "%s was asked, and '%s' answered."
                           .formatted(name, ErrorBody.shown(response.model())),
                       SourceLocation.NONE)
-                  .withHint("Name the model that is meant in eventchain.yaml."));
+                  .withHint("Name the intended model in eventchain.yaml."));
     }
     return response;
   }

@@ -15,8 +15,8 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 
 /**
- * What a project says of the services that its language models are asked at, of their prices, and
- * of what a run may cost. Keys are in the environment, never in here.
+ * What a project states about the services of its language models, about their prices, and about
+ * what a run may cost. Keys are in the environment, never in here.
  */
 public final class ModelServices {
   private static final NumberRange SECONDS = NumberRange.above(0).upTo(86_400);

@@ -5,7 +5,7 @@ import java.util.OptionalInt;
 import java.util.OptionalLong;
 
 /**
- * How a model is to choose its words. What is empty is left to the provider.
+ * How a model samples its answers. Empty values are left to the provider.
  *
  * @param temperature from 0 (always the likeliest word) upwards
  * @param maximumTokens where the answer is cut; a cut answer has {@link

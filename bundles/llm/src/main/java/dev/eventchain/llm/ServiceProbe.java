@@ -10,7 +10,7 @@ import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.function.UnaryOperator;
 
-/** Looks which services can be reached, without a key and without cost. */
+/** Finds out which services can be reached, without a key and without cost. */
 public final class ServiceProbe {
   private static final Duration PATIENCE = Duration.ofSeconds(5);
 

@@ -12,9 +12,9 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 
-/** What the calls of a run have cost, and what they may cost. Safe for threads. */
+/** What the calls of a run have cost, and what they may cost. Thread-safe. */
 public final class Spending {
-  /** The findings after which a run asks nobody any more: what may be spent is spent. */
+  /** The findings after which a run asks no more models: the budget is spent. */
   public static final Set<String> ENDS = Set.of("llm.budget.spent", "llm.price.missing");
 
   private final ModelServices services;
@@ -94,7 +94,7 @@ public final class Spending {
     return stop(
         "llm.budget.spent",
         message.formatted(spent, allowed),
-        "What has been answered is kept with --record. Allow more with 'budget' in eventchain.yaml.");
+        "With --record, the answers so far are kept. Allow more with 'budget' in eventchain.yaml.");
   }
 
   private static DiagnosticException stop(String id, String message, String hint) {

@@ -147,7 +147,7 @@ final class Transport implements HttpClient {
       String start = ErrorBody.start(body);
       throw new CallFailure(
           CallFailure.Kind.UNREADABLE,
-          "a web page came instead of an answer: " + start,
+          "the service sent a web page instead of an answer: " + start,
           "Check the service's 'url' in eventchain.yaml, and whether a proxy is in between.");
     }
   }

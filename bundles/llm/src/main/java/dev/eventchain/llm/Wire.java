@@ -112,7 +112,7 @@ enum Wire {
     return shape;
   }
 
-  /** What stands in configurations. */
+  /** What is in configurations. */
   String id() {
     return id;
   }

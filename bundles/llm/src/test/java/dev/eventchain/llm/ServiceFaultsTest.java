@@ -189,7 +189,7 @@ class ServiceFaultsTest {
         FakeService.ok(wire, FakeService.body(wire, "good")).withChunkedDribbleDelay(2, 3_000));
     Diagnostic finding = finding(patient(wire, 25, 0.5));
     assertEquals("llm.answer.late", finding.id());
-    assertTrue(finding.message().contains("nothing came for 0.5 s"), finding::message);
+    assertTrue(finding.message().contains("nothing arrived for 0.5 s"), finding::message);
   }
 
   @Test

@@ -206,7 +206,7 @@ final class CallLibrary implements OperationLibrary {
     /**
      * Writes the text of the call, or the value if it is a query that takes the arguments.
      *
-     * @param indentation what goes behind each of its line breaks
+     * @param indentation what goes after each of its line breaks
      * @return an {@link Invalid} if there is no value; otherwise null
      */
     Object write(Object source, List<Object> arguments, GenerationRun run, String indentation) {

@@ -93,7 +93,7 @@ final class FileCharsets {
                 : "Write the file in UTF-8.");
   }
 
-  /** The bytes of a text behind other text. */
+  /** The bytes of a text that follows other text. */
   static byte[] continued(String text, Charset charset) {
     return withoutByteOrderMark(text.getBytes(charset), charset);
   }

@@ -38,7 +38,7 @@ final class GeneratedFile {
       return line.strip();
     }
 
-    /** The area as it stood in the file. */
+    /** The area as it was in the file. */
     String text() {
       return ProtectedAreas.START + line + content + ProtectedAreas.END + "\n";
     }
@@ -210,7 +210,7 @@ final class GeneratedFile {
             "Give each area of a file its own id.");
   }
 
-  /** The id that a line starts with, the longest there is; templates may write more behind it. */
+  /** The id that a line starts with, the longest there is; templates may write more after it. */
   private String idOf(String line) {
     for (int end = line.length(); end > 0; end--) {
       String start = line.substring(0, end);
@@ -264,7 +264,7 @@ final class GeneratedFile {
     return earlier.stream().filter(area -> !area.taken).map(area -> area.loss).toList();
   }
 
-  /** The areas that no block had, each as it stood in the file. */
+  /** The areas that no block had, each as it was in the file. */
   List<String> lost() {
     return earlier.stream().filter(area -> !area.taken).map(Earlier::text).toList();
   }

@@ -13,9 +13,9 @@ import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EObject;
 
 /**
- * What a generation knows besides the model.
+ * What a generation knows in addition to the model.
  *
- * @param locator where a model element stands, for findings
+ * @param locator where a model element is, for findings
  * @param earlier the content of a file of the output folder, usually {@link OutputFolder#read};
  *     needed for protected areas to survive
  * @param properties what {@code getProperty('key')} gives in a template
@@ -47,7 +47,7 @@ public record GenerationContext(
     traits = Set.copyOf(traits);
   }
 
-  /** Nothing known but where elements stand: an empty output folder, no properties. */
+  /** Nothing known but where elements are: an empty output folder, no properties. */
   public static GenerationContext of(Function<EObject, SourceLocation> locator) {
     return new GenerationContext(locator, name -> Optional.empty(), Map.of(), Map.of(), Set.of());
   }

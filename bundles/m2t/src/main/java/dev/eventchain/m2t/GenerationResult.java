@@ -12,8 +12,8 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 
 /**
- * What a generation made. Files are complete as far as the model allowed: what counts for a value
- * that is undefined is said by an error.
+ * What a generation produced. Files are complete as far as the model allowed: each undefined value
+ * is reported as an error.
  *
  * @param files the content of each file, by its name relative to the output folder, in {@link
  *     OutputFolder#WRITING_ORDER}; every name is fit for {@link OutputFolder#write}
@@ -27,7 +27,7 @@ public record GenerationResult(
     List<Diagnostic> diagnostics,
     GenerationTrace trace) {
 
-  /** What a block printed, and where it stands. */
+  /** What a block printed, and where it is. */
   public record Printed(SourceLocation block, String text) {}
 
   /** What is found where a value is undefined, in a template or in a Java service. */

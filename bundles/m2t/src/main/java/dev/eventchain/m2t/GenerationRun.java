@@ -243,7 +243,7 @@ final class GenerationRun {
     calls.leave();
   }
 
-  /** Appends what the expression at work gives, with some indentation behind each line break. */
+  /** Appends what the expression at work gives, with some indentation after each line break. */
   void appendIndented(String text, String indentation) {
     writer.appendIndented(text, indentation, current);
   }

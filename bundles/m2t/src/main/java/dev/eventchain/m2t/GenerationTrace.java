@@ -27,7 +27,7 @@ public final class GenerationTrace {
    * What made some text.
    *
    * @param template the file of the template, and the line
-   * @param element the model element, as the generation's locator told where it stands; {@link
+   * @param element the model element, as the generation's locator told where it is; {@link
    *     SourceLocation#NONE} if there was none
    */
   public record Origin(SourceLocation template, SourceLocation element)
@@ -65,9 +65,9 @@ public final class GenerationTrace {
   }
 
   /**
-   * The lines of each file by its name relative to the output folder, in order; lines that nobody
-   * wrote, inside protected areas that were kept, are left out. Empty unless the generation was
-   * {@linkplain GenerationContext#withTrace() told} to trace.
+   * The lines of each file by its name relative to the output folder, in order; lines that the
+   * generation did not write, inside protected areas that were kept, are left out. Empty unless the
+   * generation was {@linkplain GenerationContext#withTrace() told} to trace.
    */
   public SortedMap<String, List<Segment>> files() {
     return files;

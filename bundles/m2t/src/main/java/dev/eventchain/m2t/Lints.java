@@ -28,7 +28,7 @@ final class Lints {
   /**
    * A template or query.
    *
-   * @param parameters its parameters as they stand in the file
+   * @param parameters its parameters as they are in the file
    * @param inMain whether it is in the main module, which nobody imports
    */
   record Subject(

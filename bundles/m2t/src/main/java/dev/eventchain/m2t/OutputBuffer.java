@@ -4,7 +4,7 @@ import java.util.Optional;
 
 /**
  * The text that a run writes. It grows at one end only: what a called template writes goes where it
- * belongs at once, with the indentation of its caller behind every line break; what a file block
+ * belongs at once, with the indentation of its caller after every line break; what a file block
  * writes, or a template whose text is wanted as a value, is cut off again.
  */
 final class OutputBuffer {
@@ -14,13 +14,13 @@ final class OutputBuffer {
 
   private final StringBuilder text = new StringBuilder(1 << 12);
 
-  /** What stands behind every line break that is written. */
+  /** What is after every line break that is written. */
   private String indentation = "";
 
-  /** Where the current line starts, behind that indentation. */
+  /** Where the current line starts, after that indentation. */
   private int lineStart;
 
-  /** The end of the last line break in the current part, if there is one behind its start. */
+  /** The end of the last line break in the current part, if there is one after its start. */
   private int lastBreak;
 
   private final OriginMarks marks;
@@ -34,7 +34,7 @@ final class OutputBuffer {
     this.marks = marked ? new OriginMarks() : null;
   }
 
-  /** Appends, with the indentation behind every line break. */
+  /** Appends, with the indentation after every line break. */
   void append(String more) {
     // Java looks for the first one faster, and most texts have none.
     append(more, more.indexOf('\n') >= 0);

@@ -5,7 +5,7 @@ import dev.eventchain.ocl.Expression;
 import java.util.function.Supplier;
 import org.eclipse.emf.ecore.EObject;
 
-/** Writes the text of a run, and notes where it comes from if somebody wants to know. */
+/** Writes the text of a run, and notes where it comes from if that is wanted. */
 final class RunWriter {
   private final OutputBuffer output;
   private final Tracing tracing;
@@ -14,7 +14,7 @@ final class RunWriter {
   /**
    * Starts with an empty text.
    *
-   * @param tracing where the lines of files are noted; null if nobody wants to know
+   * @param tracing where the lines of files are noted; null if that is not wanted
    * @param element the model element at work
    */
   RunWriter(Tracing tracing, Supplier<EObject> element) {
@@ -27,7 +27,7 @@ final class RunWriter {
     return output;
   }
 
-  /** Where the lines of files are noted; nowhere (null) if nobody wants to know. */
+  /** Where the lines of files are noted; nowhere (null) if that is not wanted. */
   Tracing tracing() {
     return tracing;
   }
@@ -57,14 +57,14 @@ final class RunWriter {
     }
   }
 
-  /** Appends what an expression gives, with some indentation behind each line break. */
+  /** Appends what an expression gives, with some indentation after each line break. */
   void appendIndented(String text, String indentation, Expression expression) {
     OutputBuffer.Part part = output.beginIndented(indentation);
     append(text, expression);
     output.end(part);
   }
 
-  /** Appends text that nobody wrote. */
+  /** Appends text that does not come from a template. */
   void appendOwn(String text) {
     if (tracing == null) {
       output.append(text);

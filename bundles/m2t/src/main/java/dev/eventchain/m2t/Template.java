@@ -112,7 +112,7 @@ final class Template extends Callable {
   /**
    * Writes the text of a call.
    *
-   * @param indentation what goes behind each of its line breaks
+   * @param indentation what goes after each of its line breaks
    */
   void write(List<Object> arguments, GenerationRun run, String indentation) {
     run.enter(this, arguments);

@@ -21,7 +21,7 @@ import org.eclipse.emf.ecore.EPackage;
 
 /**
  * A template module (OMG MOFM2T 1.0 in the syntax of Acceleo 3) with all that it imports, compiled.
- * Immutable; several threads can generate with it at once.
+ * Immutable; several threads can generate with it at the same time.
  */
 public final class TemplateModule {
   private final SourceText source;

@@ -26,7 +26,7 @@ abstract class ChainMojo extends EventchainMojo {
   private File chain;
 
   /**
-   * Where the chain's results go; without it, a folder with the chain's name beside the reports.
+   * Where the chain's results go; without it, a folder with the chain's name next to the reports.
    */
   @Parameter(property = "eventchain.results")
   private File results;
@@ -77,7 +77,8 @@ abstract class ChainMojo extends EventchainMojo {
     try {
       return run(Project.open(folder), output, Stage.DESIGN, last, driver, faults);
     } catch (DiagnosticException e) {
-      // The chain or its suppressions cannot be read, so nobody knows what a verdict is about.
+      // The chain or its suppressions cannot be read, so it is unknown what a verdict would be
+      // about.
       if (last.compareTo(Stage.SIMULATE) >= 0) {
         Pipeline.withdrawVerdict(output);
       }

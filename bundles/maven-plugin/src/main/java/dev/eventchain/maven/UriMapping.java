@@ -2,7 +2,7 @@ package dev.eventchain.maven;
 
 import java.io.File;
 
-/** Where the files are that references name by a URI. */
+/** Where to find the files that references name by a URI. */
 public final class UriMapping {
 
   /** A whole URI, or what URIs begin with: {@code platform:/resource/}. */

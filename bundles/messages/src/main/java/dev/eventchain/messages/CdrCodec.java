@@ -46,7 +46,7 @@ public final class CdrCodec {
    * padding, without reading its values.
    *
    * @throws IllegalArgumentException if they end too early or continue after it, have another
-   *     representation or a truth value that is neither 0 nor 1, or the type has a {@code wstring}
+   *     representation or a Boolean that is neither 0 nor 1, or the type has a {@code wstring}
    */
   public static void requireMessage(MessageType type, byte[] bytes) {
     new CdrReader(bytes, 0, bytes.length).requireMessage(type);

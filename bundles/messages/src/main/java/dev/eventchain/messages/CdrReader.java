@@ -40,7 +40,7 @@ final class CdrReader {
     }
     if (buffer.remaining() >= PADDED) {
       throw new IllegalArgumentException(
-          "%d bytes follow on the message %s.".formatted(buffer.remaining(), type));
+          "%d bytes follow the message %s.".formatted(buffer.remaining(), type));
     }
   }
 

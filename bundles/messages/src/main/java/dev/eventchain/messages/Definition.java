@@ -21,7 +21,7 @@ record Definition(
    * @param type its type; a message type is only named, by {@code base}
    * @param base the full name of a message type, or the primitive type
    * @param value the value of a constant or the default of a field; null if there is none
-   * @param place where its type stands
+   * @param place where its type is
    */
   record Member(String name, FieldType type, String base, Object value, SourceLocation place) {
 

@@ -34,8 +34,8 @@ final class IdlTokens {
   }
 
   private static final String HINT =
-      "Of IDL, modules, structures, type definitions, sequences, arrays of one dimension, bounded"
-          + " strings, constants and annotations are read, as rosidl writes them.";
+      "This reads the part of IDL that rosidl writes: modules, structures, type definitions,"
+          + " sequences, one-dimensional arrays, bounded strings, constants and annotations.";
 
   private static final Pattern TOKEN =
       Pattern.compile(
@@ -146,7 +146,7 @@ final class IdlTokens {
   private String unescaped(String character, Token token) {
     String meant = ESCAPES.get(character);
     if (meant == null) {
-      throw refusal("The escape sequence \\" + character + " is not read.", token.offset());
+      throw refusal("The escape sequence \\" + character + " is not supported.", token.offset());
     }
     return Matcher.quoteReplacement(meant);
   }

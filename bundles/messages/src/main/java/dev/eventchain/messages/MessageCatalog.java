@@ -144,8 +144,8 @@ public final class MessageCatalog {
   }
 
   /**
-   * Everything that is wrong with the definitions in the user's folders; definitions that nobody
-   * can use because of their place or name ({@code message.place}) are warned about.
+   * Everything that is wrong with the definitions in the user's folders; definitions that cannot be
+   * used because of their place or name ({@code message.place}) are warned about.
    */
   public List<Diagnostic> diagnostics() {
     Set<Diagnostic> found = new TreeSet<>();
@@ -296,7 +296,7 @@ public final class MessageCatalog {
           Diagnostic.error(
                   "message.type.unknown", "There is no message type " + base + ".", field.place())
               .withHint(
-                  "Put its definition into PACKAGE/msg/NAME.msg, or .idl, beside the others."));
+                  "Put its definition into PACKAGE/msg/NAME.msg, or .idl, next to the others."));
       return Optional.empty();
     }
     try {

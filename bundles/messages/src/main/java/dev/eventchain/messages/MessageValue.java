@@ -10,12 +10,12 @@ import java.util.StringJoiner;
  *   <li>{@link Boolean}; {@link Integer} for integers up to 32 bits, {@link Long} for {@code
  *       uint32}, {@code int64} and {@code uint64} (its bits); {@link Float}, {@link Double}; {@link
  *       String}; {@link MessageValue};
- *   <li>arrays and sequences of numbers and truth values as Java arrays of the same width ({@code
+ *   <li>arrays and sequences of numbers and Booleans as Java arrays of the same width ({@code
  *       byte[]} for {@code uint8[]}, {@code float[]} for {@code float32[]}), which are not copied;
  *   <li>arrays and sequences of strings and messages as {@link java.util.List}.
  * </ul>
  *
- * Mutable; not safe for several threads at once.
+ * Mutable; not thread-safe.
  */
 public final class MessageValue {
 

@@ -7,8 +7,8 @@ import java.util.Optional;
 
 /**
  * A unit of measurement, as vehicle signals are written: {@code m/s}, {@code km/h}, {@code m/s^2},
- * {@code m.s-2}, {@code degC}. The symbols are those of UCUM where it has them, with the spellings
- * that people use next to them. Immutable.
+ * {@code m.s-2}, {@code degC}. The symbols are those of UCUM where it has them, together with other
+ * common spellings. Immutable.
  */
 public final class Unit {
 

@@ -51,7 +51,7 @@ final class Values {
     return copy;
   }
 
-  /** Whether several values stand in a list, not in an array of a primitive type. */
+  /** Whether several values are in a list, not in an array of a primitive type. */
   static boolean isList(FieldType.Kind kind) {
     return kind.bytes() == 0;
   }

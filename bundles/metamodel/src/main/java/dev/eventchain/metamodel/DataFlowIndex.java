@@ -14,10 +14,11 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Who hands data to whom in an event chain. Data flows from an output to an input when both are on
- * the same topic ({@link TopicIndex}), the rule that DDS matches by, and the output sets what the
- * input reads: the same field, or one of which the other is a part ({@code header} and {@code
- * header.stamp.sec}). {@code SoftwareNode::feeds} of the standard rules says the same in OCL.
+ * Which components pass data to which in an event chain. Data flows from an output to an input when
+ * both are on the same topic ({@link TopicIndex}), the rule that DDS matches by, and the output
+ * sets what the input reads: the same field, or one of which the other is a part ({@code header}
+ * and {@code header.stamp.sec}). {@code SoftwareNode::feeds} of the standard rules says the same in
+ * OCL.
  *
  * <p>A snapshot: later changes of the chain are not seen. All lists are in chain order.
  */

@@ -20,7 +20,7 @@ import org.eclipse.emf.ecore.util.InternalEList;
 
 /**
  * Finds where models are not what their files say: one end of a reference with two, and a value
- * that stands twice where each may stand once. Looks at files whose references are resolved.
+ * that occurs twice where each may occur only once. Looks at files whose references are resolved.
  */
 final class Faults {
 
@@ -34,7 +34,7 @@ final class Faults {
     this.resources = resources;
   }
 
-  /** What is found, in the order of files and lines; values that stand twice are taken out. */
+  /** What is found, in the order of files and lines; values that occur twice are removed. */
   List<Diagnostic> find() {
     List<XmiResource> files = resources.loaded();
     for (XmiResource file : files) {
@@ -110,7 +110,7 @@ final class Faults {
   }
 
   /**
-   * Whether a feature is a list that the file gives, in which no value may stand twice. Of a
+   * Whether a feature is a list that the file gives, in which no value may occur twice. Of a
    * feature map, its members say so: XML Schema's are never unique themselves, and others mean
    * nothing by it.
    */
@@ -163,7 +163,7 @@ final class Faults {
     found.add(duplicate(file, element, file.offsetOf(element, 0), feature, shown));
   }
 
-  /** The finding that a value stands twice in a feature whose values are unique. */
+  /** The finding that a value occurs twice in a feature whose values are unique. */
   static Diagnostic duplicate(
       XmiResource file, EObject element, int tag, EStructuralFeature feature, String value) {
     return Diagnostic.error(

@@ -83,7 +83,10 @@ final class MappedUris {
     return folder.resolve(relative.replaceFirst("^/+", "")).toAbsolutePath().normalize();
   }
 
-  /** The project is a folder next to the file, or beside or among the folders that it is in. */
+  /**
+   * The project is a folder next to the file, or one of the folders that it is in, or next to one
+   * of these.
+   */
   private static Optional<Target> inWorkspace(Path base, String reference) {
     Optional<String> prefix = PLATFORM.stream().filter(reference::startsWith).findFirst();
     if (prefix.isEmpty()) {

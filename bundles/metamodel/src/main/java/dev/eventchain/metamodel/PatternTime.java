@@ -30,7 +30,7 @@ final class PatternTime {
   /** How many types may take all of their time. */
   private static final int SLOW_TYPES = 4;
 
-  /** The clock of the processor is dear: it takes as long as matching a short text. */
+  /** The clock of the processor is expensive: it takes as long as matching a short text. */
   private static final long BETWEEN_READINGS = 20_000_000;
 
   private static final int STEPS_BETWEEN_LOOKS = 64;
@@ -121,7 +121,7 @@ final class PatternTime {
     }
   }
 
-  /** A text that looks at the clock when somebody looks at its characters. */
+  /** A text that looks at the clock when its characters are read. */
   private final class Watched implements CharacterIterator {
 
     private final StringCharacterIterator text;

@@ -7,8 +7,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Stream;
 
 /**
- * Which names the generated Python can carry. The standard rules state it, in definitions of {@code
- * metamodel/eventchain.ocl}; this is the same for those who cannot evaluate OCL, read from there,
+ * Which names the generated Python can carry. The standard rules state this in definitions of
+ * {@code metamodel/eventchain.ocl}; here it is read from there for code that cannot evaluate OCL,
  * so that there is one list.
  */
 public final class PythonNames {

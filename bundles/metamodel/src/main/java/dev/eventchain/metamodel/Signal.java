@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * A topic that the vehicle or its software has, whatever chain is built around it.
+ * A topic of the vehicle or its software, independent of the chain that is built around it.
  *
  * @param topic the topic's name
  * @param messageType the type of its messages, as it was written

@@ -13,10 +13,10 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The topics of an event chain, and who is on them. The data of a component that name the same
- * topic are one endpoint: one publisher or subscription at run time. Names are full ones, as ROS
- * resolves them for nodes in the root namespace, so that {@code a/x} and {@code /a/x} are one topic
- * and {@code ~/x} is one for each component. Data without a topic are on none.
+ * The topics of an event chain, with their readers and writers. The data of a component that name
+ * the same topic are one endpoint: one publisher or subscription at run time. Names are full ones,
+ * as ROS resolves them for nodes in the root namespace, so that {@code a/x} and {@code /a/x} are
+ * one topic and {@code ~/x} is one for each component. Data without a topic are on none.
  *
  * <p>A snapshot: later changes of the chain are not seen. All lists are in chain order.
  */
@@ -91,7 +91,7 @@ public final class TopicIndex {
    * A topic.
    *
    * @param name its full name
-   * @return empty if nobody is on it
+   * @return empty if the chain neither reads nor writes it
    */
   public Optional<Topic> find(String name) {
     return Optional.ofNullable(topics.get(name));

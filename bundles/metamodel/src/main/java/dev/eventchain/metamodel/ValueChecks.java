@@ -61,7 +61,7 @@ final class ValueChecks {
   private Diagnostic limit(EDataType type, Unchecked left) {
     return Diagnostic.error(
             "ecore.limit",
-            "The type `%s` was abandoned at this `%s`: %s. It left %s unchecked."
+            "The check of the type `%s` was abandoned at this `%s`: %s. It left %s unchecked."
                 .formatted(
                     type.getName(),
                     left.feature,
@@ -119,7 +119,7 @@ final class ValueChecks {
                 "`%s` of `%s` %s.".formatted(shown, attribute.getName(), fault),
                 locator.apply(element))
             .withHint(
-                "The type `%s` of the metamodel says what is allowed."
+                "The type `%s` of the metamodel defines what is allowed."
                     .formatted(attribute.getEAttributeType().getName())));
   }
 }

@@ -174,8 +174,8 @@ public final class XmiStore {
   }
 
   /**
-   * Models that were loaded together, and those in the files that they refer to, which nobody
-   * named. Metamodels that they refer to are none.
+   * Models that were loaded together, and those in the files that they refer to, which were not
+   * named. Metamodels that they refer to do not count.
    *
    * @param models at least one, all of one {@link #loadAll}
    */

@@ -202,7 +202,8 @@ final class AttributeValues {
     }
     find(
         "modeler.value.type",
-        "'%s' is no %s for '%s'.".formatted(value.asText(), type.getName(), attribute.getName()),
+        "'%s' is not a valid %s for '%s'."
+            .formatted(value.asText(), type.getName(), attribute.getName()),
         pointer,
         "");
     return Optional.empty();
@@ -211,7 +212,7 @@ final class AttributeValues {
   private Optional<Object> outOfRange(EAttribute attribute, JsonNode value, String pointer) {
     find(
         "modeler.value.range",
-        "%s is beyond the range of %s, the type of '%s'."
+        "%s is out of the range of %s, the type of '%s'."
             .formatted(
                 shortened(value), attribute.getEAttributeType().getName(), attribute.getName()),
         pointer,

@@ -317,7 +317,7 @@ public final class EventChainReader {
     return value;
   }
 
-  /** A number, a truth value or a text; the model has what was written. */
+  /** A number, a Boolean or a string; the model has what was written. */
   private Optional<String> safeValue(ObjectReader json) {
     Optional<JsonNode> value = json.value("safe_value");
     if (value.isPresent() && !value.get().isValueNode()) {
@@ -338,8 +338,8 @@ public final class EventChainReader {
                   "'" + Names.printable(name) + "' cannot be the name of a " + what + ".",
                   json.at("name"))
               .withHint(
-                  "Names are Python identifiers: letters, digits and underscores, no digit"
-                      + " first, no keyword."));
+                  "Names are Python identifiers: letters, digits and underscores; they cannot"
+                      + " begin with a digit, or be a keyword."));
     }
     return name;
   }
@@ -370,7 +370,7 @@ public final class EventChainReader {
                         + origins.locate(earlier).line()
                         + ".",
                     origins.locate(node))
-                .withHint("Names of components differ in more than upper and lower case."));
+                .withHint("Names of components must differ in more than upper and lower case."));
       }
     }
   }

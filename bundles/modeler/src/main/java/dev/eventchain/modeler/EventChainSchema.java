@@ -21,7 +21,7 @@ import org.eclipse.emf.common.util.Enumerator;
 
 /**
  * The JSON Schema of the event-chain descriptions that {@link EventChainReader} reads, as far as
- * somebody who designs a chain writes them. Since strict modes want an object at the root, the
+ * they are written by the designer of a chain. Since strict modes want an object at the root, the
  * array of components is in its property {@code components}.
  *
  * <p>Only what is closed is an enumeration: the ids of the requirements, the message types that
@@ -29,7 +29,7 @@ import org.eclipse.emf.common.util.Enumerator;
  * topics are free, because a chain may define new ones; units and types of fields, because they are
  * composed (m/s2, float32[4]); fields, because which there are depends on the message type.
  *
- * <p>The properties stand in the order of the paper's template: whoever writes a threshold into the
+ * <p>The properties are in the order of the paper's template: whoever writes a threshold into the
  * description has it at hand when the ports are written.
  */
 public final class EventChainSchema {

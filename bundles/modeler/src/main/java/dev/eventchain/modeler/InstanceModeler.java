@@ -16,11 +16,10 @@ import org.eclipse.emf.ecore.EPackage;
  * arXiv 2503.22587), into a model of any Ecore metamodel.
  *
  * <p>An object names its class in {@code eClass} and itself in {@code id}; the other properties are
- * features. Contained objects stand nested in the feature that contains them, or elsewhere with
- * their ids in it; all other references are ids. The document is one object, an array of objects,
- * or an object with an array for each class ({@code {"Book": [...], "Person": [...]}}). {@code
- * null} means that a feature is not set. Where a class has an attribute {@code id}, the property is
- * both.
+ * features. Contained objects are nested in the feature that contains them, or elsewhere with their
+ * ids in it; all other references are ids. The document is one object, an array of objects, or an
+ * object with an array for each class ({@code {"Book": [...], "Person": [...]}}). {@code null}
+ * means that a feature is not set. Where a class has an attribute {@code id}, the property is both.
  */
 public final class InstanceModeler {
 
@@ -53,7 +52,8 @@ public final class InstanceModeler {
     }
     if (objects.all().isEmpty() && findings.isEmpty()) {
       findings.add(
-          Diagnostic.error("modeler.instance.empty", "There is no object here.", text.at("")));
+          Diagnostic.error(
+              "modeler.instance.empty", "The document contains no object.", text.at("")));
     }
     return new Modeled<>(roots, origins, findings.stream().distinct().sorted().toList());
   }

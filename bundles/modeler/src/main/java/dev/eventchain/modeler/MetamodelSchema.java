@@ -60,7 +60,7 @@ public final class MetamodelSchema {
     return new MetamodelSchema(metamodels, root);
   }
 
-  /** Leaves features out that nobody is asked for. */
+  /** Leaves out features that are not asked for. */
   public MetamodelSchema without(Collection<? extends EStructuralFeature> features) {
     without.addAll(features);
     return this;
@@ -82,7 +82,7 @@ public final class MetamodelSchema {
   }
 
   /**
-   * Contained objects stand in the feature that contains them, each class is a definition. Every
+   * Contained objects are in the feature that contains them, each class is a definition. Every
    * property is required, and those that the metamodel does not demand may be null: for services
    * that follow pointers and want each property to be written.
    */

@@ -14,8 +14,8 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EReference;
 
 /**
- * Compares two models of the same metamodel: what one says and the other does not. Each made by its
- * own way, they check each other.
+ * Compares two models of the same metamodel: what one contains and the other does not. If they were
+ * made independently, they check each other.
  */
 public final class ModelComparison {
 
@@ -169,7 +169,7 @@ public final class ModelComparison {
     differences.add(
         Diagnostic.warning(
             "modeler.comparison.order",
-            "'%s' is in another order; expected is %s."
+            "'%s' is in a different order; expected: %s."
                 .formatted(reference.getName(), names(wanted)),
             locator.apply(actual)));
   }

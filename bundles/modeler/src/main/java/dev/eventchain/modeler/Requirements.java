@@ -35,7 +35,7 @@ public record Requirements(List<Item> items, List<Diagnostic> diagnostics) {
    *
    * @param id the id under which people know it
    * @param text what it says, on one line
-   * @param location where it stands
+   * @param location where it is
    */
   public record Item(String id, String text, SourceLocation location) {}
 
@@ -127,10 +127,10 @@ public record Requirements(List<Item> items, List<Diagnostic> diagnostics) {
           diagnostics.add(
               Diagnostic.warning(
                       "modeler.requirements.unread",
-                      "'%s' is the id of no item.".formatted(found.group()),
+                      "No item has the id '%s'.".formatted(found.group()),
                       source.at(found.start()))
                   .withHint(
-                      "If it is to be one, write: '- ID: text'; items continue in indented"
+                      "If it should be one, write: '- ID: text'; items continue in indented"
                           + " lines."));
         }
       }

@@ -30,7 +30,7 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 
 /**
- * What a project has already: the components of {@code components.json} with their files, and the
+ * What a project already has: the components of {@code components.json} with their files, and the
  * signals of {@code signals.json}.
  */
 public final class SoftwareBase {
@@ -260,7 +260,7 @@ public final class SoftwareBase {
         default -> {
           json.find(
               "modeler.component.implementation",
-              "'" + written + "' is not an implementation; it is 'component' or 'node'.",
+              "'" + written + "' is not an implementation; write 'component' or 'node'.",
               json.at("implementation"));
           yield ComponentImplementation.COMPONENT;
         }

@@ -22,7 +22,7 @@ final class Asts {
 
   private Asts() {}
 
-  /** Whether it joins or negates truth values. */
+  /** Whether it joins or negates Booleans. */
   static boolean isLogical(OperationCallExp<EClassifier, EOperation> call) {
     return switch (call.getOperationCode()) {
       case PredefinedType.AND,
@@ -59,7 +59,7 @@ final class Asts {
         && "self".equals(use.getReferredVariable().getName());
   }
 
-  /** What stands before the arrow, where that is a single value taken for a set. */
+  /** What is before the arrow, where that is a single value taken for a set. */
   static OCLExpression<EClassifier> withoutImplicitSet(OCLExpression<EClassifier> node) {
     if (node instanceof CollectionLiteralExp<EClassifier> set
         && set.getPart().size() == 1

@@ -103,7 +103,7 @@ final class CallHints {
       return "'oclAsType' applies to each value: write a dot instead of the arrow, or"
           + " ->selectByKind(...) for the elements of that type.";
     } else if (operations(element).contains(name) || name.equals("allInstances")) {
-      // A dot gets here, too, behind a collection of collections.
+      // A dot gets here, too, after a collection of collections.
       return "'"
           + name
           + "' applies to each value, not to a collection: write a dot instead of the arrow, or"

@@ -266,7 +266,7 @@ final class CollectionNodes {
 
     @Override
     Object compute(Frame frame) {
-      // Where an element stands does not depend on the kind of the collection.
+      // Where an element is does not depend on the kind of the collection.
       boolean only = code == PredefinedType.INDEX_OF && source.kindOfElements() != null;
       Object given = only ? source.read(frame) : source.evaluate(frame);
       if (!(given instanceof Collection<?> elements)) {

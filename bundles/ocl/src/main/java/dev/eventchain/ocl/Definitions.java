@@ -168,7 +168,7 @@ public final class Definitions {
     }
   }
 
-  /** What Eclipse OCL would complain of in words that help nobody. */
+  /** Mistakes that Eclipse OCL would report in unhelpful words. */
   private static Optional<Diagnostic> shapeProblem(
       Definition definition, Tokens tokens, int equals) {
     SourceRange text = definition.text();

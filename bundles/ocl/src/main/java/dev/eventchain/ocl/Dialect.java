@@ -6,7 +6,7 @@ import org.eclipse.emf.ecore.EClassifier;
 
 /**
  * Where an expression language goes beyond OCL: its own operations, what its types let pass, and
- * what may be done in place of something slower. Must be safe for threads.
+ * what may be done in place of something slower. Must be thread-safe.
  */
 public interface Dialect {
 

@@ -36,7 +36,7 @@ final class Explanation {
   /**
    * Why a condition is false for the element that the run has bound to {@code self}.
    *
-   * @param run whose time limit holds for finding out, too
+   * @param run whose time limit applies to the explanation, too
    * @return such as {@code self.pages is 3}; empty if there is nothing to tell
    */
   static String whyFalse(

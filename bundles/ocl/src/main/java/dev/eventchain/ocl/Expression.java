@@ -25,8 +25,8 @@ import org.eclipse.ocl.expressions.VariableExp;
 import org.eclipse.ocl.types.CollectionType;
 
 /**
- * A parsed and checked OCL expression. Immutable; several threads can evaluate it at once, each
- * with an {@link Evaluation} of its own.
+ * A parsed and checked OCL expression. Immutable; several threads can evaluate it at the same time,
+ * each with an {@link Evaluation} of its own.
  */
 public final class Expression {
 
@@ -43,7 +43,10 @@ public final class Expression {
   /** As {@link #lowered}, to find out why there is no value; made when that is first asked. */
   private volatile Lowered traced;
 
-  /** Made when it is first asked for, as the next; threads that do so at once find the same. */
+  /**
+   * Made when it is first asked for, as the next; threads that do so at the same time find the
+   * same.
+   */
   private volatile SourceLocation location;
 
   private volatile Parts parts;
@@ -61,7 +64,7 @@ public final class Expression {
     return ast.getType();
   }
 
-  /** Where the expression stands. */
+  /** Where the expression is. */
   public SourceLocation location() {
     SourceLocation known = location;
     if (known == null) {
@@ -285,7 +288,7 @@ public final class Expression {
    * Why a condition is false, in words: the values that made it so. Parts of it are evaluated
    * again.
    *
-   * @param run binds the variables as for the evaluation; its time limit holds for this, too
+   * @param run binds the variables as for the evaluation; its time limit applies to this, too
    * @return such as {@code self.pages is 3}; empty if there is nothing to tell
    */
   public String whyFalse(Evaluation run) {

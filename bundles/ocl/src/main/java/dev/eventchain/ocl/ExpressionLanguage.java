@@ -87,7 +87,7 @@ public final class ExpressionLanguage {
   /**
    * Parses and checks an expression.
    *
-   * @param range where it stands
+   * @param range where it is
    * @param problems takes all errors and warnings, at their places in the text
    * @return empty if there is an error
    */

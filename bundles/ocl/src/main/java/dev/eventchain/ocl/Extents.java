@@ -15,8 +15,8 @@ import org.eclipse.emf.ecore.util.EcoreUtil;
 
 /**
  * The instances of each class: those of the whole resource set of a model, in the order of its
- * resources and then of containment. Found when first asked for and kept. Safe for threads, as long
- * as the model does not change.
+ * resources and then of containment. Found when first asked for and kept. Thread-safe, as long as
+ * the model does not change.
  */
 final class Extents {
 

@@ -16,7 +16,7 @@ final class Frame {
 
   private LibraryCalls calls;
 
-  /** Why the variables have no values that were found to have none; null if nobody asks. */
+  /** Why the variables have no values that were found to have none; null if it is not asked for. */
   private Map<Integer, InvalidOrigin> origins;
 
   /** For an expression. */

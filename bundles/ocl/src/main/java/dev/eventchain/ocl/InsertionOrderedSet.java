@@ -76,7 +76,7 @@ final class InsertionOrderedSet<E> extends AbstractSet<E> {
     return listed != null && listed.size() <= FEW;
   }
 
-  /** Where an element stands among a few; -1 if it does not. */
+  /** Where an element is among a few; -1 if it does not. */
   private int indexOf(Object element) {
     Object key = Values.key(element);
     for (int i = 0; i < listed.size(); i++) {

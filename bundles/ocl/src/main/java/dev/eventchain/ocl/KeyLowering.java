@@ -88,7 +88,7 @@ final class KeyLowering {
   }
 
   /**
-   * The comparisons in an expression whose sides must be equal for it to have a truth value: where
+   * The comparisons in an expression whose sides must be equal for it to be true or false: where
    * they differ, it has the other one, even if the rest of it is invalid.
    */
   @SuppressWarnings("unchecked") // Eclipse OCL's own types tell the metamodel they are for

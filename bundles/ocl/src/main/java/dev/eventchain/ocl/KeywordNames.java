@@ -25,7 +25,7 @@ final class KeywordNames {
 
   private KeywordNames() {}
 
-  /** Makes names of the words that mean a class where they stand. */
+  /** Makes names of the words that denote a class where they are. */
   static void release(PrsStream tokens, PackageIndex packages) {
     for (int i = 0; i < tokens.getSize() - 1; i++) {
       boolean kind = KINDS.contains(tokens.getKind(i)) && !OPENING.contains(tokens.getKind(i + 1));

@@ -52,7 +52,7 @@ final class Limits {
     return value;
   }
 
-  /** A text for a regular expression, which the time limit of an evaluation holds for, too. */
+  /** A text for a regular expression, to which the time limit of an evaluation applies, too. */
   static CharSequence watched(CharSequence text, Evaluation run) {
     return text.length() <= SHORT_TEXT ? text : new Watched(text, run);
   }

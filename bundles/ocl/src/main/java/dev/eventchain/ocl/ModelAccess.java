@@ -27,7 +27,7 @@ import org.eclipse.ocl.util.Tuple;
 /**
  * Access to models: features, operations, types of values, tuples. Differs from what it extends in
  * that collections keep their order, that the kind of each feature is found out once, and that
- * operations of objects without generated code are called, too. Safe for threads.
+ * operations of objects without generated code are called, too. Thread-safe.
  */
 final class ModelAccess extends EcoreEvaluationEnvironment {
 

@@ -10,7 +10,7 @@ import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.util.EcoreUtil;
 
-/** How elements of models and metamodels, and values, are called in messages. */
+/** What elements of models and metamodels, and values, are called in messages. */
 public final class Names {
 
   private static final List<String> NAMING_FEATURES = List.of("name", "id", "label", "title");

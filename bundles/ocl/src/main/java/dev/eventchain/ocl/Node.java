@@ -7,7 +7,7 @@ import org.eclipse.ocl.ecore.EcoreEnvironmentFactory;
 import org.eclipse.ocl.expressions.CollectionKind;
 
 /**
- * A part of a lowered expression. Immutable and safe for threads.
+ * A part of a lowered expression. Immutable and thread-safe.
  *
  * <p>Of the values, null is OCL's null, {@link #INVALID} its invalid.
  */

@@ -62,7 +62,7 @@ public interface OperationLibrary {
    */
   record Operation(String name, EClassifier resultType, Implementation implementation) {}
 
-  /** What an operation does. Must be safe for threads. */
+  /** What an operation does. Must be thread-safe. */
   @FunctionalInterface
   interface Implementation {
 
@@ -81,7 +81,7 @@ public interface OperationLibrary {
     /**
      * Whether calling once more with the same source and arguments changes nothing and gives the
      * same; otherwise the answer of each call is kept until its expression has been evaluated, in
-     * case that somebody wants to know why it has no value.
+     * case it is asked why it has no value.
      */
     default boolean isRepeatable() {
       return false;

@@ -12,7 +12,7 @@ import org.eclipse.ocl.lpg.AbstractProblemHandler;
 /** Turns the problems that Eclipse OCL reports into diagnostics with their exact places. */
 final class ProblemCollector extends AbstractProblemHandler {
 
-  /** What Eclipse OCL says of each feature behind a type's name: Ecore has no static ones. */
+  /** What Eclipse OCL says of each feature after a type's name: Ecore has no static ones. */
   private static final Pattern NON_STATIC =
       Pattern.compile("Static (?:call|reference) to non-static (?:operation|attribute) \"(.*)\"");
 

@@ -69,7 +69,7 @@ public final class Scope {
     return home;
   }
 
-  /** What stands before the expressions of this scope. */
+  /** What is before the expressions of this scope. */
   String prefix() {
     return prefix;
   }

@@ -2,7 +2,7 @@ package dev.eventchain.ocl;
 
 /**
  * Takes the processor time of one thread from budgets, a little later than it is used: the clock
- * for that is dear, so it is read only when so much wall time has gone by that it may matter.
+ * for that is expensive, so it is read only when so much wall time has gone by that it may matter.
  */
 final class Stopwatch {
 

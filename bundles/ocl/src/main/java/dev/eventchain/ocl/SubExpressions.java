@@ -31,7 +31,7 @@ final class SubExpressions {
     return known.computeIfAbsent(part, node -> new Expression(language, node)).evaluate(run);
   }
 
-  /** The words of a part as they stand in the source, with single spaces, and shortened. */
+  /** The words of a part as they are in the source, with single spaces, and shortened. */
   static String text(OCLExpression<EClassifier> part) {
     return InvalidOrigin.source(part).map(each -> textIn(each.text().text(), part)).orElse("");
   }

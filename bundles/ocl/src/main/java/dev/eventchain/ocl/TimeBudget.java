@@ -6,10 +6,10 @@ import java.time.Duration;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * How much processor time evaluations may take, those of several threads together. A machine that
- * is busy with other things makes nothing take more of it. What waits without end is ended by wall
+ * How much processor time evaluations may take, those of several threads together. On a machine
+ * that is busy with other things, nothing takes more of it. What waits forever is ended by wall
  * time: a minute for each second, and ten at least, since a process of low priority may be given
- * less than a sixtieth of a processor. Safe for threads.
+ * less than a sixtieth of a processor. Thread-safe.
  */
 public final class TimeBudget {
 
@@ -36,7 +36,7 @@ public final class TimeBudget {
 
     /**
      * Nanoseconds for which a processor worked for the calling thread, from an arbitrary start;
-     * wall time where Java cannot tell. A hundred times as dear as {@link #wall}.
+     * wall time where Java cannot tell. A hundred times as expensive as {@link #wall}.
      */
     long processor();
 

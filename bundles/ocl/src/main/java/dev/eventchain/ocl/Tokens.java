@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /**
  * The tokens of OCL text, without white space and comments: names, numbers, strings, arrows, double
- * colons, and else single characters.
+ * colons, and otherwise single characters.
  */
 public final class Tokens {
 

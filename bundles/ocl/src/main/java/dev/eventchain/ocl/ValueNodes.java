@@ -180,7 +180,7 @@ final class ValueNodes {
     }
   }
 
-  /** {@code first..last} beside other parts, or in a set or bag; nothing if either is null. */
+  /** {@code first..last} next to other parts, or in a set or bag; nothing if either is null. */
   record Range(Node first, Node last) implements CollectionLiteral.Part {
     @Override
     public boolean addTo(Collection<Object> result, Frame frame) {

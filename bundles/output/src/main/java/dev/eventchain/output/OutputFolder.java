@@ -13,10 +13,10 @@ import java.util.Map;
 import java.util.Optional;
 
 /**
- * The one door through which files are written. Nothing gets outside the folder, whatever a name
- * says; a file appears whole or not at all; a file that holds the content already is not touched;
- * and a file that a person changed is never replaced silently. What was written is remembered in
- * {@code .eventchain/files.json} inside the folder.
+ * The only way to write files. Nothing gets outside the folder, whatever a name says; a file
+ * appears complete or not at all; a file that already has the content is not touched; and a file
+ * that a person changed is never replaced silently. What was written is remembered in {@code
+ * .eventchain/files.json} inside the folder.
  *
  * <p>File names are relative, with {@code /} between their parts. Safe for use by several threads.
  */
@@ -162,7 +162,9 @@ public final class OutputFolder implements AutoCloseable {
     return findings.kept(path, !records.written(path).isEmpty());
   }
 
-  /** Whether lost areas come behind what there is, of which a person may have taken some away. */
+  /**
+   * Whether lost areas are appended to the existing ones, some of which a person may have removed.
+   */
   private static boolean addsLostAreas(String path, byte[] present, byte[] content) {
     return path.endsWith(ProtectedAreas.LOST)
         && content.length > present.length
@@ -189,7 +191,7 @@ public final class OutputFolder implements AutoCloseable {
   }
 
   /**
-   * Whether a file is there that is not as we wrote it: a person changed it, or put it there.
+   * Whether there is a file that is not as we wrote it: a person changed it, or put it there.
    * Changes inside protected areas do not count, they are what the areas are for.
    */
   public synchronized boolean isEdited(String name) {
@@ -199,7 +201,7 @@ public final class OutputFolder implements AutoCloseable {
   }
 
   /**
-   * Accepts a file as it stands, for a run that continues from a person's version of it.
+   * Accepts a file as it is, for a run that continues from a person's version of it.
    *
    * @return the warning {@code eventchain.file.edited} if a person changed it; nothing if it is as
    *     we wrote it or does not exist

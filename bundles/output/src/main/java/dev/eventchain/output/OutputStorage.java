@@ -9,7 +9,7 @@ interface OutputStorage {
   /** The content of a file, or nothing when there is none. */
   Optional<byte[]> read(String path) throws IOException;
 
-  /** Puts a file in place at once: readers see the old content or the new one, never a part. */
+  /** Puts a file in place atomically: readers see the old content or the new one, never a part. */
   void replace(String path, byte[] content) throws IOException;
 
   /** Adds to the end of a file, creating it. */
@@ -24,7 +24,7 @@ interface OutputStorage {
    */
   Path scratch() throws IOException;
 
-  /** Puts a file of {@link #scratch} in place at once, as {@link #replace} does. */
+  /** Puts a file of {@link #scratch} in place atomically, as {@link #replace} does. */
   void move(Path finished, String path) throws IOException;
 
   /** The file itself, to be read in pieces; nothing when there is none. */

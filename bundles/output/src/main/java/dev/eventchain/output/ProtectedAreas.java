@@ -18,13 +18,13 @@ public final class ProtectedAreas {
   /**
    * An area of a text.
    *
-   * @param line what is behind the start mark on its line: the id, and perhaps text of the template
+   * @param line what follows the start mark on its line: the id, and perhaps text of the template
    *     such as the end of a comment
    * @param start where the content starts, at the end of that line
    * @param end where the content ends, before the end mark; the start if the area has one line only
    */
   public record Area(String line, int start, int end) {
-    /** What stands in the area of the text that it was found in. */
+    /** What is in the area of the text that it was found in. */
     public String content(String text) {
       return text.substring(start, end);
     }

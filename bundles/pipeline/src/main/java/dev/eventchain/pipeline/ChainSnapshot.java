@@ -67,7 +67,7 @@ final class ChainSnapshot {
     return model.chain();
   }
 
-  /** Where an element stands: in the description that the chain was made from, or in the model. */
+  /** Where an element is: in the description that the chain was made from, or in the model. */
   SourceLocation locate(EObject element) {
     return model.locate(element);
   }

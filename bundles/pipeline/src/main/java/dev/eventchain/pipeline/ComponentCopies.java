@@ -21,8 +21,8 @@ final class ComponentCopies {
   }
 
   /**
-   * A copy that somebody changed is kept, but a verdict about it would say nothing about the
-   * component of the project.
+   * An edited copy is kept, but a verdict about it would say nothing about the component of the
+   * project.
    *
    * @throws DiagnosticException FINDINGS with an error for each, unless people accept them
    */
@@ -47,7 +47,7 @@ final class ComponentCopies {
   private static Diagnostic edited(SoftwareNode node, Path copy, Path source) {
     return Diagnostic.error(
             "eventchain.file.edited",
-            "This copy of the component '%s' is not what %s is: a verdict would be about another one."
+            "This copy of the component '%s' differs from %s, so a verdict would be about different code."
                 .formatted(node.getName(), SourceLocation.of(source).file()),
             SourceLocation.of(copy))
         .withHint(

@@ -100,7 +100,7 @@ final class ComponentImports {
     return pipNames;
   }
 
-  /** A warning for each import of which nobody knows the package. */
+  /** A warning for each import whose package is unknown. */
   List<Diagnostic> unknown() {
     return unknown;
   }

@@ -102,7 +102,7 @@ record Configuration(
                   IDS.range(),
                   "There is no template set and no file '" + template + "'.",
                   settings.at("template"))
-              .withHint("Use " + sets + ", or name a file *.mtl of the project."));
+              .withHint("Use " + sets + ", or name a *.mtl file of the project."));
     }
     return template;
   }

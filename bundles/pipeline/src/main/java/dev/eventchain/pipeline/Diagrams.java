@@ -32,7 +32,7 @@ import org.eclipse.emf.ecore.EcorePackage;
 /** Diagrams of models and metamodels, as PlantUML text and as an SVG picture. */
 public final class Diagrams {
 
-  /** How many boxes and arrows a diagram may have: nobody can read a larger one. */
+  /** How many boxes and arrows a diagram may have: larger ones are unreadable. */
   private static final int MOST = 1000;
 
   /** The processor time of a layout. Arrows between far boxes make it take minutes. */

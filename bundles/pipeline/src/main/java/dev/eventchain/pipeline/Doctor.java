@@ -13,7 +13,7 @@ import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;
 
-/** Looks whether this machine has what runs need. */
+/** Finds out whether this machine has what runs need. */
 public final class Doctor {
 
   /**

@@ -15,7 +15,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.Optional;
 
-/** What another run measured, which the report shows beside what this one did. Immutable. */
+/** What another run measured, which the report shows next to what this one did. Immutable. */
 final class EarlierRun {
 
   private final Map<String, JsonNode> scenarios;

@@ -15,9 +15,9 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 
 /**
- * The stages that a run leaves out because it begins later. What they made is taken as it stands,
- * so it has to be what they would make of today's sources: otherwise a verdict would be about
- * something else than what the project's files say.
+ * The stages that a run leaves out because it begins later. What they made is taken as it is, so it
+ * has to be what they would make of today's sources: otherwise a verdict would be about something
+ * else than what the project's files say.
  */
 final class EarlierStages {
 
@@ -75,7 +75,7 @@ final class EarlierStages {
   /**
    * To check a chain that people edit takes nothing from an earlier run but the constraints that it
    * generated, if it did. They are about the design rules, so they hold for the chain as it is now;
-   * that they are about other rules is a finding beside those about the chain.
+   * that they are about other rules is a finding next to those about the chain.
    */
   private List<Diagnostic> aboutGeneratedConstraints() {
     if (run.project().generated(run.options().output()).isPresent()) {

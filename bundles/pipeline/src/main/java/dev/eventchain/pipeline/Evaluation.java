@@ -20,8 +20,8 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 
 /**
- * Compares language models: each does all tasks of several runs of a project, and what comes of
- * them is counted, as in the paper's table.
+ * Compares language models: each does all tasks of several runs of a project, and the results are
+ * counted, as in the paper's table.
  */
 public final class Evaluation {
 

@@ -15,7 +15,7 @@ import java.util.Set;
 
 /**
  * The folder of an evaluation: a folder for each run, with a file that is there when the run has
- * ended and says what it was made from. Safe for threads.
+ * ended and says what it was made from. Thread-safe.
  */
 final class EvaluationFolder implements AutoCloseable {
 

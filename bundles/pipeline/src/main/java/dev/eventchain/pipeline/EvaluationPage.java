@@ -25,7 +25,7 @@ final class EvaluationPage {
       "A chain model counts if design, model and constraints passed their checks and validation"
           + " finds no error; function code if the components that the model was to write pass"
           + " theirs; overall if all of that holds and the verdict of the scenarios is PASSED."
-          + " Intervals are Wilson's of 95 %.";
+          + " Intervals are 95 % Wilson intervals.";
 
   private final Project project;
   private final Evaluation.Options options;

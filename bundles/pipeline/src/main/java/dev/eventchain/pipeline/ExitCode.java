@@ -3,8 +3,8 @@ package dev.eventchain.pipeline;
 import dev.eventchain.diagnostics.DiagnosticException;
 
 /**
- * What the process's exit code says. Scripts rely on the numbers. A signal ends it with 128 and the
- * signal's number, as Java does by itself: 129 for SIGHUP, 130 for SIGINT, 143 for SIGTERM.
+ * What the process's exit code means. Scripts rely on the numbers. A signal ends it with 128 and
+ * the signal's number, as Java does by itself: 129 for SIGHUP, 130 for SIGINT, 143 for SIGTERM.
  */
 public final class ExitCode {
 

@@ -90,7 +90,7 @@ final class FaultReport {
     }
     String motion =
         vehicle.stopped().isPresent()
-            ? format("stands after %.2f s", vehicle.stopped().getAsDouble())
+            ? format("stopped after %.2f s", vehicle.stopped().getAsDouble())
             : format("%.1f km/h at the end, after %.2f s", vehicle.speed() * KMH, vehicle.end());
     return vehicle.minimalGap().isPresent()
         ? motion + format(", smallest gap %.2f m", vehicle.minimalGap().getAsDouble())

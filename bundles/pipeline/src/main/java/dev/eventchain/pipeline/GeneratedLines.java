@@ -41,7 +41,7 @@ final class GeneratedLines {
    * The files with lines that a component or its data made: {@code node}, {@code file} and {@code
    * lines}, each {@code first}, {@code last} and the template's line in {@code from}.
    *
-   * @param locator where elements stand, as the generation was told
+   * @param locator where elements are, as the generation was told
    */
   ArrayNode madeFor(SoftwareNode node, Function<EObject, SourceLocation> locator) {
     Set<String> elements = new TreeSet<>();

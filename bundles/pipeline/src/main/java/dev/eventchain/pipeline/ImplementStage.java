@@ -144,7 +144,7 @@ final class ImplementStage implements StageWork {
       }
     }
 
-    /** A component as it stands, which a person may have edited, by the tests as they stand. */
+    /** A component as it is, which a person may have edited, by the tests as they are. */
     void test(String component) {
       run.progress().step(Stage.IMPLEMENT, "tests of " + component);
       ComponentTester tester = tests.standing(component);

@@ -41,7 +41,7 @@ final class MeasuredValues {
   /** What every number is tried with by itself. */
   private static final List<Double> EXTREMES = List.of(-1e300, -1.0, 0.0, 1e300);
 
-  /** A measured number or truth value of the model. */
+  /** A measured number or Boolean of the model. */
   private record Slot(EObject owner, EAttribute attribute) {}
 
   private final EventChain chain;

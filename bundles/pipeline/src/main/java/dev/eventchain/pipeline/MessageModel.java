@@ -44,8 +44,8 @@ final class MessageModel {
    * The types that the data of a chain name, and those that they contain. Types that are not
    * defined are left out: the contracts on messages find them.
    *
-   * @return the one root of the model; a type is behind all that it contains, else types are sorted
-   *     by name
+   * @return the one root of the model; a type comes after all that it contains; otherwise, types
+   *     are sorted by name
    */
   static EObject of(EventChain chain, MessageCatalog catalog) {
     MessageModel model = new MessageModel(catalog);

@@ -71,7 +71,7 @@ final class ModelStage implements StageWork {
     run.write(FILE, XmiStore.toBytes(chain));
     return new StageResult(
         words(chain)
-            + ", the same by language model and directly"
+            + ", language model and direct conversion agree"
             + AgentReport.effort(run, List.of(answered)),
         List.of(FILE),
         answered.diagnostics(),

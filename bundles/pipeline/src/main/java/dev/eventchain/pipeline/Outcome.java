@@ -74,7 +74,7 @@ public record Outcome(
     String place = stack.length == 0 ? "" : " at " + stack[0];
     return Diagnostic.error(
             "eventchain.defect",
-            "This is a defect of eventchain: " + failure + place,
+            "This is a defect in eventchain: " + failure + place,
             DiagnosticException.placeOf(failure))
         .withHint("Report it with the command and the input that led to it.");
   }

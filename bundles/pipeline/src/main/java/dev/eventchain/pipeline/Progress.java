@@ -3,7 +3,7 @@ package dev.eventchain.pipeline;
 import java.nio.file.Path;
 import java.time.Duration;
 
-/** Is told how a run continues, on the thread that runs it. */
+/** Is notified of the progress of a run, on the thread that runs it. */
 public interface Progress {
 
   /** How a stage ended. */

@@ -38,9 +38,9 @@ import java.util.Set;
 import java.util.stream.Stream;
 
 /**
- * Begins a project: a small one that runs as it is, or around the software that a folder has, with
- * the bench filled in from its signals, and the chain from the description of its components if
- * these are all that it needs.
+ * Starts a project: a small one that runs as it is, or one around the software that a folder has,
+ * with the bench filled in from its signals, and the chain from the description of its components
+ * if these are all that it needs.
  */
 public final class ProjectStart {
 

@@ -13,7 +13,7 @@ import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.util.Optional;
 
-/** Writes a report to a file, whole or not at all. */
+/** Writes a report to a file, completely or not at all. */
 public final class ReportFile {
 
   private ReportFile() {}

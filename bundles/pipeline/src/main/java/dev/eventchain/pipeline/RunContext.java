@@ -259,7 +259,7 @@ final class RunContext {
                     + first
                     + "'"
                     + more
-                    + " that would be written otherwise.",
+                    + ", which would be written otherwise.",
                 SourceLocation.of(file(first)))
             .withHint("Run '" + command("--overwrite") + "' to have them written again.");
     strangers.clear();

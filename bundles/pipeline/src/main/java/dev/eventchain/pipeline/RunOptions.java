@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What a run is to do.
+ * What a run should do.
  *
  * @param output the folder that everything is written to
  * @param first the first stage; what earlier stages made is read from the output folder
@@ -21,7 +21,7 @@ import java.util.Optional;
  * @param scenarios the names of the scenarios to simulate; empty: all
  * @param driver how the nodes are run that are simulated
  * @param mcap whether the messages of the scenarios are recorded, too
- * @param compare what another run measured, which the report shows beside what this one does: its
+ * @param compare what another run measured, which the report shows next to what this one does: its
  *     {@code measurements.json}, or the folder of it
  * @param faults a file with faults that scenarios are simulated with besides
  * @param suppressions the findings that do not count
@@ -112,7 +112,7 @@ public record RunOptions(
     return !scenarios.isEmpty();
   }
 
-  /** Whether others run the nodes: nobody knows whether they are those of before. */
+  /** Whether the nodes are run elsewhere: it is unknown whether they are the same as before. */
   boolean isAttached() {
     return driver == Driver.DDS_ATTACHED;
   }

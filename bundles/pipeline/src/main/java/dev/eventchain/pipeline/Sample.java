@@ -11,7 +11,7 @@ import java.util.List;
 
 /**
  * One of several runs by which a language model is evaluated: gets its answers, and remembers them.
- * Safe for threads.
+ * Thread-safe.
  */
 final class Sample {
 

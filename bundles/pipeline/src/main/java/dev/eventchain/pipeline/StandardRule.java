@@ -38,7 +38,7 @@ public final class StandardRule {
         + switch (constraint.severity()) {
           case ERROR -> "an error";
           case WARNING -> "a warning";
-          case INFO -> "an information";
+          case INFO -> "information";
         }
         + ".\n\n"
         + hint

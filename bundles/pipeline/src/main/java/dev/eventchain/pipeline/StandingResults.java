@@ -9,8 +9,8 @@ import java.util.TreeMap;
 
 /**
  * The results of an earlier simulation, and the report, while a run works. They are withdrawn
- * before anything is done that may end otherwise than they say, so that no verdict stands that
- * nobody reached, even if the run is killed; and put back if it turns out that they still hold.
+ * before anything is done that may lead to other results, so that no unfounded verdict remains,
+ * even if the run is killed; and put back if it turns out that they still hold.
  */
 final class StandingResults {
 

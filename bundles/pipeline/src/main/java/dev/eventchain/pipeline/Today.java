@@ -7,8 +7,8 @@ import java.time.ZoneOffset;
 import java.util.Map;
 
 /**
- * The day on which suppressions are judged. It is an input: {@code SOURCE_DATE_EPOCH}, in seconds,
- * takes the place of the clock, as in other reproducible builds.
+ * The date for which suppressions are evaluated. It is an input: {@code SOURCE_DATE_EPOCH}, in
+ * seconds, takes the place of the clock, as in other reproducible builds.
  */
 public final class Today {
 

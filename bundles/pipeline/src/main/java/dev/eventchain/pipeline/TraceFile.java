@@ -24,7 +24,7 @@ import java.util.Map;
  * </pre>
  *
  * <p>What is not known is left out: {@code element}, {@code model} and {@code modelLine} where no
- * model element was at work, or where nobody knows where it stands.
+ * model element was at work, or where nobody knows where it is.
  */
 final class TraceFile {
 

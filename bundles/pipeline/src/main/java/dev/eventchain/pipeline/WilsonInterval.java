@@ -4,7 +4,7 @@ import java.util.Optional;
 
 /**
  * Where the true rate of successes lies with a confidence of 95 %, by Wilson's score method, which
- * holds for few trials and for rates near 0 and 1, too.
+ * is valid for few trials and for rates near 0 and 1, too.
  */
 record WilsonInterval(double low, double high) {
 

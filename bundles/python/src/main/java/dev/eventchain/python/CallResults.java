@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What came of a sequence of calls.
+ * The results of a sequence of calls.
  *
  * @param outputs what each call returned, in their order: an object with every output of the
  *     signature

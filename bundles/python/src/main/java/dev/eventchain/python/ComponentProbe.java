@@ -21,8 +21,7 @@ import java.util.Map;
 /**
  * Checks that a Python file is a component: a class whose {@code execute} takes the inputs by name
  * and returns a dict with exactly the outputs. The file is read first; only if nothing is wrong
- * then, it is imported and called, in a {@link ConfinedProcess} of its own apart from the one that
- * checks.
+ * then, it is imported and called, in a {@link ConfinedProcess} separate from the one that checks.
  *
  * <p>Findings, each an error with the place in the file: {@code component.syntax}, {@code
  * component.class.missing}, {@code component.constructor.signature}, {@code

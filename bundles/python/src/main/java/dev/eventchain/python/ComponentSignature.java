@@ -4,7 +4,7 @@ import java.util.Collections;
 import java.util.List;
 
 /**
- * What a component has to look like.
+ * The signature that a component must have.
  *
  * @param className the name of its class
  * @param inputs the names of the parameters of {@code execute}, in order

@@ -16,18 +16,18 @@ import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.Stream;
 
 /**
- * A Python process that runs a program which nobody trusts.
+ * A Python process that runs an untrusted program.
  *
  * <p>It reads Python itself, the system's libraries and the paths it is given, writes its work
- * folder and nothing else, has no network but what {@link Builder#preparation} made, starts no
+ * folder and nothing else, has no network except what {@link Builder#preparation} made, starts no
  * processes, and ends when it uses more than its limits, when it is closed, or when this Java ends.
  * It sees no environment variables but those that make it repeatable ({@code PYTHONHASHSEED=0},
  * UTF-8, no byte code files); home and temporary folder are the work folder. See {@link
  * Confinement} for what this rests on.
  *
- * <p>Standard output is the caller's to read; a process that nobody reads stands still until its
- * time is over. Standard error is always read and its first and last parts are kept; one that
- * writes more than 16 MiB there is ended.
+ * <p>Standard output is the caller's to read; a process whose output is not read blocks until its
+ * time is up. Standard error is always read and its first and last parts are kept; one that writes
+ * more than 16 MiB there is ended.
  */
 public final class ConfinedProcess implements AutoCloseable {
 

@@ -9,7 +9,7 @@ import java.util.Map;
 import java.util.concurrent.TimeUnit;
 
 /**
- * How a process that runs foreign Python is kept in.
+ * How a process that runs foreign Python is confined.
  *
  * <p>Both ways set limits (address space, processor time, file size, open files, wall time), give
  * the process no environment variables of ours, refuse through Python's audit hooks what a

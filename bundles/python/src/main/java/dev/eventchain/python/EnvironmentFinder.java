@@ -143,7 +143,7 @@ final class EnvironmentFinder {
       }
     }
     if (!Files.isExecutable(executable)) {
-      throw new IOException("the Python below the environment is gone");
+      throw new IOException("the Python that the environment uses is gone");
     }
     installation.add(folder);
     installation.addAll(links(executable));
@@ -168,7 +168,7 @@ final class EnvironmentFinder {
     if (!Files.isExecutable(executable) || Files.isDirectory(executable)) {
       throw unavailable(
           SourceLocation.of(python),
-          python + " is not Python: it named nothing that can be started.",
+          python + " is not Python: it named no program that can be started.",
           "Name a Python 3.10 or later in EVENTCHAIN_PYTHON, or unset it.");
     }
     try {

@@ -26,7 +26,7 @@ public final class PythonEnvironment {
 
   /**
    * Finds the environment, and creates it if it is not there yet (about ten seconds and the network
-   * once; a few milliseconds after that). Safe when several processes do it at once.
+   * once; a few milliseconds after that). Safe when several processes do it at the same time.
    *
    * <p>The Python to build on is {@code EVENTCHAIN_PYTHON} if that is set, else {@code python3} of
    * the {@code PATH}. The packages come from pip's index, or from the folder of wheels {@code
@@ -44,8 +44,8 @@ public final class PythonEnvironment {
   }
 
   /**
-   * As {@link #ensure}, with Eclipse Cyclone DDS; an environment of its own, so that nobody needs
-   * it who stays in simulated time.
+   * As {@link #ensure}, with Eclipse Cyclone DDS; an environment of its own, so that simulations in
+   * lock-step do not need it.
    *
    * @throws dev.eventchain.diagnostics.DiagnosticException as {@link #ensure}, and {@code
    *     dds.unavailable} with the reason UNAVAILABLE: Cyclone DDS does not exist for this machine,

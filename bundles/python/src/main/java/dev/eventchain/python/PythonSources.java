@@ -31,7 +31,7 @@ public final class PythonSources {
    * @param loader the class loader that finds the folder
    * @param resourceRoot the folder, such as {@code dev/eventchain/python}
    * @return the folder itself when it is on disk; else a copy in the user's cache, without class
-   *     files, which nobody may change
+   *     files, which must not be changed
    * @throws dev.eventchain.diagnostics.DiagnosticException {@code python.unavailable}: the cache
    *     cannot be written
    * @throws IllegalArgumentException if there is no such folder

@@ -18,11 +18,11 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
- * A temporary folder for foreign code, for its owner only, that goes with all that is in it.
+ * A temporary folder for foreign code, for its owner only, that is deleted with all that is in it.
  *
- * <p>It stands in its own folder next to a file that this process keeps locked. A process that is
+ * <p>It is in its own folder next to a file that this process keeps locked. A process that is
  * killed cannot delete anything; but its locks end with it, and the first folder that a later
- * process makes sweeps those that nobody holds any more.
+ * process makes deletes those whose locks are gone.
  */
 public final class WorkFolder implements AutoCloseable {
 

@@ -40,7 +40,7 @@ final class ConstraintRun {
     return elements.size();
   }
 
-  /** Where the invariant stands. */
+  /** Where the invariant is. */
   SourceLocation place() {
     return constraint.location();
   }

@@ -15,8 +15,8 @@ import java.util.Set;
 
 /**
  * The files of rule documents that others import: {@code import 'other.ocl'}. A path is one from
- * the importing document; of a URI, which means a place in somebody's workspace, the file of that
- * name next to the importing document.
+ * the importing document; of a URI, which means a place in a workspace, the file of that name next
+ * to the importing document.
  */
 final class DocumentImports {
 

@@ -21,7 +21,7 @@ final class Findings {
   /**
    * Makes findings about a model.
    *
-   * @param locator tells where an element stands; only asked for what is found
+   * @param locator tells where an element is; only asked for what is found
    */
   Findings(Function<EObject, SourceLocation> locator) {
     this.locator = locator;

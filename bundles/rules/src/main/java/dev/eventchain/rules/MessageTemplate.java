@@ -35,7 +35,7 @@ final class MessageTemplate {
    * Reads a message.
    *
    * @param text the message; empty for none
-   * @param firstLine its first line where it stands; the others are indented there but not in text
+   * @param firstLine its first line as written; the others are indented there but not in text
    */
   static Optional<MessageTemplate> parse(
       String text,

@@ -51,7 +51,7 @@ final class MetamodelRules {
    * Reads the annotations of all packages of a language; bodies of operations and derivations of
    * features are parsed, so that an error in one is found though nothing uses it.
    *
-   * @param places where elements of the metamodels stand
+   * @param places where elements of the metamodels are
    */
   static List<ResolvedClause> read(
       ExpressionLanguage language,

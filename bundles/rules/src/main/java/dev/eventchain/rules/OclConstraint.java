@@ -12,7 +12,7 @@ import java.util.Set;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EObject;
 
-/** An invariant that was parsed and checked. Immutable and safe for threads. */
+/** An invariant that was parsed and checked. Immutable and thread-safe. */
 public final class OclConstraint {
 
   /** What an invariant is for an element. */
@@ -82,7 +82,7 @@ public final class OclConstraint {
     return comments.named(ids);
   }
 
-  /** Where it stands. */
+  /** Where it is. */
   public SourceLocation location() {
     return location;
   }

@@ -19,7 +19,7 @@ import org.eclipse.emf.ecore.util.EcoreUtil;
 
 /**
  * Invariants and definitions from Complete OCL documents, parsed and checked against metamodels.
- * Immutable and safe for threads.
+ * Immutable and thread-safe.
  *
  * <p>A document may do without {@code package} clause; its classes are then looked for in all given
  * packages. {@code import} lines must name a given metamodel or document. A definition can be used before it
@@ -65,7 +65,7 @@ public final class OclRules {
    * As {@link #parse(List, Collection)}, with the invariants that the metamodels hold in
    * annotations: first those, then the documents'.
    *
-   * @param places where elements of the metamodels stand
+   * @param places where elements of the metamodels are
    */
   public static OclRules parse(
       List<SourceText> documents,

@@ -27,8 +27,8 @@ import org.eclipse.emf.ecore.EObject;
 public final class OclValidator {
 
   /**
-   * The processor time of one invariant on a whole model, unless somebody says otherwise. Twenty of
-   * them on half a million elements take a few seconds in all.
+   * The processor time of one invariant on a whole model, unless stated otherwise. Twenty of them
+   * on half a million elements take a few seconds in all.
    */
   public static final Duration TIME_LIMIT = Duration.ofSeconds(30);
 
@@ -97,7 +97,7 @@ public final class OclValidator {
    *
    * @param roots the roots of the models, whose elements are checked; {@code allInstances()} covers
    *     their whole resource sets
-   * @param locator tells where an element stands; asked for one finding at a time
+   * @param locator tells where an element is; asked for one finding at a time
    * @return the findings, those of the rules themselves included
    * @throws IllegalStateException if the thread is interrupted meanwhile
    */

@@ -8,7 +8,7 @@ import java.util.regex.Pattern;
 
 /**
  * What the comment right above a clause says to people: its lines without the annotations, and its
- * blocks. A blank line parts it from what is above; a comment behind other code is not above.
+ * blocks. A blank line parts it from what is above; a comment after other code is not above.
  */
 final class PlainComment {
 
@@ -48,7 +48,7 @@ final class PlainComment {
       if (piece.isBlank()) {
         long lines = LINE_END.matcher(piece).results().count();
         above |= lines > 0;
-        // The line break behind a line comment is the first of these.
+        // The line break after a line comment is the first of these.
         if (lines > 1) {
           text.setLength(0);
           annotated = false;

@@ -92,7 +92,7 @@ final class RuleComments {
     return message.toString();
   }
 
-  /** The first line of the message where it stands; {@code null} if there is none. */
+  /** The first line of the message as written; {@code null} if there is none. */
   SourceRange messageStart() {
     return messageStart;
   }

@@ -15,7 +15,7 @@ import java.util.Set;
  */
 final class RuleDocument {
 
-  /** A qualified name and where it stands. */
+  /** A qualified name and where it is. */
   record Path(List<String> names, SourceLocation location) {
     @Override
     public String toString() {
@@ -31,10 +31,10 @@ final class RuleDocument {
    * @param context the class it is about
    * @param alias another name of {@code self}; empty if there is none
    * @param name its name; empty if it has none
-   * @param location where its keyword stands
+   * @param location where its keyword is
    * @param text its expression; all of it for a definition
    * @param message the expression for its message; {@code null} if there is none
-   * @param comments where the comments above it stand; those above the context, for its first one
+   * @param comments where the comments above it are; those above the context, for its first one
    * @param contextComment where the comment above its context stands
    */
   record Clause(
@@ -341,7 +341,7 @@ final class RuleDocument {
     contextIsNew = false;
   }
 
-  /** What stands between a token and the one before it. */
+  /** What is between a token and the one before it. */
   private SourceRange before(int token) {
     return source.range(tokens.endBefore(token), tokens.start(token));
   }

@@ -46,7 +46,7 @@ final class RuleParser {
   /**
    * Parses documents, and what the metamodels hold themselves.
    *
-   * @param places where elements of the metamodels stand
+   * @param places where elements of the metamodels are
    */
   OclRules parse(List<SourceText> documents, Function<EObject, SourceLocation> places) {
     return parse(documents, MetamodelRules.read(language, places, problems));

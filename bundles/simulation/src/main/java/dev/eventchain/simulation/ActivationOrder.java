@@ -13,7 +13,7 @@ import java.util.Set;
 
 /**
  * Which nodes come after which, seen from the first ones, by what they read and wrote and not by
- * where they stand in the model. In a loop, the nodes that are fewer steps away from the first ones
+ * where they are in the model. In a loop, the nodes that are fewer steps away from the first ones
  * come first: what leads back is feedback.
  */
 final class ActivationOrder {

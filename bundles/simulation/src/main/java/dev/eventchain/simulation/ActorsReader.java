@@ -123,12 +123,12 @@ final class ActorsReader {
       List<String> known = ActorKind.ids(moving);
       String other =
           ActorKind.find(id, !moving).isPresent()
-              ? "It stands in '" + (moving ? "furniture" : "actors") + "'."
+              ? "It belongs under '" + (moving ? "furniture" : "actors") + "'."
               : NearestName.of(id, known)
                   .map(name -> "Did you mean '" + name + "'?")
-                  .orElse("There are: " + String.join(", ", known) + ".");
+                  .orElse("Use one of: " + String.join(", ", known) + ".");
       section.find(
-          Diagnostic.error(RANGE_FINDING, "'" + id + "' is none here.", section.at("kind"))
+          Diagnostic.error(RANGE_FINDING, "'" + id + "' is not allowed here.", section.at("kind"))
               .withHint(other));
     }
     return kind;

@@ -65,10 +65,11 @@ final class AttachedFindings {
         "simulation.node.lost",
         String.format(
             Locale.ROOT,
-            "%.3f s into the scenario, nobody took the messages on %s any more.",
+            "%.3f s into the scenario, the messages on %s were no longer received.",
             now / SECOND,
             topic),
-        "A reader that asks for reliable delivery does not acknowledge: is its process stopped?");
+        "A reader that asks for reliable delivery no longer acknowledges them: is its process"
+            + " stopped?");
   }
 
   private static DiagnosticException finding(String id, String message, String hint) {
@@ -97,21 +98,21 @@ final class AttachedFindings {
             taken.isEmpty() ? "" : setup.writer(taken.get(0))));
   }
 
-  /** What the vehicle takes and nobody wrote in any scenario, where something else came. */
+  /** What the vehicle takes and nothing wrote in any scenario, although other messages came. */
   static List<Diagnostic> neverHeard(List<Run> runs, NodeSetup setup) {
     List<String> taken = taken(setup);
     boolean anything = runs.stream().anyMatch(run -> silentIn(run, setup).isEmpty());
     return taken.stream()
         .filter(topic -> anything)
         .filter(topic -> runs.stream().allMatch(run -> run.log().publicationsOf(topic).isEmpty()))
-        .map(topic -> silent(topic + " never came in any scenario.", setup.writer(topic)))
+        .map(topic -> silent(topic + " never arrived in any scenario.", setup.writer(topic)))
         .toList();
   }
 
   private static Diagnostic silent(String message, String element) {
     return Diagnostic.error(
             "simulation.node.silent", message, SourceLocation.NONE.withElement(element))
-        .withHint("Do the nodes of others get their inputs, and do they follow /clock?");
+        .withHint("Do the nodes get their inputs, and do they follow /clock?");
   }
 
   /** What has to be known of a result that was had with nodes of others. */
@@ -122,7 +123,7 @@ final class AttachedFindings {
       found.add(
           Diagnostic.warning(
                   "simulation.attached.state",
-                  ("%d scenarios were driven with the same nodes, which nobody restarted:"
+                  ("%d scenarios were driven with the same nodes, which were not restarted:"
                           + " from the second one on they remember what happened before.")
                       .formatted(runs.size()),
                   SourceLocation.NONE)
@@ -138,7 +139,7 @@ final class AttachedFindings {
         silent.isEmpty() ? "" : " Nothing was received on " + String.join(", ", silent) + ".";
     return Diagnostic.info(
             "simulation.attached.unseen",
-            ("Others started the nodes (%s): their executions, periods, execution times,"
+            ("The nodes were started elsewhere (%s): their executions, periods, execution times,"
                     + " latencies and ages of inputs were not measured.%s")
                 .formatted(setup.driverWords(), unheard),
             SourceLocation.NONE)

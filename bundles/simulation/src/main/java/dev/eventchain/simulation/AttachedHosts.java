@@ -13,7 +13,7 @@ import java.util.Map;
 final class AttachedHosts implements NodeHosts {
 
   /** What there is to say of the confinement of nodes that others run. */
-  static final String CONFINEMENT = "none by Eventchain: others started the nodes";
+  static final String CONFINEMENT = "none by Eventchain: the nodes were started elsewhere";
 
   private static final String DOMAIN = "ROS_DOMAIN_ID";
   private static final String CONFIGURATION = "CYCLONEDDS_URI";
@@ -37,7 +37,7 @@ final class AttachedHosts implements NodeHosts {
     } catch (IllegalArgumentException | IllegalStateException e) {
       throw unusable(
           e.getMessage(),
-          "Look at " + CONFIGURATION + ": it holds XML, or the address of a file with it.");
+          "Look at " + CONFIGURATION + ": it holds XML, or the address of an XML file.");
     }
     try {
       participant.announce("eventchain_world");
@@ -55,7 +55,7 @@ final class AttachedHosts implements NodeHosts {
     if (domain < 0 || domain > HIGHEST_DOMAIN) {
       throw unusable(
           DOMAIN + " is '" + text + "', which is not a domain.",
-          "Domains have numbers from 0 to " + HIGHEST_DOMAIN + "; the default is 0.");
+          "Domains are numbered from 0 to " + HIGHEST_DOMAIN + "; the default is 0.");
     }
     boolean local =
         environment.getOrDefault("ROS_LOCALHOST_ONLY", "").equals("1")

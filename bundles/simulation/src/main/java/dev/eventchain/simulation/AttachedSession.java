@@ -104,7 +104,7 @@ final class AttachedSession implements NodeSession {
     return ready;
   }
 
-  /** Waits until everybody is there. */
+  /** Waits until all nodes are connected. */
   private Outside meet(JsonNode configuration) {
     Set<String> taken = new HashSet<>(AttachedFindings.taken(setup));
     long end = System.nanoTime() + patience.toNanos();

@@ -30,7 +30,7 @@ final class AttachedWorld implements AutoCloseable {
   private static final String CLOCK = "/clock";
   private static final long SECOND = 1_000_000_000L;
 
-  /** As many as ROS 2 keeps by default: with all of them, a reader that stands still blocks. */
+  /** As many as ROS 2 keeps by default: with all of them, a stopped reader blocks. */
   private static final int DEPTH = 10;
 
   private final WireGraph graph;
@@ -113,7 +113,7 @@ final class AttachedWorld implements AutoCloseable {
    * Publishes a message, unless it is one of the clock, which goes its own way.
    *
    * @param message for the topic with this index
-   * @return the topic on which nobody acknowledges any more; empty if all is well
+   * @return the topic whose messages are no longer acknowledged; empty if all is well
    */
   String publish(int topic, ByteBuffer message) {
     DdsWriter writer = writers.get(topic);

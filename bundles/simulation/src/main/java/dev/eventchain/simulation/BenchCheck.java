@@ -78,7 +78,7 @@ final class BenchCheck {
                   topic.name(),
                   known
                       ? "no entry of the bench provides"
-                      : "nobody sends: no component writes it, and the bench does not provide it"),
+                      : "nothing sends: no component writes it, and the bench does not provide it"),
           first,
           "Say under `provides` of bench.yaml where its fields come from.");
       return;

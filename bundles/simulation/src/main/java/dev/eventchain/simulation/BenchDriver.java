@@ -273,7 +273,7 @@ final class BenchDriver {
     }
   }
 
-  /** No message comes any more: what is too old now says nothing. */
+  /** No more messages come: what is too old from now on means nothing. */
   void finish(World world) {
     receivers.forEach(receiver -> expire(receiver, world.trace().end().time(), world));
   }

@@ -24,7 +24,7 @@ final class BenchFields {
   private static final String VALUE = "value";
   private static final String CONSTANT = "constant";
 
-  /** Of what is not text, number, truth value or list. */
+  /** Of what is not a string, a number, a Boolean or a list. */
   static final String NO_VALUE = "This is not a value that a field can have.";
 
   private static final String UNIT = "unit";
@@ -148,7 +148,7 @@ final class BenchFields {
     return new Bench.Constant(plain(value));
   }
 
-  /** Whether it is a text, a truth value, a finite number, or a list of these. */
+  /** Whether it is a string, a Boolean, a finite number, or a list of these. */
   private static boolean isPlain(Object value) {
     if (value instanceof List<?> list) {
       return list.stream().allMatch(BenchFields::isPlain);
@@ -278,7 +278,7 @@ final class BenchFields {
   /**
    * A part of something, as a quantity without a unit; nothing if it is none.
    *
-   * @param key where it stands as a formula
+   * @param key where it is written as a formula
    */
   Optional<Term> part(ObjectReader section, String key) {
     Optional<String> text = section.text(key);

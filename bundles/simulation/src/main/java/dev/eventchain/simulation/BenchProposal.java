@@ -14,8 +14,8 @@ import java.util.Optional;
 import java.util.regex.Pattern;
 
 /**
- * Proposes a bench for signals that somebody has described. A field whose name and unit say what it
- * is gets connected; any other one stands in a comment, so that a chain that reads it is told.
+ * Proposes a bench for described signals. A field whose name and unit say what it is gets
+ * connected; any other one is in a comment, so that a chain that reads it is told.
  */
 final class BenchProposal {
 
@@ -140,7 +140,7 @@ final class BenchProposal {
     return relation == Unit.Relation.SAME || relation == Unit.Relation.CONVERTIBLE;
   }
 
-  /** The kind of a field that is one number or truth value; empty for any other one. */
+  /** The kind of a field that is one number or Boolean; empty for any other one. */
   private Optional<FieldType.Kind> kind(dev.eventchain.metamodel.Signal signal, String path) {
     Optional<MessageType> type = catalog.find(signal.messageType());
     return type.flatMap(known -> known.resolve(path).type())

@@ -140,7 +140,7 @@ final class BenchSignals implements Signal.Source {
                 : Optional.empty());
   }
 
-  /** Whether a field is one number, or one truth value. */
+  /** Whether a field is one number, or one Boolean. */
   static boolean isNumberOrTruth(FieldType type) {
     return type.shape() == FieldType.Shape.SINGLE
         && switch (type.kind()) {

@@ -17,8 +17,8 @@ import java.util.TreeMap;
 
 /**
  * What the components of a chain tell each other, for reports: the fields of the topics on which
- * they write nothing but single numbers and truth values. What drives the vehicle is a quantity of
- * the world already, and what is read from sensors is too much to be shown.
+ * they write nothing but single numbers and Booleans. What drives the vehicle is a quantity of the
+ * world already, and what is read from sensors is too much to be shown.
  */
 final class ChainSignals {
 
@@ -87,7 +87,7 @@ final class ChainSignals {
         .toList();
   }
 
-  /** These signals beside others, of which each name is one; by name. */
+  /** These signals next to others, of which each name is one; by name. */
   List<Signal> with(List<Signal> others) {
     Map<String, Signal> all = new TreeMap<>();
     signals.values().forEach(each -> each.forEach(signal -> all.put(signal.name(), signal)));

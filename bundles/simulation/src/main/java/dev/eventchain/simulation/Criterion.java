@@ -85,7 +85,7 @@ record Criterion(CriterionKind kind, double limit, Tolerances tolerances, Source
       case NO_IMPACT -> "no impact";
       case STOPS -> "the vehicle stops";
       case MINIMAL_GAP -> format("the gap is never below %.2f m", limit);
-      case MAXIMAL_IMPACT_SPEED -> format("an impact is at most %.1f km/h fast", limit * 3.6);
+      case MAXIMAL_IMPACT_SPEED -> format("any impact is at %.1f km/h or less", limit * 3.6);
       case NEVER_BRAKES -> "no braking at all";
       case NO_BRAKE_AT_TTC -> format("no braking while TTC is %.1f s or more", limit);
       case BRAKE_BELOW_TTC -> format("braking while TTC is below %.1f s", limit);

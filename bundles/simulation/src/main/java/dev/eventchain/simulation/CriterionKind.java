@@ -4,7 +4,7 @@ package dev.eventchain.simulation;
 enum CriterionKind {
   /** The ego hits nothing. */
   NO_IMPACT("no_impact", 0),
-  /** The ego stands when the scenario ends. */
+  /** The ego is stationary when the scenario ends. */
   STOPS("stops", 0),
   /** The gap to a vehicle in the own lane never falls below a limit. */
   MINIMAL_GAP("minimal_gap_m", 1),

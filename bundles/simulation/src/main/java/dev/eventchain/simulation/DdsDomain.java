@@ -14,15 +14,15 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.function.IntFunction;
 
 /**
- * A DDS domain that nobody on this machine uses. Should two find the same one at the same moment,
- * their tags keep them apart.
+ * A DDS domain that is not in use on this machine. Should two runs find the same one at the same
+ * moment, their tags keep them apart.
  *
  * @param number its number
  * @param tag only those with the same one meet
  */
 record DdsDomain(int number, String tag) {
 
-  /** ROS 2 uses 0 where nobody says otherwise; the ports of 101 and above are given to anybody. */
+  /** ROS 2 uses 0 unless stated otherwise; the ports of 101 and above are given to anybody. */
   private static final int FIRST = 1;
 
   private static final int LAST = 100;
@@ -48,7 +48,7 @@ record DdsDomain(int number, String tag) {
   /**
    * Finds one.
    *
-   * @param problem why nobody can take part in a domain; empty if it is free
+   * @param problem why a domain cannot be joined; empty if it is free
    */
   static DdsDomain find(IntFunction<String> problem) {
     int domains = LAST - FIRST + 1;
@@ -67,7 +67,7 @@ record DdsDomain(int number, String tag) {
                 "dds.domain.none",
                 "No DDS domain from " + FIRST + " to " + LAST + " is free: " + last + ".",
                 SourceLocation.NONE)
-            .withHint("Is the loopback interface up? It is needed, and nothing else."));
+            .withHint("Is the loopback interface up? Nothing else is needed."));
   }
 
   /** It may be taken again. */

@@ -60,7 +60,7 @@ final class FaultJudge {
     double end = World.seconds(faulty.run().trace().end().time());
     if (!effective) {
       return fault.start() >= faulty.run().trace().end().time()
-          ? Criterion.format("the run was over after %.2f s", end)
+          ? Criterion.format("the run ended after %.2f s", end)
           : fault.kind().isAboutMessages()
               ? Criterion.format("no message came on %s in that time", fault.target())
               : "there was nothing that it could change";
@@ -70,8 +70,8 @@ final class FaultJudge {
       return ""; // There is no record of it.
     }
     return switch (fault.kind()) {
-      case DROP, DEAD_SENSOR -> counted(count, "message") + " did not come";
-      case REPEAT, FLOOD -> counted(count, "message") + " came more than once";
+      case DROP, DEAD_SENSOR -> counted(count, "message") + " did not arrive";
+      case REPEAT, FLOOD -> counted(count, "message") + " arrived more than once";
       case CORRUPT ->
           counted(count, "message") + " changed; those that can no longer be decoded were lost";
       case DELAY -> counted(count, "activation") + " took longer";
@@ -178,7 +178,10 @@ final class FaultJudge {
         World.seconds(trace.end().time()));
   }
 
-  /** As long as both runs last; who stood at the end of the shorter one would still stand. */
+  /**
+   * As long as both runs last; a vehicle that was stationary at the end of the shorter one would
+   * still be.
+   */
   private static Deviation deviation(Trace faulty, Trace without) {
     Deviation largest = new Deviation(0, 0);
     boolean stands = without.end().speed() == 0.0 && without.impactSpeed().isEmpty();

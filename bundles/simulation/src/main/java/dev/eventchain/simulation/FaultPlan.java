@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * The faults that scenarios are run with besides, each alone in its own run. Read from a YAML file.
+ * The faults that scenarios are also run with, each in a run of its own. Read from a YAML file.
  * Immutable.
  */
 public final class FaultPlan {

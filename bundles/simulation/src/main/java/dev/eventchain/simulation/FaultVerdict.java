@@ -9,8 +9,8 @@ import java.util.Optional;
 import java.util.OptionalDouble;
 
 /**
- * What came of a fault: what the vehicle did, beside what it did without the fault, and by what the
- * fault was detected.
+ * The effect of a fault: what the vehicle did, compared with what it did without the fault, and
+ * what detected the fault.
  *
  * @param name the fault's name
  * @param scenario the name of the scenario
@@ -58,8 +58,8 @@ public record FaultVerdict(
    * What a vehicle did.
    *
    * @param impactSpeed in m/s; empty if there was no impact
-   * @param impact who hit whom; empty if nobody did
-   * @param stopped since when it stands still at the end, in s; empty if it moves
+   * @param impact who hit whom; empty if there was no impact
+   * @param stopped since when it is stationary at the end, in s; empty if it moves
    * @param minimalGap to a vehicle in its path, in m; empty if there was none
    * @param speed at the end, in m/s
    * @param end when the run ended, in s

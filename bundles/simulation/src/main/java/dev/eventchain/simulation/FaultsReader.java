@@ -199,7 +199,7 @@ final class FaultsReader {
     return new What(kind, target, amount(kind, amount));
   }
 
-  /** How much, as it is written; messages get lost altogether where nothing is said. */
+  /** How much, as it is written; messages get lost altogether if nothing is stated. */
   private static double number(ObjectReader part, FaultKind kind) {
     if (kind == FaultKind.DROP) {
       return part.number(kind.amount(), kind.range()).orElse(ALL);

@@ -129,7 +129,7 @@ final class Formula {
         .filter(signal -> Double.isNaN(run.of(signal)[sample]))
         .flatMap(signal -> BenchSignals.topicName(signal).stream())
         .findFirst()
-        .map(topic -> text + ", since no current message was there on " + topic)
+        .map(topic -> text + ", since there was no current message on " + topic)
         .orElse(text);
   }
 

@@ -56,7 +56,7 @@ final class FormulaTokens {
   /** A token and its offsets in the text. */
   record Token(Kind kind, String text, int start, int end) {}
 
-  /** Where formulas stand, as the ids of their problems begin. */
+  /** Where formulas are, as the ids of their problems begin. */
   enum Place {
     SCENARIO("scenario.formula."),
     BENCH("bench.formula.");

@@ -34,7 +34,7 @@ final class ImpactRules {
         : new Outcome(true, gapText(trace) + fromBehind(trace), gapMargin(trace, 0));
   }
 
-  /** Who is hit from behind has hit nobody; it is said none the less. */
+  /** A vehicle that is hit from behind has hit nothing; it is reported nevertheless. */
   private static String fromBehind(Trace trace) {
     return trace.fromBehind().stream()
         .map(

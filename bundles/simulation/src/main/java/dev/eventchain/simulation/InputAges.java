@@ -91,7 +91,7 @@ final class InputAges {
     String words =
         String.format(
             Locale.ROOT,
-            "'%s' %s, as its clock had %s %.0f ms old and %.0f ms are allowed",
+            "'%s' %s, as %s was %.0f ms old by its clock, and %.0f ms are allowed",
             node.getName(),
             instead,
             topic,

@@ -84,7 +84,8 @@ final class InputsReader {
       step.refuseOthers();
       boolean first = steps.isEmpty();
       if (first ? time != 0 : time <= earliest) {
-        String message = first ? "The first step is at 0 s." : "A step comes after the one before.";
+        String message =
+            first ? "The first step must be at 0 s." : "A step must come after the previous one.";
         step.find("scenario.value.range", message, step.at("at_s"));
       }
       steps.add(new Script.Step(time, unit.coherent(value)));

@@ -78,11 +78,11 @@ final class IntervalParser {
                 tokens.unitProblem(
                     unit,
                     "'" + unit.text() + "' is not a unit of time.",
-                    "Intervals are in seconds, or in s or ms as is written."));
+                    "Write s or ms; a number without a unit is in seconds."));
   }
 
   private String lasts() {
-    return Criterion.format("The scenario lasts %s s at most.", duration);
+    return Criterion.format("The scenario lasts at most %s s.", duration);
   }
 
   /** Refuses intervals that begin after others and end after the scenario with them. */

@@ -15,7 +15,7 @@ import java.util.zip.CRC32;
 
 /**
  * Writes an MCAP file (format version 0, profile ros2) from beginning to end: messages in chunks
- * without compression, an index of each chunk behind it, and a summary at the end. Holds one chunk
+ * without compression, an index of each chunk after it, and a summary at the end. Holds one chunk
  * in memory, and some bytes for each chunk that was written.
  */
 final class McapWriter {

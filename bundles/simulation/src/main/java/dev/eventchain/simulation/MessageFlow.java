@@ -5,8 +5,8 @@ import java.util.Optional;
 import java.util.OptionalLong;
 
 /**
- * How messages went from those that write them to those that read them, in one scenario or in all
- * of them. Times are in ms of the time of the scenario.
+ * How messages got from their writers to their readers, in one scenario or in all of them. Times
+ * are in ms of the time of the scenario.
  *
  * <p>A latency along the chain ({@link ScenarioVerdict.Latency}) is the sum of its hops: of each
  * sample on the way, how old it was when its reader started ({@link Hop#age}), and how long that

@@ -27,7 +27,7 @@ final class NamedFormulas {
     this.formulas = formulas;
   }
 
-  /** The criteria that stand in a section {@code accept}. */
+  /** The criteria that are in a section {@code accept}. */
   static List<FormulaCriterion> read(ObjectReader section, FormulasReader formulas) {
     NamedFormulas named = new NamedFormulas(section, formulas);
     named.limit(
@@ -70,7 +70,7 @@ final class NamedFormulas {
     part.refuseOthers();
     add(
         part,
-        "%s overshoots %s by %s at most".formatted(signal, target, most),
+        "%s overshoots %s by at most %s".formatted(signal, target, most),
         "(eventually abs((%1$s) - (%2$s)) <= %3$s) and (always (%1$s) - (%2$s) <= %3$s)"
             .formatted(signal, target, most));
   }

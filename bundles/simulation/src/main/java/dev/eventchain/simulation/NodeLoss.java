@@ -6,18 +6,18 @@ import dev.eventchain.diagnostics.SourceLocation;
 import java.util.List;
 import java.util.Locale;
 
-/** Findings about nodes that stand still or cannot be reached. */
+/** Findings about nodes that are stopped or cannot be reached. */
 final class NodeLoss {
 
   private static final double SECOND = 1e9;
 
   private NodeLoss() {}
 
-  /** A node stands still. */
+  /** A node is stopped. */
   static DiagnosticException stopped(String node, long now, UserFiles files) {
     return finding(
         "simulation.node.lost",
-        "Node " + node + " was stopped " + at(now) + " and does nothing any more.",
+        "Node " + node + " was stopped " + at(now) + " and did nothing from then on.",
         "Something has sent SIGSTOP to its process.",
         node,
         files);
@@ -48,7 +48,7 @@ final class NodeLoss {
     return finding(
         "simulation.wire.unmatched",
         "Not connected in time: " + String.join("; ", missing) + ".",
-        "Nodes communicate over the loopback interface: is it up, and does UDP pass?",
+        "Nodes communicate over the loopback interface: is it up, and does it let UDP through?",
         "",
         files);
   }

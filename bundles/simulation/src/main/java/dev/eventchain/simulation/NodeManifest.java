@@ -14,7 +14,7 @@ import java.util.Optional;
 
 /**
  * What a template set generated for a chain: the module and the class of each node, and the
- * component that it executes. The templates write it next to the package; nobody else knows their
+ * component that it executes. The templates write it next to the package; nothing else knows their
  * rules for names.
  *
  * @param location the file

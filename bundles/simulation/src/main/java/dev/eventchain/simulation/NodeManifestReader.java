@@ -137,7 +137,7 @@ final class NodeManifestReader {
     return "";
   }
 
-  /** A key that must be there, though its value may be empty. */
+  /** A key that is required, though its value may be empty. */
   private void requireKey(ObjectReader json, String key) {
     if (json.value(key).isEmpty()) {
       problem(json, key, "'" + key + "' is missing.");

@@ -93,7 +93,7 @@ final class NodeProcess implements Supervisor.Watched, AutoCloseable {
     return failures;
   }
 
-  /** Whether somebody has stopped it, with SIGSTOP for example. */
+  /** Whether it was stopped, with SIGSTOP for example. */
   @Override
   public boolean isStopped() {
     return process.isStopped();
@@ -121,7 +121,7 @@ final class NodeProcess implements Supervisor.Watched, AutoCloseable {
     tell(kind, time);
   }
 
-  /** In real time, lets it do nothing any more; it answers when it has heard that. */
+  /** In real time, stops its work for good; it answers when it has heard that. */
   void stop() {
     asked++;
     send(() -> channel.send(HostChannel.STOP, new byte[0]));
@@ -164,7 +164,7 @@ final class NodeProcess implements Supervisor.Watched, AutoCloseable {
 
   private void answered(Frame frame) {
     if (frame.kind() != awaited) {
-      throw failures.garbage("an answer of kind " + frame.kind() + " that nobody asked for");
+      throw failures.garbage("an unexpected answer of kind " + frame.kind());
     }
     awaited = NOTHING;
     answer = json(frame);

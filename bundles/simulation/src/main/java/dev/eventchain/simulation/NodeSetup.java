@@ -77,7 +77,7 @@ final class NodeSetup {
     return request.driverWords();
   }
 
-  /** Whether others run the nodes, so that nobody sees what happens inside. */
+  /** Whether the nodes are run elsewhere, so that what happens inside is not visible. */
   boolean isAttached() {
     return request.driver() == SimulationRequest.Driver.DDS_ATTACHED;
   }
@@ -93,7 +93,7 @@ final class NodeSetup {
   }
 
   /**
-   * A finding for each node of the chain that is not simulated, so that nobody takes it for tested.
+   * A finding for each node of the chain that is not simulated, so that it is not taken for tested.
    */
   List<Diagnostic> leftOut() {
     return request.chain().getSoftware().stream()
@@ -127,7 +127,7 @@ final class NodeSetup {
         .collect(Collectors.toCollection(TreeSet::new));
   }
 
-  /** Where recordings go; nowhere if nobody wants any. */
+  /** Where recordings go; nowhere if none are wanted. */
   Optional<Path> recordings() {
     return request.recordings();
   }

@@ -19,7 +19,7 @@ import java.util.stream.Stream;
  *
  * @param peers those on topics of the world
  * @param nodes the names of all nodes that were found, whatever their topics are
- * @param isEmpty whether nobody was found, on whatever topic
+ * @param isEmpty whether no peer was found on any topic
  * @param graph the ends of the peers, each of its owner, and a world that suits them
  */
 record Outside(List<Peer> peers, NavigableSet<String> nodes, boolean isEmpty, WireGraph graph) {
@@ -91,7 +91,7 @@ record Outside(List<Peer> peers, NavigableSet<String> nodes, boolean isEmpty, Wi
         .toList();
   }
 
-  /** Why an end of the world meets nobody on the other side. */
+  /** Why an end of the world has no counterpart on the other side. */
   private String why(WireEnd world, boolean writes) {
     String is = writes ? "written" : "read";
     List<String> others =
@@ -101,7 +101,7 @@ record Outside(List<Peer> peers, NavigableSet<String> nodes, boolean isEmpty, Wi
             .distinct()
             .toList();
     return others.isEmpty()
-        ? "nobody " + (writes ? "writes " : "reads ") + world.topic() + " (" + world.type() + ")"
+        ? "nothing " + (writes ? "writes " : "reads ") + world.topic() + " (" + world.type() + ")"
         : world.topic() + " is " + is + String.join(" and", others);
   }
 

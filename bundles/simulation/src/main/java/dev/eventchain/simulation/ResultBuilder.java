@@ -148,11 +148,11 @@ final class ResultBuilder {
             run ->
                 Diagnostic.error(
                         "simulation.command.ignored",
-                        "Scenario %s: the software commanded %s, which the simulated vehicle does not do."
+                        "Scenario %s: the software commanded %s, which the simulated vehicle does not support."
                             .formatted(run.scenario().name(), run.trace().ignored()),
                         SourceLocation.NONE.withElement(onlyCommander()))
                     .withHint(
-                        "Test what needs it where the vehicle does it, or do not command it."))
+                        "Test what needs it with a vehicle that supports it, or do not command it."))
         .toList();
   }
 
@@ -179,7 +179,7 @@ final class ResultBuilder {
                 World.seconds(contact.time())),
             run.scenario().location())
         .withHint(
-            "Find out whether the vehicle braked more than it had to, or else let the other one"
+            "Find out whether the vehicle braked more than it had to, or else let the other vehicle"
                 + " keep more distance: no criterion counts it as an impact.");
   }
 

@@ -55,7 +55,7 @@ final class RunLogCheck {
         earliest = activation.end();
       }
     }
-    require(names.equals(List.copyOf(log.nodes().keySet())), "other nodes than those configured");
+    require(names.equals(List.copyOf(log.nodes().keySet())), "nodes other than those configured");
     checkPublications();
     checkCommands(commands);
   }
@@ -80,7 +80,7 @@ final class RunLogCheck {
         earliest = activation.end();
       }
     }
-    require(names.equals(List.copyOf(log.nodes().keySet())), "other nodes than those configured");
+    require(names.equals(List.copyOf(log.nodes().keySet())), "nodes other than those configured");
     checkPublications();
   }
 
@@ -138,7 +138,7 @@ final class RunLogCheck {
             });
   }
 
-  /** What moved the vehicle has to stand in the record. */
+  /** What moved the vehicle has to be in the record. */
   private void checkCommands(List<Outbound> commands) {
     Map<Integer, Map<Long, Integer>> known = new HashMap<>();
     int index = 0;

@@ -15,7 +15,7 @@ import java.util.Map;
 import java.util.Optional;
 import java.util.OptionalDouble;
 
-/** Reads scenario files. Units stand in the names of the keys and become SI units here. */
+/** Reads scenario files. Units are in the names of the keys and become SI units here. */
 final class ScenarioReader {
 
   private static final FindingIds IDS =
@@ -93,7 +93,7 @@ final class ScenarioReader {
                     reader.place(actor))
                 .withHint(
                     "gap_m goes from the ego's front bumper to the rear of the other one; what is"
-                        + " behind the ego or beside it needs room for both."));
+                        + " behind the ego or next to it needs room for both."));
       }
     }
     return new Situation(ego, driver, road, actors);

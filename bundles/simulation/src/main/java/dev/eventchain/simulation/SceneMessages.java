@@ -22,7 +22,7 @@ final class SceneMessages {
   private static final String BODIES = "visualization_msgs/msg/MarkerArray";
   private static final int CUBE = 1;
 
-  /** After which a body is not shown any more, in ns: it is gone. */
+  /** After which a body is no longer shown, in ns: it is gone. */
   private static final long LIFETIME = 200_000_000L;
 
   private static final long SECOND = 1_000_000_000L;

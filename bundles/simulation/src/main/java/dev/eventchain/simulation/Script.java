@@ -3,7 +3,7 @@ package dev.eventchain.simulation;
 import java.util.List;
 
 /**
- * What somebody does with an input in the course of a scenario.
+ * What happens to an input in the course of a scenario.
  *
  * @param steps in the order of time, the first one at the start
  */

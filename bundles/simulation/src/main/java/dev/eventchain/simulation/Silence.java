@@ -110,17 +110,19 @@ final class Silence {
       why = "is sent, but never reached it.";
       hint = "Compare type and quality of service of both ends.";
     } else if (!writers.isEmpty()) {
-      why = "never came; " + quoted(writers) + " should have written it.";
+      why = "never arrived; " + quoted(writers) + " should have written it.";
       hint = "A component that is not simulated writes nothing: see simulation.node.left-out.";
     } else if (setup.bench().provided().containsKey(topic)) {
-      why = "never came: no scenario let the bench send it.";
+      why = "never arrived: no scenario let the bench send it.";
       hint =
           "Look at its `lost`, `latency_ms` and `rate_hz` in bench.yaml, and how long scenarios last.";
     } else if (vehicle) {
-      why = "never came: no component writes it.";
-      hint = "Let a component write the command, or the scenarios say nothing about the software.";
+      why = "never arrived: no component writes it.";
+      hint =
+          "Let a component write the command; otherwise, the scenarios say nothing about the"
+              + " software.";
     } else {
-      why = "never came: no component writes it, and the simulated vehicle does not send it.";
+      why = "never arrived: no component writes it, and the simulated vehicle does not send it.";
       hint = "Read a topic of the simulated vehicle, or add the component that writes this one.";
     }
     String subject = vehicle ? "The vehicle was never commanded" : quoted(name) + " never executed";

@@ -17,7 +17,7 @@ import java.util.function.Consumer;
 /**
  * Simulates the generated nodes of a chain in a closed loop with a vehicle on a road, in lock-step
  * or on DDS in simulated time: the world waits for the nodes and the nodes for the world, so that
- * the result depends on the nodes and the scenarios alone. In real time nobody waits.
+ * the result depends on the nodes and the scenarios alone. In real time, nothing waits.
  */
 public final class Simulation {
 

@@ -32,7 +32,7 @@ import java.util.function.Predicate;
  * @param driver how the nodes are run
  * @param faults what else is simulated: each fault in one more run of its scenario, which is one of
  *     the scenarios
- * @param attachment where the nodes are that somebody else runs; there with {@link
+ * @param attachment where to find the nodes that are run elsewhere; there with {@link
  *     Driver#DDS_ATTACHED} only
  */
 public record SimulationRequest(
@@ -61,7 +61,7 @@ public record SimulationRequest(
      * lock-step; the host itself continues.
      */
     DDS("Cyclone DDS in simulated time"),
-    /** The same in real time: one scenario after the other, and nobody waits for anybody. */
+    /** The same in real time: one scenario after the other, and no node waits for another. */
     DDS_IN_REAL_TIME("Cyclone DDS in real time"),
     /** No node is started here: others run them, in real time. */
     DDS_ATTACHED("Cyclone DDS, attached");
@@ -79,7 +79,7 @@ public record SimulationRequest(
   }
 
   /**
-   * Where nodes are that somebody else runs.
+   * Where to find nodes that are run elsewhere.
    *
    * @param domain the number of the DDS domain
    * @param configuration of Cyclone DDS, XML or what {@code CYCLONEDDS_URI} may hold; empty for its
@@ -130,7 +130,7 @@ public record SimulationRequest(
       throw new IllegalArgumentException("a simulation needs a scenario and a process");
     }
     if (attachment.isPresent() != (driver == Driver.DDS_ATTACHED)) {
-      throw new IllegalArgumentException("to be attached, one has to know where");
+      throw new IllegalArgumentException("attaching needs a domain");
     }
   }
 
@@ -196,7 +196,7 @@ public record SimulationRequest(
     return with(processes, generated, limits, accepted, recordings, driver, other, attachment);
   }
 
-  /** The same with nodes that somebody else runs. */
+  /** The same with nodes that are run elsewhere. */
   public SimulationRequest withAttachment(Attachment where) {
     return with(
         1,

@@ -5,8 +5,8 @@ import dev.eventchain.metamodel.eventchain.EventChain;
 import java.util.List;
 
 /**
- * What came out of a simulation. Everything but {@link #host} and the host times of the nodes is
- * the same in every run with the same nodes and scenarios.
+ * The result of a simulation. Everything but {@link #host} and the host times of the nodes is the
+ * same in every run with the same nodes and scenarios.
  *
  * @param verdicts one for each scenario, in the order of the request
  * @param measurements what was measured of the nodes

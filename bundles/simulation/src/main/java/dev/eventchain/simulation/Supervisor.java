@@ -25,7 +25,7 @@ final class Supervisor {
     /** Whether it owes no answer. */
     boolean isIdle();
 
-    /** Whether somebody has stopped its process. */
+    /** Whether its process was stopped. */
     boolean isStopped();
   }
 
@@ -76,7 +76,7 @@ final class Supervisor {
     events.add(sample);
   }
 
-  /** A scenario starts: samples of the one before mean nothing any more. */
+  /** A scenario starts: samples of the previous one no longer count. */
   void start() {
     events.removeIf(Arrived.class::isInstance);
     looked = clock.getAsLong();

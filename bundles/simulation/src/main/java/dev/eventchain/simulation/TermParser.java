@@ -162,7 +162,7 @@ final class TermParser {
     throw tokens.syntax(first, "'" + text + "' is true or false, not a quantity.", "");
   }
 
-  /** Refuses metres beside seconds. */
+  /** Refuses metres next to seconds. */
   void requireSameDimension(Term before, Term after, Token second) {
     if (!before.comparesWith(after)) {
       String message =

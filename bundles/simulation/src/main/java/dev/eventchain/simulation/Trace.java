@@ -24,7 +24,7 @@ final class Trace {
    * @param deceleration of the ego, in m/s2
    * @param position of the ego's front bumper along the road since the start, in m
    * @param leadSpeed of the nearest vehicle in the path, in m/s; NaN if there is none
-   * @param pose how the ego stands in its lane
+   * @param pose how the ego is placed in its lane
    */
   record State(
       long time,
@@ -37,7 +37,7 @@ final class Trace {
       Pose pose) {}
 
   /**
-   * How the ego stands in its lane; all are positive to the left.
+   * How the ego is placed in its lane; all are positive to the left.
    *
    * @param offset of the middle of the front bumper from the centre of the lane, in m
    * @param heading from the direction of the road, in rad

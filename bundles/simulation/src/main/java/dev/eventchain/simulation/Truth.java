@@ -4,9 +4,9 @@ package dev.eventchain.simulation;
  * Truth with a margin, in one number: true above zero, false below, and zero if it is not known.
  * The size is how far the values compared are from changing the verdict (the robustness of Signal
  * Temporal Logic). Where both are equal, the margin is nothing and the verdict is none the less
- * exact: it stands in the sign of the smallest number there is. So {@code not}, {@code and} and
- * {@code or} are the negative, the minimum and the maximum, both of Kleene's three-valued logic and
- * of the margins.
+ * exact: it is in the sign of the smallest number there is. So {@code not}, {@code and} and {@code
+ * or} are the negative, the minimum and the maximum, both of Kleene's three-valued logic and of the
+ * margins.
  */
 final class Truth {
 

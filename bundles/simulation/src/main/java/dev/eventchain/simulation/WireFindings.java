@@ -26,7 +26,7 @@ final class WireFindings {
   private static Diagnostic lost(Scenario scenario, String topic, long count) {
     return Diagnostic.warning(
             "simulation.message.lost",
-            "Scenario %s: %d messages on %s were lost on the way, or came too late."
+            "Scenario %s: %d messages on %s were lost on the way, or arrived too late."
                 .formatted(scenario.name(), count, topic),
             scenario.location().withElement(topic))
         .withHint("It is best effort: they are not sent again. Was the machine very busy?");

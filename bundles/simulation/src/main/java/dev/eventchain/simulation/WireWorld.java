@@ -97,7 +97,7 @@ final class WireWorld implements AutoCloseable {
   }
 
   /**
-   * Waits until everybody is there.
+   * Waits until all ends are connected.
    *
    * @param hosts how many read the clock besides
    * @return the topics of the ends that have not met those that they should, in words

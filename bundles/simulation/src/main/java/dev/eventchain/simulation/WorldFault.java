@@ -67,7 +67,7 @@ final class WorldFault {
     };
   }
 
-  /** With other bytes behind the header, which says how to read them. */
+  /** With other bytes after the header, which says how to read them. */
   private byte[] corrupted(ByteBuffer message) {
     byte[] bytes = new byte[message.remaining()];
     message.duplicate().get(bytes);

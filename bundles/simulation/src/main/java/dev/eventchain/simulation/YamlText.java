@@ -8,7 +8,7 @@ import dev.eventchain.diagnostics.SourceText;
 record YamlText(SourceText source) {
 
   /**
-   * Where a text stands in the file, whose lines YAML may have folded: the part that has the same
+   * Where a text is in the file, whose lines YAML may have folded: the part that has the same
    * characters but for white space. A text with escapes has none, and stands at one place.
    *
    * @param place where its value begins

@@ -140,10 +140,10 @@ class AttachedTest {
     assertEquals(
         "No node was found in domain "
             + domain.number()
-            + ", within 0 s: nobody reads /carla/ego_vehicle/lidar (sensor_msgs/msg/PointCloud2);"
-            + " nobody reads /carla/ego_vehicle/vehicle_status"
+            + ", within 0 s: nothing reads /carla/ego_vehicle/lidar (sensor_msgs/msg/PointCloud2);"
+            + " nothing reads /carla/ego_vehicle/vehicle_status"
             + " (carla_msgs/msg/CarlaEgoVehicleStatus);"
-            + " nobody writes /carla/ego_vehicle/vehicle_control_cmd"
+            + " nothing writes /carla/ego_vehicle/vehicle_control_cmd"
             + " (carla_msgs/msg/CarlaEgoVehicleControl).",
         found.message());
   }
@@ -188,11 +188,12 @@ class AttachedTest {
             .allMatch(node -> node.getMeasured() == null));
     assertEquals(List.of("simulation.attached.unseen"), ids(result));
     assertEquals(
-        "Others started the nodes (Cyclone DDS, attached to domain %d): their executions, periods, execution times, latencies and ages of inputs were not measured. Nothing was received on /aeb/time_to_collision, /scan, /vehicle/brake_force."
+        "The nodes were started elsewhere (Cyclone DDS, attached to domain %d): their executions, periods, execution times, latencies and ages of inputs were not measured. Nothing was received on /aeb/time_to_collision, /scan, /vehicle/brake_force."
             .formatted(domain.number()),
         result.diagnostics().get(0).message());
     assertEquals("Cyclone DDS, attached to domain " + domain.number(), result.host().driver());
-    assertEquals("none by Eventchain: others started the nodes", result.host().confinement());
+    assertEquals(
+        "none by Eventchain: the nodes were started elsewhere", result.host().confinement());
   }
 
   @Test

@@ -186,8 +186,8 @@ class FaultsTest {
     assertFalse(delayed.passed());
     assertEquals(List.of(), delayed.diagnostics());
     assertTrue(delayed.effect().endsWith(" activations took longer"), delayed::effect);
-    assertEquals("20 messages came more than once", fault("flooded").effect());
-    assertEquals("20 messages came more than once", fault("repeated").effect());
+    assertEquals("20 messages arrived more than once", fault("flooded").effect());
+    assertEquals("20 messages arrived more than once", fault("repeated").effect());
   }
 
   @Test

@@ -150,7 +150,7 @@ class FormulaTest {
             "maximal_lane_offset_m (always abs(ego.offset) <= 0.25 m)",
             "ego.speed settles at 80 km/h"
                 + " (always[12, 20] abs((ego.speed) - (80 km/h)) <= 2 km/h)",
-            "ego.speed overshoots 80 km/h by 3 km/h at most"
+            "ego.speed overshoots 80 km/h by at most 3 km/h"
                 + " ((eventually abs((ego.speed) - (80 km/h)) <= 3 km/h)"
                 + " and (always (ego.speed) - (80 km/h) <= 3 km/h))"),
         scenario.criteria().stream()

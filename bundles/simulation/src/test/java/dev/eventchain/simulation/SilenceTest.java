@@ -74,7 +74,7 @@ class SilenceTest {
                     "/carla/ego_vehicle/lidar",
                     "/radar/objects"));
     assertEquals(
-        "'ObjectDetection' never executed: /radar/objects never came: no component writes it, and"
+        "'ObjectDetection' never executed: /radar/objects never arrived: no component writes it, and"
             + " the simulated vehicle does not send it. Nor did 'TTC_Calculation',"
             + " 'Braking_Decision', 'Carla_Vehicle_Control'.",
         only(result));
@@ -92,7 +92,7 @@ class SilenceTest {
     assertEquals(
         "The vehicle was never commanded: "
             + "/carla/ego_vehicle/vehicle_control_cmd"
-            + " never came: no component writes it.",
+            + " never arrived: no component writes it.",
         only(result));
   }
 

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.function.Supplier;
 
-/** Work that continues after a failure, so that all problems are said at once. */
+/** Work that continues after a failure, so that all problems are reported together. */
 final class Attempts {
 
   private final List<Diagnostic> problems = new ArrayList<>();

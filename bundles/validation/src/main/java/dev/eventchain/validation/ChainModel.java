@@ -30,7 +30,7 @@ import org.eclipse.emf.ecore.util.EcoreUtil;
 /**
  * The model of a chain that a file holds, and where its elements come from: the model's file if
  * people edit that; the chain's description if the model was made from it and still says the same.
- * Nobody changes the chain.
+ * The chain is not changed.
  */
 public final class ChainModel {
 

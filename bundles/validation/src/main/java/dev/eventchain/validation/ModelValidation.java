@@ -34,7 +34,7 @@ public final class ModelValidation {
   private final List<EPackage> packages = new ArrayList<>();
   private final List<LoadedModel> models;
 
-  /** The models, and those that nobody named and they refer to. */
+  /** The models, and the unnamed ones that they refer to. */
   private final List<LoadedModel> all;
 
   private final Origins origins;
@@ -81,7 +81,7 @@ public final class ModelValidation {
     return roots(models);
   }
 
-  /** Where an element stands. */
+  /** Where an element is. */
   public SourceLocation locate(EObject element) {
     return origins.locate(element);
   }
@@ -144,7 +144,7 @@ public final class ModelValidation {
     return new Validation(coverage, found);
   }
 
-  /** What was found beside models that no constraint is about must not pass for a check of them. */
+  /** Findings about other models must not hide that no constraint is about these. */
   private List<Diagnostic> unconstrained(OclRules rules) {
     return models.stream()
         .filter(model -> model.roots().stream().noneMatch(rules::areAbout))

@@ -12,8 +12,8 @@ import java.util.List;
 import java.util.Optional;
 
 /**
- * What {@code eventchain.yaml} says of the chain itself; the rest of it is about how the chain is
- * made and run.
+ * What {@code eventchain.yaml} says about the chain itself; the rest of it is about how the chain
+ * is made and run.
  *
  * @param name the chain's name, after which the generated package is called
  * @param frequency Hz, for components whose description gives none

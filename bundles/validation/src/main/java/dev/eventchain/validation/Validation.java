@@ -5,7 +5,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import java.util.List;
 
 /**
- * What a validation came to, before anything is suppressed. No finding proves only what the
+ * The result of a validation, before anything is suppressed. No finding proves only what the
  * coverage says was checked.
  *
  * @param coverage what was checked

@@ -149,7 +149,7 @@ class ComponentTestsTest {
         .says("'braking_force' is 1.0, not 0.0")
         .says("15 component tests passed");
     project.write("out/" + DECISION, "tests: []\n");
-    implement().expect(1).says("There is no test and no property here.");
+    implement().expect(1).says("The file contains no test and no property.");
   }
 
   @Test

@@ -54,7 +54,7 @@ class DefectTest {
             folder.resolve("decided.yaml"),
             folder.resolve("model.xmi"))
         .expect(3)
-        .says(folder.resolve(place) + " error: This is a defect of eventchain: ")
+        .says(folder.resolve(place) + " error: This is a defect in eventchain: ")
         .says("[eventchain.defect]");
   }
 
@@ -67,7 +67,7 @@ class DefectTest {
     breaking("metamodel.EcorePlan")
         .run("validate", chain)
         .expect(3)
-        .says(chain + ": error: This is a defect of eventchain: ");
+        .says(chain + ": error: This is a defect in eventchain: ");
   }
 
   @Test
@@ -83,7 +83,7 @@ class DefectTest {
             "-o",
             folder.resolve("out"))
         .expect(3)
-        .says(folder.resolve("main.mtl") + ": error: This is a defect of eventchain: ");
+        .says(folder.resolve("main.mtl") + ": error: This is a defect in eventchain: ");
   }
 
   /** The program with an empty class in place of one of its own. */

@@ -249,7 +249,7 @@ class OwnFunctionTest {
     Files.writeString(requirements, text);
     project
         .run()
-        .says("requirements.md:6:4: warning: 'RAD-5' is the id of no item.")
+        .says("requirements.md:6:4: warning: No item has the id 'RAD-5'.")
         .says("[modeler.requirements.unread]");
   }
 
@@ -263,7 +263,7 @@ class OwnFunctionTest {
     project
         .run()
         .expect(1)
-        .says(copy + ": error: This copy of the component 'Collision_Warning' is not what ")
+        .says(copy + ": error: This copy of the component 'Collision_Warning' differs from ")
         .says("[eventchain.file.edited]");
     project.requireNotPassed();
     new Program().run("run", project.path(), "--overwrite").expect(0).says("PASSED");
@@ -293,7 +293,7 @@ class OwnFunctionTest {
         .run()
         .expect(1)
         .says("INCOMPLETE")
-        .says("since no current message was there on /cluster/collision_warning")
+        .says("since there was no current message on /cluster/collision_warning")
         .says("[simulation.criterion.untested]")
         .says("warning: Scenario far-away: the last command on /brake/request was ")
         .says("and the vehicle still followed it; 100 ms are usual.")

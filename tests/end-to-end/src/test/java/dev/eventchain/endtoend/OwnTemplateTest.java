@@ -160,7 +160,7 @@ class OwnTemplateTest {
         .run("run", own)
         .expect(2)
         .says("eventchain.yaml:1:11: error: There is no template set and no file 'mine.mtl'.")
-        .says("Use cyclonedds-python or ros2-python, or name a file *.mtl of the project.");
+        .says("Use cyclonedds-python or ros2-python, or name a *.mtl file of the project.");
     Files.writeString(
         own.resolve("mine.mtl"),
         """

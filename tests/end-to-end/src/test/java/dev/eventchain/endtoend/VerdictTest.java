@@ -180,7 +180,7 @@ class VerdictTest {
         .expect(1)
         .says("INCOMPLETE")
         .says("'Carla_Vehicle_Control' never executed: /")
-        .says("never came; 'Braking_Decision' should have written it.")
+        .says("never arrived; 'Braking_Decision' should have written it.")
         .says("[simulation.node.silent]")
         .says("The latency constraint 'Quick' was not measured in any scenario")
         .says("[simulation.latency.unmeasured]");

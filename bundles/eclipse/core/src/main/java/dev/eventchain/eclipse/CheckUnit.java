@@ -11,7 +11,7 @@ import org.eclipse.core.resources.IFile;
 import org.eclipse.core.resources.IResource;
 
 /**
- * What is checked at once, because a finding about one of its files may come from a change of
+ * What is checked together, because a finding about one of its files may come from a change of
  * another one: a project of Eventchain, a model with its metamodels, a document of rules, a
  * template.
  */

@@ -87,7 +87,7 @@ record ModelUnit(IFile file, Path path, List<Path> metamodels, List<Path> rules)
   private Diagnostic unchecked() {
     return Diagnostic.info(
             "eclipse.model.unchecked",
-            "The model was not checked: it is not an event chain, and its metamodel is not here.",
+            "The model was not checked: it is not an event chain, and its metamodel was not found.",
             SourceLocation.of(path))
         .withHint("Put the metamodel, an .ecore file, into the same project.");
   }

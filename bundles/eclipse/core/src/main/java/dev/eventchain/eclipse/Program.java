@@ -47,7 +47,7 @@ public record Program(Path file) {
     }
     String problem =
         set.isEmpty()
-            ? "There is no program 'eventchain' on the path."
+            ? "There is no program 'eventchain' on the PATH."
             : "'" + set + "' is not a program that can be started.";
     throw new CoreException(
         EventchainCore.failure(problem + " Set it under Window > Preferences > Eventchain.", null));
@@ -79,7 +79,7 @@ public record Program(Path file) {
     List<String> command = new ArrayList<>(List.of(file.toString()));
     command.addAll(arguments);
     Process process = start(command, folder);
-    // If the workbench is ended from outside, nobody is left who could end the run.
+    // If the workbench is ended from outside, nothing is left that could end the run.
     Thread end = new Thread(process::destroy);
     Runtime.getRuntime().addShutdownHook(end);
     try {

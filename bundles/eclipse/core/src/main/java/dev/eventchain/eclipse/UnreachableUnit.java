@@ -21,9 +21,9 @@ record UnreachableUnit(IResource subject) implements CheckUnit {
     Diagnostic unchecked =
         Diagnostic.error(
                 "eclipse.unchecked",
-                "This was not checked: it is on no disk of this machine.",
+                "This was not checked: it is not on a disk of this machine.",
                 SourceLocation.NONE)
-            .withHint("Put the project into a folder of this machine.");
+            .withHint("Put the project into a folder on this machine.");
     return new Validation(Coverage.NONE, List.of(unchecked));
   }
 }

@@ -45,7 +45,7 @@ final class BlockParser {
     throw new IllegalStateException("unbalanced tokens");
   }
 
-  /** What stands between a template's tags. */
+  /** What is between a template's tags. */
   List<Node> templateBody(int open) {
     next = open + 1;
     return body();
@@ -100,7 +100,7 @@ final class BlockParser {
                 token.start(),
                 "[" + token.keyword() + "] is not supported.",
                 "Remove the tags [" + token.keyword() + "] and [/" + token.keyword() + "].");
-            // What stands inside is looked at all the same.
+            // What is inside is looked at all the same.
             yield Optional.of(new Syntax.If(token.start(), List.of(), body()));
           }
         };
@@ -130,7 +130,7 @@ final class BlockParser {
 
   /**
    * Where {@code before(...)}, {@code separator(...)}, {@code after(...)} or {@code {...}} start
-   * behind a call: after a closing parenthesis and white space.
+   * after a call: after a closing parenthesis and white space.
    */
   private int decorationStart(SourceRange span) {
     // What is wrong with the expression itself is for the expression's parser to say.

@@ -9,8 +9,8 @@ import java.util.Optional;
 
 /**
  * Looks for brackets in the literal text of a template that have no partner: usually a {@code [}
- * that was forgotten, for it has to be written {@code ['['/]}. Where the brackets depend on
- * conditions or are computed it keeps silent.
+ * that was forgotten, for it has to be written {@code ['['/]}. It reports nothing where the
+ * brackets depend on conditions or are computed.
  */
 public final class Brackets {
   private final String source;
@@ -193,7 +193,7 @@ public final class Brackets {
     return found >= 0 && found < end;
   }
 
-  /** The offset behind a tag. */
+  /** The offset after a tag. */
   private int tagEnd(int start, int lineEnd) {
     boolean quoted = false;
     for (int i = start + 1; i < lineEnd; i++) {

@@ -91,7 +91,7 @@ final class HeaderReader {
     return Optional.of(new Name(whole.toString(), first.get().start()));
   }
 
-  /** {@code (...)}: what stands between the parentheses; reports if there are none. */
+  /** {@code (...)}: what is between the parentheses; reports if there are none. */
   Optional<SourceRange> parentheses(String what) {
     if (!at('(')) {
       problems.syntax(position, "Expected " + what + " in parentheses.", "");

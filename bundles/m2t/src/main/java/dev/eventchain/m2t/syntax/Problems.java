@@ -4,7 +4,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.List;
 
-/** Where the stages of one compilation unit put what they find wrong with it. */
+/** Collects what the stages of one compilation unit find wrong with it. */
 public record Problems(SourceText source, List<Diagnostic> found) {
   static final String SYNTAX = "m2t.syntax";
 

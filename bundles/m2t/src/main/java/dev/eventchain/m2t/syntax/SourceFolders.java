@@ -18,8 +18,8 @@ import java.util.stream.Stream;
  * Modules in files: {@code a::b} is {@code a/b.mtl} below a source root. A root is a folder that
  * people named, the one that the importing module's own qualified name begins in, or the one that
  * has a folder {@code a} in which the importing file is. Otherwise it is {@code a/b.mtl} or {@code
- * b.mtl} beside the importing file or the main one, as is {@code b}; or {@code a/b.mtl} beside the
- * folder of the file.
+ * b.mtl} next to the importing file or the main one, as is {@code b}; or {@code a/b.mtl} next to
+ * the folder of the file.
  */
 public final class SourceFolders implements ModuleSources {
   /** What makes a folder a project. Nothing around it has a say in what its files mean. */

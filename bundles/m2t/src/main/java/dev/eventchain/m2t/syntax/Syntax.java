@@ -6,7 +6,7 @@ import java.util.Optional;
 
 /**
  * The syntax tree of a template file. Immutable; white space is settled; expressions are still the
- * places where they stand. Offsets are those of the file.
+ * places where they are. Offsets are those of the file.
  */
 public final class Syntax {
   private Syntax() {}
@@ -21,7 +21,7 @@ public final class Syntax {
       List<Template> templates,
       List<Query> queries) {}
 
-  /** A name and where it stands. */
+  /** A name and where it is. */
   public record Name(String text, int start) {}
 
   /** Who may call a template or query. */
@@ -60,7 +60,7 @@ public final class Syntax {
     int start();
   }
 
-  /** Text that is output as it stands. */
+  /** Text that is output as it is. */
   public record Text(int start, String text) implements Node {}
 
   /** {@code [value/]}. */

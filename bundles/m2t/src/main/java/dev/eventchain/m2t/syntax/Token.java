@@ -34,7 +34,7 @@ record Token(Kind kind, String keyword, int start, int end, int contentStart, in
     return new Token(Kind.TEXT, "", start, end, start, end);
   }
 
-  /** What stands in a tag after its keyword. */
+  /** What is in a tag after its keyword. */
   SourceRange content(SourceText source) {
     return source.range(contentStart, contentEnd);
   }

@@ -11,15 +11,15 @@ import java.util.List;
  * that Acceleo 3.7.11 was seen to follow. A tag's {@link Role} says which of them hold for it:
  *
  * <ul>
- *   <li>A tag takes the <b>rest of its line</b> behind it, with the line break, if nothing but
- *       white space is there ({@link #takenBehind}).
- *   <li>A tag takes the <b>indentation</b> before it, if nothing but white space stands between it
- *       and the tag or the line break before ({@link #takenBefore}).
+ *   <li>A tag takes the <b>rest of its line</b> after it, with the line break, if nothing but white
+ *       space is there ({@link #takenBehind}).
+ *   <li>A tag takes the <b>indentation</b> before it, if nothing but white space is between it and
+ *       the tag or the line break before ({@link #takenBefore}).
  *   <li>A template's <b>last line break</b> is dropped ({@link #withoutLastBreak}).
  * </ul>
  *
- * What stands between two tags is one text, and no rule looks beyond the two: a text is cut at its
- * start by the tag before it, and at its end by the tag behind it.
+ * What is between two tags is one text, and no rule looks beyond the two: a text is cut at its
+ * start by the tag before it, and at its end by the tag after it.
  */
 final class WhiteSpace {
   /** How a tag treats the white space around it. */
@@ -95,7 +95,7 @@ final class WhiteSpace {
     return new Syntax.Text(token.start() + from, whole.substring(from, to));
   }
 
-  /** How much of the text behind a tag goes with it. */
+  /** How much of the text after a tag goes with it. */
   private int takenBehind(int tag, String text) {
     Role role = roles[tag];
     int rest = text.indexOf('\n') + 1;
@@ -196,7 +196,7 @@ final class WhiteSpace {
   }
 
   /**
-   * Walks through the tags and notes which of them stand on a line that starts blank. So does the
+   * Walks through the tags and notes which of them are on a line that starts blank. So does the
    * line of a body's first text, whatever it says: it is taken for the rest of the line of the tag
    * that begins the body.
    */
@@ -223,7 +223,7 @@ final class WhiteSpace {
     return roles[tag] == Role.SPEAKING || roles[tag] == Role.AREA;
   }
 
-  /** Whether the line is blank behind a text, so far. */
+  /** Whether the line is blank after a text, so far. */
   private boolean isBlankBehind(int index, boolean before) {
     Token token = tokens.get(index);
     String text = source.substring(token.start(), token.end());

@@ -20,7 +20,7 @@ import org.eclipse.emf.ecore.resource.ResourceSet;
 import org.eclipse.emf.ecore.resource.impl.ResourceSetImpl;
 import org.eclipse.emf.ecore.xmi.impl.EcoreResourceFactoryImpl;
 
-/** Generates the Java code of an EMF generator model outside an Eclipse. */
+/** Generates the Java code of an EMF generator model outside Eclipse. */
 public final class GenerateModelCode {
 
   /** The workspace project that the generator model's {@code modelDirectory} begins with. */

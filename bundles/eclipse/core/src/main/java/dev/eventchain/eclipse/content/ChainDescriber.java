@@ -11,7 +11,7 @@ import org.eclipse.core.runtime.content.ITextContentDescriber;
 /**
  * Tells event chains from other XMI by the namespace of their root element. Only the beginning of a
  * file is looked at, as text: nothing that it refers to is followed, and a file that is broken
- * behind its root's start tag is an event chain still.
+ * after its root's start tag is an event chain still.
  */
 public final class ChainDescriber implements ITextContentDescriber {
 

@@ -167,7 +167,7 @@ final class XmlHead {
     return c == ' ' || c == '\t' || c == '\n' || c == '\r';
   }
 
-  /** The offset behind the next occurrence of something; the end of the text if there is none. */
+  /** The offset after the next occurrence of something; the end of the text if there is none. */
   private int after(String what, int from) {
     int found = text.indexOf(what, from);
     return found < 0 ? text.length() : found + what.length();

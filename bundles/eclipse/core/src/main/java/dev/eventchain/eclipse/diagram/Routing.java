@@ -13,7 +13,7 @@ import java.util.Map;
 
 /**
  * Leads lines from the lower side of a box to the upper side of another. Between layers they may
- * bend; beside the boxes of a layer they go straight down, so that none runs through a box.
+ * bend; next to the boxes of a layer they go straight down, so that none runs through a box.
  */
 final class Routing {
 

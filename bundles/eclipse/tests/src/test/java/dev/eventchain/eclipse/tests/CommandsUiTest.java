@@ -160,7 +160,7 @@ class CommandsUiTest {
       int last = good.lastIndexOf("unit=\"m/s\"");
       project.write(CHAIN, good.substring(0, last) + "unit=\"km/h\"" + good.substring(last + 10));
       project.build();
-      fix(project.marker("contract.unit.mismatch"), "Write the unit of the other side");
+      fix(project.marker("contract.unit.mismatch"), "Use the unit of the other side");
       Workbench.waitUntil("the change", () -> project.text(CHAIN).equals(good));
     }
   }
@@ -179,7 +179,7 @@ class CommandsUiTest {
               .findFirst()
               .orElseThrow();
       long before = count(project.text(CHAIN), weak);
-      fix(marker, "Take over the quality of service of the other side");
+      fix(marker, "Use the quality of service of the other side");
       Workbench.waitUntil("the change", () -> count(project.text(CHAIN), weak) != before);
     }
   }

@@ -47,7 +47,7 @@ class DiagramSubjectTest extends DiagramBench {
   @Test
   void survivesThatTheFileAndTheProjectGo() throws Exception {
     project.close(null);
-    Workbench.waitUntil("the project is closed", () -> message().contains("not there any more"));
+    Workbench.waitUntil("the project is closed", () -> message().contains("no longer exists"));
     mouse(SWT.MouseDown, "Braking_Decision");
     project.open(null);
     Workbench.waitUntil("the project is open", () -> message().isEmpty());

@@ -34,7 +34,7 @@ public final class PreferencePage extends FieldEditorPreferencePage
   protected void createFieldEditors() {
     FileFieldEditor program =
         new FileFieldEditor(
-            Preferences.PROGRAM, "&Program (empty: on the path):", getFieldEditorParent());
+            Preferences.PROGRAM, "&Program (empty: the one on the PATH):", getFieldEditorParent());
     program.setEmptyStringAllowed(true);
     addField(program);
     IntegerFieldEditor limit =

@@ -40,8 +40,8 @@ public final class ProgramHandler extends AbstractHandler implements IExecutable
       MessageDialog.openInformation(
           shell,
           "Eventchain",
-          "Select a file of a project of Eventchain: a folder with an eventchain.yaml. New >"
-              + " Eventchain Project makes one.");
+          "Select a file of an Eventchain project: a folder with an eventchain.yaml. New >"
+              + " Eventchain Project creates one.");
       return null;
     }
     try {
@@ -50,7 +50,8 @@ public final class ProgramHandler extends AbstractHandler implements IExecutable
         MessageDialog.openInformation(
             shell,
             "Eventchain",
-            "A run of this project is going on. Wait for it, or end it in the Progress view.");
+            "This project is already running. Wait until it finishes, or cancel it in the Progress"
+                + " view.");
       } else if (IDE.saveAllEditors(new IResource[] {folder.get()}, true)) {
         new ProgramJob(program, command, folder.get()).start();
       }

@@ -131,9 +131,9 @@ final class ProgramJob extends Job {
     return switch (code) {
       case 0 -> "Done.";
       case 1 -> "There are findings, or the verdict is not PASSED.";
-      case 2 -> "It could not be done; what is in the way is named above.";
+      case 2 -> "It could not be done; the reason is given above.";
       case 3 -> "This machine lacks something that the command needs; it is named above.";
-      case 4 -> "An answer of a language model is awaited; it is said above where.";
+      case 4 -> "A language model's answer is awaited; the output above says where.";
       default -> "It ended with " + code + ".";
     };
   }

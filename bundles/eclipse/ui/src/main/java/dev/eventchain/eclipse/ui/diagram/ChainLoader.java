@@ -62,9 +62,9 @@ final class ChainLoader extends Job {
   private static Result read(IFile file) {
     IPath place = file.getLocation();
     if (!file.isAccessible()) {
-      return failed(file, file.getFullPath() + " is not there any more, or its project is closed.");
+      return failed(file, file.getFullPath() + " no longer exists, or its project is closed.");
     } else if (place == null) {
-      return failed(file, file.getFullPath() + " is not in a folder of this machine.");
+      return failed(file, file.getFullPath() + " is not in a folder on this machine.");
     }
     try {
       LoadedModel model = new XmiStore(folders(file)).load(place.toFile().toPath());

@@ -84,7 +84,7 @@ final class DiagramCanvas {
     updateBars();
   }
 
-  /** Draws the picture as one that does not hold any more. */
+  /** Draws the picture as one that is out of date. */
   void fade() {
     isStale = true;
     canvas.redraw();

@@ -28,7 +28,7 @@ final class DiagramSelection implements ISelectionProvider {
     listeners.forEach(listener -> listener.selectionChanged(event));
   }
 
-  /** Marks the box of an element, or of one in it, and tells nobody: others selected it. */
+  /** Marks the box of an element, or of one in it, and notifies nothing: others selected it. */
   void show(EObject element) {
     for (EObject each = element; each != null; each = each.eContainer()) {
       int index = indexOf(each);

@@ -72,7 +72,7 @@ public final class DiagramView extends ViewPart
     watch.start();
     tracker = new ChainTracker(getSite().getPage(), this, this);
     new DiagramActions(canvas, tracker::setLinked).fill(getViewSite().getActionBars());
-    message.show(MessageBar.INFORMATION, "Select or open an event chain, and it is drawn here.");
+    message.show(MessageBar.INFORMATION, "Select or open an event chain to see it drawn here.");
     tracker.start();
   }
 

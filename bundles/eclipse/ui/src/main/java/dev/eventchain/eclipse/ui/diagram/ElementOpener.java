@@ -23,7 +23,7 @@ final class ElementOpener {
    */
   static String open(IWorkbenchPage page, IFile file, String element, int line, boolean activate) {
     if (!file.isAccessible()) {
-      return file.getFullPath() + " is not there any more, or its project is closed.";
+      return file.getFullPath() + " no longer exists, or its project is closed.";
     }
     try {
       IEditorPart editor = IDE.openEditor(page, file, activate);

@@ -20,7 +20,7 @@ final class Later {
   /**
    * Work to be done later.
    *
-   * @param control nothing is done any more once it is disposed
+   * @param control nothing is done once it is disposed
    */
   Later(Control control, Runnable work) {
     this.control = control;

@@ -38,7 +38,7 @@ final class BrokenPage {
     GridLayoutFactory.swtDefaults().margins(10, 10).applyTo(form.getBody());
     toolkit.createLabel(
         form.getBody(),
-        "Nothing of it is lost. Fix it as text; when it is saved, the editor shows the chain.");
+        "Nothing is lost. Fix it as text; once it is saved, the editor shows the chain.");
     Button open = toolkit.createButton(form.getBody(), "Open as text", SWT.PUSH);
     Table table = table(toolkit, form.getBody());
     open.addListener(SWT.Selection, event -> openAsText.accept(line(problems, 0)));

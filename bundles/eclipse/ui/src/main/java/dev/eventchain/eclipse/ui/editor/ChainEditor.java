@@ -59,7 +59,7 @@ public final class ChainEditor extends EditorPart implements IGotoMarker, IEditi
     IFile opened = ResourceUtil.getFile(input);
     if (opened == null) {
       throw new PartInitException(
-          input.getName() + " is in no project of the workspace. Import it into one first.");
+          input.getName() + " is not in a project of the workspace. Import it into one first.");
     }
     setSite(site);
     setInput(input);
@@ -205,7 +205,8 @@ public final class ChainEditor extends EditorPart implements IGotoMarker, IEditi
     }
     isDeleted = true;
     page.say(
-        "The file is deleted. Save writes it again; File > Save As writes it to another place.");
+        "The file has been deleted. Save writes it again; File > Save As writes it to another"
+            + " place.");
     changed();
   }
 

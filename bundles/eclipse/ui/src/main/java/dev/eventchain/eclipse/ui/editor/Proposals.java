@@ -64,7 +64,7 @@ final class Proposals {
         FieldDecorationRegistry.getDefault()
             .getFieldDecoration(FieldDecorationRegistry.DEC_CONTENT_PROPOSAL)
             .getImage());
-    bulb.setDescriptionText("Ctrl+Space shows what can stand here.");
+    bulb.setDescriptionText("Ctrl+Space shows what can be written here.");
     bulb.setShowOnlyOnFocus(true);
   }
 

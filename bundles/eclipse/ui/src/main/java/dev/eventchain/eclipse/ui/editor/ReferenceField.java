@@ -54,7 +54,7 @@ final class ReferenceField extends Field {
           .filter(candidate -> Labels.of(candidate).name().equals(typed))
           .findFirst()
           .ifPresentOrElse(
-              this::set, () -> problem = "The chain has nothing of the name " + typed + ".");
+              this::set, () -> problem = "Nothing in the chain is named " + typed + ".");
     }
     if (!before.equals(problem)) {
       context().checked().run();

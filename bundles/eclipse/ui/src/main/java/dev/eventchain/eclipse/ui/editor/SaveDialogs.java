@@ -24,7 +24,8 @@ final class SaveDialogs {
     return ask(
         shell,
         "File changed",
-        file.getName() + " has been changed on the disk, and here, too. Which of both is to stay?",
+        file.getName()
+            + " has been changed both on disk and here. Which version do you want to keep?",
         "Load the file",
         "Keep my changes",
         SECOND);
@@ -35,7 +36,7 @@ final class SaveDialogs {
     return ask(
         shell,
         "File changed",
-        file.getName() + " has been changed on the disk since it was opened.",
+        file.getName() + " has been changed on disk since it was opened.",
         "Overwrite it",
         "Cancel",
         SECOND);

@@ -18,7 +18,7 @@ import org.eclipse.emf.ecore.util.EcoreUtil;
 /** A change of a model's element that fixes a finding about it. */
 enum ElementFix {
   /** The unit of the other side of the topic. */
-  UNIT("Write the unit of the other side") {
+  UNIT("Use the unit of the other side") {
     @Override
     boolean apply(EObject element, IFile file) {
       if (!(element instanceof Data data)) {
@@ -36,7 +36,7 @@ enum ElementFix {
   },
 
   /** The quality of service of the other side of the topic. */
-  QUALITY_OF_SERVICE("Take over the quality of service of the other side") {
+  QUALITY_OF_SERVICE("Use the quality of service of the other side") {
     @Override
     boolean apply(EObject element, IFile file) {
       EObject holder = element instanceof QosProfile ? element.eContainer() : element;

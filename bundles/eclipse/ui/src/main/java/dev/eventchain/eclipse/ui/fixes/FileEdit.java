@@ -27,7 +27,7 @@ import org.eclipse.ui.part.FileEditorInput;
 /** Changes the text of a file in a job, unless an editor has changes of it that are not saved. */
 final class FileEdit {
 
-  /** Makes the new text of the old one; nothing if it cannot be done any more. */
+  /** Makes the new text from the old one; nothing if that is no longer possible. */
   @FunctionalInterface
   interface Change {
     Optional<String> apply(String text) throws CoreException;
@@ -45,7 +45,7 @@ final class FileEdit {
     Shell shell = window == null ? null : window.getShell();
     if (window != null && isDirty(window, file)) {
       MessageDialog.openInformation(
-          shell, name, "Save " + file.getName() + " first: its editor has changes.");
+          shell, name, "Save " + file.getName() + " first: its editor has unsaved changes.");
       return;
     }
     IStatus writable = file.getWorkspace().validateEdit(new IFile[] {file}, shell);
@@ -84,7 +84,7 @@ final class FileEdit {
             .toString();
     Matcher declared = ENCODING.matcher(text);
     if (declared.find() && !declared.group(1).equalsIgnoreCase("UTF-8")) {
-      throw new IOException("it says that it is " + declared.group(1) + ", not UTF-8");
+      throw new IOException("it declares the encoding " + declared.group(1) + ", not UTF-8");
     }
     return text;
   }
@@ -95,7 +95,7 @@ final class FileEdit {
       Optional<String> changed = change.apply(text);
       if (changed.isEmpty()) {
         return Status.error( // which the platform shows in a dialog
-            "The text is another one by now, or it is not certain what is to be changed: fix it by"
+            "The text has changed in the meantime, or it is not certain what to change: fix it by"
                 + " hand.");
       }
       byte[] bytes = changed.get().getBytes(StandardCharsets.UTF_8);

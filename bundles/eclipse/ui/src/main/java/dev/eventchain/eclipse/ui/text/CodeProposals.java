@@ -20,7 +20,7 @@ import org.eclipse.jface.text.contentassist.IContextInformation;
 import org.eclipse.jface.text.contentassist.IContextInformationValidator;
 
 /**
- * Proposes keywords and classes, and behind a dot the features of what is before it: those of its
+ * Proposes keywords and classes, and after a dot the features of what is before it: those of its
  * class if the text tells which one it is, else those of all classes.
  */
 final class CodeProposals implements IContentAssistProcessor {

@@ -9,7 +9,7 @@ import org.eclipse.jface.text.IDocument;
 import org.eclipse.jface.text.ITextSelection;
 import org.eclipse.ui.handlers.HandlerUtil;
 
-/** Makes comments of the selected lines, or takes that back. */
+/** Turns the selected lines into comments, or back. */
 public final class ToggleComment extends AbstractHandler {
 
   private static final String LINE = "-- ";

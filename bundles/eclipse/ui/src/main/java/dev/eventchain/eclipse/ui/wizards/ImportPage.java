@@ -49,7 +49,9 @@ final class ImportPage extends WizardPage {
     super("import");
     proposed = folder == null ? null : folder.getFullPath().append("chain.xmi");
     setTitle("Event Chain from JSON");
-    setDescription("Makes a model of the description of a chain, as language models write it.");
+    setDescription(
+        "Creates a model from the description of a chain, in the form in which language models"
+            + " write it.");
   }
 
   @Override

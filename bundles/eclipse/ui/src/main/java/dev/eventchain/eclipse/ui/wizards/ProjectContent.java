@@ -64,7 +64,7 @@ final class ProjectContent {
       if (Files.isDirectory(example)) {
         return example;
       }
-      throw failure("There is no folder " + example + " beside the program.", null);
+      throw failure("There is no folder " + example + " next to the program.", null);
     } catch (IOException e) {
       throw failure("The program cannot be read: " + e.getMessage(), e);
     }
@@ -131,7 +131,7 @@ final class ProjectContent {
    */
   void requireFree() throws CoreException {
     if (!isFree(folder)) {
-      throw failure("There is something in " + folder + " by now.", null);
+      throw failure("There is now something in " + folder + ", which was empty.", null);
     }
   }
 
