@@ -79,7 +79,7 @@ final class ValidateCommand extends ProjectCommand {
     return Outcome.of(validation.coverage(), validation.diagnostics(), suppressions);
   }
 
-  /** A folder among model files, or with their options, is no model: say what is meant for it. */
+  /** A folder is not a model: says how a project is validated. */
   private void refuseFolders() {
     for (Path input : inputs) {
       if (Files.isDirectory(input)) {

@@ -192,13 +192,16 @@ final class CallLibrary implements OperationLibrary {
       return callable == null ? untaken(all, run) : callable.call(all, run);
     }
 
-    /** A template that refuses by its guard prints nothing; what no parameter takes is a mistake. */
+    /**
+     * A template that refuses by its guard prints nothing; what no parameter takes is a mistake.
+     */
     private Object untaken(List<Object> arguments, GenerationRun run) {
       if (Stream.of(candidates).anyMatch(candidate -> candidate.takes(arguments))) {
         return "";
       }
       return new Invalid(
-          "no %s '%s' takes these arguments".formatted(callsTemplates() ? "template" : "query", name),
+          "no %s '%s' takes these arguments"
+              .formatted(callsTemplates() ? "template" : "query", name),
           run.place(),
           Invalid.Kind.OTHER);
     }

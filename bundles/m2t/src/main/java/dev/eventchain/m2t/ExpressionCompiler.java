@@ -125,7 +125,8 @@ record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage 
     if (!isTuple && type instanceof EClass eClass && language.type(type) == type) {
       return new Instances(eClass);
     }
-    return value -> language.isInstance(value, type);
+    Class<?> usual = language.conforms(type, language.type("String")) ? String.class : Void.class;
+    return value -> value.getClass() == usual || language.isInstance(value, type);
   }
 
   /**

@@ -46,7 +46,7 @@ final class GenerationRun {
   private final RunReport report;
   private final GeneratedFiles files;
   private final ObjectQueries objects;
-  private final Map<Query, Map<Object, Object>> cache = new HashMap<>();
+  private final KeptValues kept = new KeptValues();
   private final Map<String, TokenWalk> tokenWalks = new HashMap<>();
   private final Map<String, Pattern> patterns = new HashMap<>();
   private final Map<Class<?>, Object> serviceInstances = new HashMap<>();
@@ -212,15 +212,9 @@ final class GenerationRun {
     return false;
   }
 
-  /** The value that a call of a query had before; null if there was none. */
-  Object known(Query query, Object call) {
-    Map<Object, Object> values = cache.get(query);
-    return values == null ? null : values.get(call);
-  }
-
-  /** Keeps the value of a call of a query, which is not null. */
-  void keep(Query query, Object call, Object value) {
-    cache.computeIfAbsent(query, any -> new HashMap<>()).put(call, value);
+  /** The values of queries. */
+  KeptValues kept() {
+    return kept;
   }
 
   /** Begins a call, unless generation was stopped or what many calls hold grows too large. */

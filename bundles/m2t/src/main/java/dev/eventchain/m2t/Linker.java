@@ -47,6 +47,10 @@ final class Linker {
 
   private final Collection<EPackage> packages;
   private final Map<String, Unit> units = new LinkedHashMap<>();
+
+  /** How many queries there are so far. */
+  private int queries;
+
   private final Services services;
   private final Usage usage = new Usage();
 
@@ -132,6 +136,7 @@ final class Linker {
             .put(
                 query,
                 new Query(
+                    queries++,
                     query.name().text(),
                     query.visibility(),
                     parameters.get(),
@@ -155,8 +160,8 @@ final class Linker {
   }
 
   /**
-   * Warns of a template behind one that takes the same arguments whatever they are. One with a guard
-   * is asked before those without.
+   * Warns of a template behind one that takes the same arguments whatever they are. One with a
+   * guard is asked before those without.
    *
    * @param always the signatures of the templates so far that have no guard
    */

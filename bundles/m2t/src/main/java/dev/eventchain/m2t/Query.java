@@ -23,18 +23,30 @@ final class Query extends Callable {
   /** What is kept for null. */
   private static final Object NULL = new Object();
 
+  private final int number;
   private final EClassifier resultType;
   private Expression value;
   private Optional<Predicate<Object>> accepts = Optional.empty();
 
+  /**
+   * A query that is not complete yet.
+   *
+   * @param number tells it from all others that are compiled with it; small
+   */
   Query(
+      int number,
       String name,
       Visibility visibility,
       List<Parameter> parameters,
       EClassifier resultType,
       Place place) {
     super(name, visibility, parameters, place);
+    this.number = number;
     this.resultType = resultType;
+  }
+
+  int number() {
+    return number;
   }
 
   /** Completes the query, whose value may call any other callable. */
@@ -69,13 +81,13 @@ final class Query extends Callable {
       }
     }
     Object call = arguments.size() == 1 ? arguments.get(0) : arguments;
-    Object known = run.known(this, call);
+    Object known = run.kept().get(this, call);
     if (known == null) {
       int begun = run.files().begun();
       Object computed = evaluate(arguments, run);
       known = computed == null ? NULL : computed;
       if (begun == run.files().begun()) {
-        run.keep(this, call, known);
+        run.kept().put(this, call, known);
       }
     }
     return known == NULL ? null : known;

@@ -199,9 +199,7 @@ public final class Expression {
         }
       }
       return new Parts(
-          List.copyOf(calls),
-          Collections.unmodifiableSet(variables),
-          List.copyOf(computedInJava));
+          List.copyOf(calls), Collections.unmodifiableSet(variables), List.copyOf(computedInJava));
     }
   }
 

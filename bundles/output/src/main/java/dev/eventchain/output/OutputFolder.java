@@ -207,9 +207,7 @@ public final class OutputFolder implements AutoCloseable {
    *     we wrote it or does not exist
    */
   public synchronized Optional<Diagnostic> accept(String name) {
-    return isEdited(name)
-        ? Optional.of(kept(OutputPath.of(name).value()))
-        : Optional.empty();
+    return isEdited(name) ? Optional.of(kept(OutputPath.of(name).value())) : Optional.empty();
   }
 
   /**

@@ -127,14 +127,10 @@ public final class ModelValidation {
     Coverage coverage =
         Constraints.coverage(any.files(metamodels, rulesIn, models), result)
             .and(any.ecore.coverage());
-    List<Diagnostic> found = new ArrayList<>(result.diagnostics());
     boolean onlyMetamodel = documents.isEmpty() && rules.constraints().isEmpty();
-    if (onlyMetamodel && coverage.evaluations(Coverage.Kind.METAMODEL) > 0) {
-      found.removeIf(finding -> finding.id().equals("ocl.nothing-evaluated"));
-    }
-    if (result.evaluations() > 0) {
-      found.addAll(any.unconstrained(rules));
-    }
+    boolean isMetamodelChecked = coverage.evaluations(Coverage.Kind.METAMODEL) > 0;
+    List<Diagnostic> found =
+        any.aboutConstraints(rules, result, onlyMetamodel && isMetamodelChecked);
     found.addAll(any.ecore.diagnostics());
     if (metamodels.isEmpty()) {
       Validation contracts = any.contracts(MessageCatalog.of(messages));
@@ -142,6 +138,22 @@ public final class ModelValidation {
       found.addAll(contracts.diagnostics());
     }
     return new Validation(coverage, found);
+  }
+
+  /**
+   * What evaluating constraints has found.
+   *
+   * @param mayBeNone whether there need not be any
+   */
+  private List<Diagnostic> aboutConstraints(OclRules rules, OclResult result, boolean mayBeNone) {
+    List<Diagnostic> found = new ArrayList<>(result.diagnostics());
+    if (mayBeNone) {
+      found.removeIf(finding -> finding.id().equals("ocl.nothing-evaluated"));
+    }
+    if (result.evaluations() > 0) {
+      found.addAll(unconstrained(rules));
+    }
+    return found;
   }
 
   /** Findings about other models must not hide that no constraint is about these. */

@@ -76,7 +76,8 @@ public class ProjectFolder {
                   "project.missing",
                   "The folder is not a project: it contains no eventchain.yaml.",
                   SourceLocation.of(folder))
-              .withHint("Name the folder of a project, for example examples/aeb; 'eventchain init' starts one."
+              .withHint(
+                  "Name the folder of a project, for example examples/aeb; 'eventchain init' starts one."
                       + " Model files are named one by one."));
     }
     ProjectFileNames.refuseOtherCase(folder);

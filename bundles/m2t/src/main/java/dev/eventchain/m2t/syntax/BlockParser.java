@@ -299,7 +299,7 @@ final class BlockParser {
       problems.warning(
           "m2t.protected.id",
           open.start(),
-          "This protected area is on one line, where nobody can edit it without changing its id.",
+          "This protected area is on one line, where an edit of its text changes its id.",
           "Put its text, and the closing tag, on lines of their own.");
     }
   }
