@@ -132,19 +132,21 @@ final class Linker {
       Optional<List<Parameter>> parameters = parameters(query.parameters(), unit);
       Optional<EClassifier> type = unit.expressions().type(query.type());
       if (parameters.isPresent() && type.isPresent()) {
-        unit.queries()
-            .put(
-                query,
-                new Query(
-                    queries++,
-                    query.name().text(),
-                    query.visibility(),
-                    parameters.get(),
-                    type.get(),
-                    place(query.name(), unit)));
+        unit.queries().put(query, declared(query, parameters.get(), type.get(), unit));
       }
     }
     refuseDuplicates(unit);
+  }
+
+  private Query declared(
+      Syntax.Query query, List<Parameter> parameters, EClassifier type, Unit unit) {
+    return new Query(
+        queries++,
+        query.name().text(),
+        query.visibility(),
+        parameters,
+        type,
+        place(query.name(), unit));
   }
 
   private void refuseDuplicates(Unit unit) {

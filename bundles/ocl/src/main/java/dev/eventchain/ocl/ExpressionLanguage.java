@@ -248,18 +248,19 @@ public final class ExpressionLanguage {
       body.eAdapters().add(new InvalidOrigin.Source(range.source()));
       return collector.failed() ? Optional.empty() : Optional.of(body);
     } catch (RuntimeException | StackOverflowError e) {
-      String why = "cannot be read: " + e.getMessage();
-      if (e instanceof StackOverflowError) {
-        why = "is nested too deeply.";
-      } else if (e instanceof ClassCastException) {
-        // The parser expects a plain name where the grammar allows more.
-        why = "has a type where the parser takes only its name, such as Tuple(...) as an argument.";
-      }
-      collector.add("ocl.syntax", true, "The expression " + why, "", 0);
+      collector.add("ocl.syntax", true, "The expression " + unread(e), "", 0);
       return Optional.empty();
     } finally {
       root.clean();
     }
+  }
+
+  private static String unread(Throwable e) {
+    return e instanceof StackOverflowError
+        ? "is nested too deeply."
+        : e instanceof ClassCastException
+            ? "has a type where the parser takes only its name, such as Tuple(...) as an argument."
+            : "cannot be read: " + e.getMessage();
   }
 
   private OclEnvironment environment(Scope scope) {

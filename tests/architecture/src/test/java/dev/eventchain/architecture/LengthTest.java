@@ -42,7 +42,6 @@ class LengthTest {
           Map.entry("CollectionOperations.addOrder", 47L),
           Map.entry("DeepStack.all", 32L),
           Map.entry("Expression.evaluate", 32L),
-          Map.entry("Linker.declare", 34L),
           Map.entry("ModelComparison.compareContents", 31L),
           Map.entry("OclAnalyzer.ERROR", 35L),
           Map.entry("QosContracts.compare", 39L),
