@@ -3,7 +3,6 @@ package dev.eventchain.ocl;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.util.Collection;
-import java.util.HashMap;
 import java.util.Iterator;
 import java.util.Map;
 import java.util.Optional;
@@ -93,19 +92,14 @@ final class ModelAccess extends EcoreEvaluationEnvironment {
       return enumeration.getELiterals().stream()
           .anyMatch(literal -> literal == value || literal.getInstance() == value);
     } else if (value instanceof Tuple<?, ?> tuple && type instanceof TupleType<?, ?> parts) {
-      return areInstances((Tuple<?, EStructuralFeature>) tuple, parts, exactly);
+      return areInstances(tuple, parts, exactly);
     }
     return exactly ? super.isTypeOf(value, type) : super.isKindOf(value, type);
   }
 
   /** Tuples are of a type that has the same parts, and takes the value of each. */
-  private boolean areInstances(
-      Tuple<?, EStructuralFeature> tuple, TupleType<?, ?> type, boolean exactly) {
-    Map<String, Object> values = new HashMap<>();
-    for (Object part : tuple.getTupleType().oclProperties()) {
-      EStructuralFeature feature = (EStructuralFeature) part;
-      values.put(feature.getName(), tuple.getValue(feature));
-    }
+  private boolean areInstances(Tuple<?, ?> tuple, TupleType<?, ?> type, boolean exactly) {
+    Map<String, Object> values = Values.byName(tuple);
     return values.size() == type.oclProperties().size()
         && type.oclProperties().stream()
             .map(EStructuralFeature.class::cast)

@@ -91,14 +91,21 @@ final class Values {
     return changed ? keys : elements;
   }
 
-  @SuppressWarnings("unchecked") // the tuples of Ecore's OCL have properties of Ecore
   private static Parts parts(Tuple<?, ?> tuple) {
-    Map<String, Object> keys = new HashMap<>();
+    Map<String, Object> keys = byName(tuple);
+    keys.replaceAll((name, value) -> key(value));
+    return new Parts(keys);
+  }
+
+  /** The values of a tuple by the names of its parts. */
+  @SuppressWarnings("unchecked") // the tuples of Ecore's OCL have properties of Ecore
+  static Map<String, Object> byName(Tuple<?, ?> tuple) {
+    Map<String, Object> values = new HashMap<>();
     for (Object property : tuple.getTupleType().oclProperties()) {
       Object value = ((Tuple<?, EStructuralFeature>) tuple).getValue((EStructuralFeature) property);
-      keys.put(((EStructuralFeature) property).getName(), key(value));
+      values.put(((EStructuralFeature) property).getName(), value);
     }
-    return new Parts(keys);
+    return values;
   }
 
   static boolean contains(Collection<?> elements, Object value) {
