@@ -13,6 +13,8 @@ import org.eclipse.emf.ecore.ETypedElement;
 import org.eclipse.emf.ecore.EcorePackage;
 import org.eclipse.ocl.AmbiguousLookupException;
 import org.eclipse.ocl.LookupException;
+import org.eclipse.ocl.cst.CSTNode;
+import org.eclipse.ocl.cst.CallExpCS;
 import org.eclipse.ocl.ecore.EcoreEnvironment;
 import org.eclipse.ocl.ecore.TypeType;
 import org.eclipse.ocl.expressions.OCLExpression;
@@ -239,6 +241,27 @@ final class OclEnvironment extends EcoreEnvironment {
     return factory.isDeclaring()
         && owner instanceof EClass type
         && !membersOf(type).contains(found);
+  }
+
+  @Override
+  public void validatorError(String message, String context, Object problem) {
+    addTypeError(message, problem);
+  }
+
+  @Override
+  public void utilityError(String message, String context, Object problem) {
+    addTypeError(message, problem);
+  }
+
+  /** At the name of what is called, rather than at the start of all that it is called on. */
+  private void addTypeError(String message, Object problem) {
+    CSTNode node = problem instanceof CSTNode itself ? itself : getASTMapping(problem);
+    if (node instanceof CallExpCS call && call.getSimpleNameCS() != null) {
+      node = call.getSimpleNameCS();
+    }
+    int start = node == null ? -1 : node.getStartOffset();
+    int end = node == null ? -1 : node.getEndOffset();
+    getProblemHandler().analyzerProblem(ProblemHandler.Severity.ERROR, message, "", start, end);
   }
 
   @Override
