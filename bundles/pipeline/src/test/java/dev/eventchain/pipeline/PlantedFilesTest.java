@@ -45,7 +45,13 @@ class PlantedFilesTest {
   void allThatWasPlantedIsFoundAndNothingElse(@ForAll long seed) {
     PlantedFiles planted = new PlantedFiles(seed);
     List<Diagnostic> found = validate(planted);
-    List<String> findings = found.stream().map(PlantedFilesTest::text).sorted().toList();
+    // Whether a rule is about a model at all is left to chance.
+    List<String> findings =
+        found.stream()
+            .filter(each -> !each.id().equals("ocl.model-unconstrained"))
+            .map(PlantedFilesTest::text)
+            .sorted()
+            .toList();
     assertEquals(planted.expected(), findings, () -> found + "\n" + planted);
   }
 
