@@ -7,7 +7,6 @@ import dev.eventchain.ocl.OperationLibrary;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
-import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
@@ -87,10 +86,25 @@ final class CallLibrary implements OperationLibrary {
     Callable meant = suitable.get(0);
     List<Callable> called = called(meant, candidates, signatures, loosely);
     boolean one = called.stream().allMatch(each -> each.resultType().equals(meant.resultType()));
-    List<Callable> reversed = new ArrayList<>(called);
-    Collections.reverse(reversed);
-    Call call = new Call(name, overridingFirst(called), overridingFirst(reversed), source != null);
+    List<Callable> general = fromTheMostGeneral(called);
+    Call call = new Call(name, overridingFirst(called), overridingFirst(general), source != null);
     return Optional.of(new Operation(name, one ? meant.resultType() : language.any(), call));
+  }
+
+  /** The most special last; those with the same parameters keep their order. */
+  private static List<Callable> fromTheMostGeneral(List<Callable> callables) {
+    List<Callable> general = new ArrayList<>();
+    int likes = 0;
+    for (int i = 0; i < callables.size(); i++) {
+      boolean isLike = i > 0 && types(callables.get(i)).equals(types(callables.get(i - 1)));
+      likes = isLike ? likes + 1 : 0;
+      general.add(likes, callables.get(i));
+    }
+    return general;
+  }
+
+  private static List<EClassifier> types(Callable callable) {
+    return callable.parameters().stream().map(Callable.Parameter::type).toList();
   }
 
   /** What a call may turn out to mean at run time, the most special first. */

@@ -56,17 +56,11 @@ public record GenerationResult(
         .noneMatch(found -> found.severity() == Severity.ERROR && !UNDEFINED.contains(found.id()));
   }
 
-  /** The same; if nothing may be written, without the news that lost areas were saved. */
-  GenerationResult withoutUnsavedLosses() {
-    return isWhole()
-        ? this
-        : new GenerationResult(
-            files,
-            printed,
-            diagnostics.stream()
-                .filter(found -> !found.id().equals(GeneratedFile.LOST_AREA))
-                .toList(),
-            trace);
+  /** What was found, for a caller that writes none of the files: no lost area was saved. */
+  public List<Diagnostic> diagnosticsIfUnwritten() {
+    return diagnostics.stream()
+        .filter(found -> !found.id().equals(GeneratedFile.LOST_AREA))
+        .toList();
   }
 
   /** The same with a warning, in place of an error, for each value that is undefined. */

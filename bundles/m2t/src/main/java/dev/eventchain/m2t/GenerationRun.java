@@ -136,8 +136,7 @@ final class GenerationRun {
     GenerationTrace trace = tracing == null ? GenerationTrace.NONE : tracing.result();
     SortedMap<String, byte[]> contents = files.contents();
     List<Diagnostic> found = report.all();
-    GenerationResult result =
-        new GenerationResult(contents, files.printed(), found, trace).withoutUnsavedLosses();
+    GenerationResult result = new GenerationResult(contents, files.printed(), found, trace);
     return context.has(Trait.LENIENT) ? result.lenient() : result;
   }
 

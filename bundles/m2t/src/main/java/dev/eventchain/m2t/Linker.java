@@ -157,7 +157,7 @@ final class Linker {
     Set<String> always = new HashSet<>();
     unit.loaded().syntax().templates().stream()
         .filter(template -> unit.templates().containsKey(template))
-        .filter(template -> template.overrides().isEmpty())
+        .filter(template -> template.overrides().isEmpty() && !template.main())
         .forEach(template -> warnOfUnreachable(unit, template, always));
   }
 
@@ -183,7 +183,13 @@ final class Linker {
   }
 
   private static String signature(Callable callable) {
-    return callable.name() + callable.parameters().stream().map(p -> p.type().getName()).toList();
+    return callable.name() + callable.parameters().stream().map(p -> name(p.type())).toList();
+  }
+
+  /** Classes of several metamodels may have the same name. */
+  private static String name(EClassifier type) {
+    String owner = type.getEPackage() == null ? "" : type.getEPackage().getNsURI() + "#";
+    return owner + type.getName();
   }
 
   private static void refuseDuplicate(Unit unit, Callable callable, Set<String> signatures) {

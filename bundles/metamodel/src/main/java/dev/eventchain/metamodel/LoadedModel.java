@@ -12,7 +12,10 @@ import org.eclipse.emf.ecore.resource.Resource;
  */
 public record LoadedModel(Resource resource, Origins origins) {
 
-  /** The roots of the model, in the order of the file; at least one. */
+  /**
+   * The roots of the model, in the order of the file; none if all of them are parts of elements in
+   * other files.
+   */
   public List<EObject> roots() {
     return resource.getContents();
   }

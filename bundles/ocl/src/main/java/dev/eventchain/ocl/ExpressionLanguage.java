@@ -248,19 +248,11 @@ public final class ExpressionLanguage {
       body.eAdapters().add(new InvalidOrigin.Source(range.source()));
       return collector.failed() ? Optional.empty() : Optional.of(body);
     } catch (RuntimeException | StackOverflowError e) {
-      collector.add("ocl.syntax", true, "The expression " + unread(e), "", 0);
+      collector.add("ocl.syntax", true, "The expression " + SyntaxTexts.unread(e), "", 0);
       return Optional.empty();
     } finally {
       root.clean();
     }
-  }
-
-  private static String unread(Throwable e) {
-    return e instanceof StackOverflowError
-        ? "is nested too deeply."
-        : e instanceof ClassCastException
-            ? "has a type where the parser takes only its name, such as Tuple(...) as an argument."
-            : "cannot be read: " + e.getMessage();
   }
 
   private OclEnvironment environment(Scope scope) {

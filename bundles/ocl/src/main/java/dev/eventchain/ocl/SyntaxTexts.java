@@ -59,4 +59,17 @@ final class SyntaxTexts {
   static String hint(String message) {
     return message.contains("endif") ? "Write if ... then ... else ... endif." : "";
   }
+
+  private static boolean isOfTheParser(StackTraceElement[] trace) {
+    return trace.length > 0 && trace[0].getClassName().startsWith("org.eclipse.ocl.");
+  }
+
+  /** What ended the parser, behind "The expression". */
+  static String unread(Throwable e) {
+    return e instanceof StackOverflowError
+        ? "is nested too deeply."
+        : e instanceof ClassCastException && isOfTheParser(e.getStackTrace())
+            ? "has a type where the parser takes only its name, such as Tuple(...) as an argument."
+            : "cannot be read: " + e.getMessage();
+  }
 }

@@ -24,7 +24,7 @@ final class OutputFindings {
     String what =
         known
             ? "differs from what was written, and was kept."
-            : "was there before and was not written by a run, and was kept.";
+            : "is not recorded as written by a run, and was kept.";
     return edited(path, what)
         .withHint(
             "Replace it with --overwrite, which keeps the content of protected areas; deleting it"

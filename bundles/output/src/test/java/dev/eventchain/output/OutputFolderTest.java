@@ -164,7 +164,7 @@ class OutputFolderTest {
       OutputFolder.Written written = folder.write("x", bytes("ours"));
       assertEquals(Outcome.KEPT, written.outcome());
       Diagnostic finding = written.finding().orElseThrow();
-      assertTrue(finding.message().contains("not written by a run"), finding.message());
+      assertTrue(finding.message().contains("not recorded as written"), finding.message());
       // Deleting it, too, would have it written, without what protected areas contain.
       assertTrue(finding.hint().contains("--overwrite"), finding.hint());
     }

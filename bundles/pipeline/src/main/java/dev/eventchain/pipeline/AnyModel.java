@@ -97,7 +97,7 @@ public final class AnyModel {
                 .withPropertyFiles(properties)
                 .with(traits(target, lenient));
         if (target.folder().isEmpty()) {
-          generate(any, module, context, files);
+          files.found(generate(any, module, context, files).diagnostics());
         } else {
           write(any, module, context, files, target);
         }
@@ -138,7 +138,6 @@ public final class AnyModel {
       ModelValidation any, TemplateModule module, GenerationContext context, WrittenFiles files) {
     GenerationResult result = module.generate(any.roots(), context);
     files.found(module.warnings());
-    files.found(result.diagnostics());
     files.print(result.printedText());
     return result;
   }
@@ -152,13 +151,13 @@ public final class AnyModel {
     try (OutputFolder output = OutputFolder.open(target.folder().orElseThrow())) {
       GenerationResult result = generate(any, module, context.withEarlier(output::read), files);
       boolean taken = target.trace() && result.files().containsKey(TraceFile.NAME);
-      if (taken) {
-        files.found(List.of(traceTaken()));
-      }
       if (taken || !result.isWhole()) {
+        files.found(result.diagnosticsIfUnwritten());
+        files.found(taken ? List.of(traceTaken()) : List.of());
         files.wroteNothing();
         return;
       }
+      files.found(result.diagnostics());
       files.write(output, result.files(), target.overwrite() ? OnEdit.OVERWRITE : OnEdit.KEEP);
       Set<String> produced = new TreeSet<>(result.files().keySet());
       if (target.trace()) {

@@ -86,7 +86,11 @@ final class GenerateStage implements StageWork {
 
   private static List<Diagnostic> findings(GenerationResult generated) {
     Stream<Diagnostic> lost = generated.printed().stream().map(GenerateStage::lost).distinct();
-    return Stream.concat(generated.diagnostics().stream(), lost).toList();
+    List<Diagnostic> found =
+        Diagnostic.anyError(generated.diagnostics())
+            ? generated.diagnosticsIfUnwritten()
+            : generated.diagnostics();
+    return Stream.concat(found.stream(), lost).toList();
   }
 
   private static Diagnostic lost(GenerationResult.Printed printed) {

@@ -30,7 +30,6 @@ final class ImplementStage implements StageWork {
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
     AgentReport.fingerprint(run, Stage.IMPLEMENT, fingerprint);
     fingerprint
-        .add(Confinement.demanded())
         .addFile(run.file(DesignStage.FILE))
         .addFile(run.project().requirements())
         .addFile(run.project().softwareBase().resolve("components.json"))

@@ -124,6 +124,22 @@ class AnyModelTest {
         "1 file in " + where + ": 1 kept", write(template, List.of(), "bakery.xmi").summary());
   }
 
+  @Test
+  void noAreaIsSaidToBeSavedWhereNothingIsWritten() throws IOException {
+    Files.createDirectories(folder.resolve("out"));
+    Files.writeString(
+        folder.resolve("out/bakery"), "Start of user code gone\nmine\nEnd of user code\n");
+    Path template =
+        Files.writeString(
+            folder.resolve("main.mtl"),
+            TEMPLATE.replace("BODY", "[file ('x')][/file][file ('x')][/file]"));
+    WrittenFiles files = write(template, List.of(), "bakery.xmi");
+    assertEquals(
+        List.of("m2t.file.duplicate"), files.diagnostics().stream().map(Diagnostic::id).toList());
+    assertEquals("nothing was written in " + folder.resolve("out"), files.summary());
+    assertFalse(Files.exists(folder.resolve("out/bakery.lost")));
+  }
+
   private String out(String name) throws IOException {
     return Files.readString(folder.resolve("out").resolve(name));
   }

@@ -33,8 +33,6 @@ public enum Confinement {
 
   private static final String VARIABLE = "EVENTCHAIN_CONFINEMENT";
   private static final String AUTOMATIC = "auto";
-  private static final String HOOKS_ALONE = "audit-hooks";
-  private static final String NAMESPACES = "bubblewrap";
   private static final List<String> PROBE =
       List.of("bwrap", "--unshare-all", "--die-with-parent", "--new-session", "--cap-drop", "ALL");
   private static final int PROBE_SECONDS = 5;
@@ -69,30 +67,23 @@ public enum Confinement {
   }
 
   static Confinement detect(Map<String, String> settings) {
-    return switch (demanded(settings)) {
-      case AUTOMATIC -> bubblewrapWorks(settings) ? BUBBLEWRAP : AUDIT_HOOKS;
-      case HOOKS_ALONE -> AUDIT_HOOKS;
-      default -> demandBubblewrap(settings);
+    String wanted = settings.getOrDefault(VARIABLE, "");
+    return switch (wanted) {
+      case "", AUTOMATIC -> bubblewrapWorks(settings) ? BUBBLEWRAP : AUDIT_HOOKS;
+      case "audit-hooks" -> AUDIT_HOOKS;
+      case "bubblewrap" -> demandBubblewrap(settings);
+      default -> throw unknown(wanted);
     };
   }
 
   /**
-   * The name in {@code EVENTCHAIN_CONFINEMENT}, {@code auto} if that is unset or empty. What ran
-   * under one demand says nothing about another. Starts nothing.
-   *
-   * @throws DiagnosticException {@code python.confinement.unknown} as {@link #detect()}
+   * What {@code EVENTCHAIN_CONFINEMENT} says, {@code auto} if it is unset or empty; whether it is
+   * known is for {@link #detect()} to say. A result of code that was confined in another way may
+   * not be what it would be in this one.
    */
   public static String demanded() {
-    return demanded(System.getenv());
-  }
-
-  static String demanded(Map<String, String> settings) {
-    String wanted = settings.getOrDefault(VARIABLE, "");
-    return switch (wanted) {
-      case "" -> AUTOMATIC;
-      case AUTOMATIC, HOOKS_ALONE, NAMESPACES -> wanted;
-      default -> throw unknown(wanted);
-    };
+    String wanted = System.getenv().getOrDefault(VARIABLE, "");
+    return wanted.isEmpty() ? AUTOMATIC : wanted;
   }
 
   private static Confinement demandBubblewrap(Map<String, String> settings) {

@@ -149,7 +149,7 @@ public final class ChainChecks {
       ProjectFolder folder, Constraints constraints, List<Requirements.Item> rules, Path output) {
     List<Diagnostic> found =
         new ArrayList<>(constraints.uncovered(rules, more -> folder.command(output, more)));
-    found.addAll(folder.unreadConstraints());
+    found.addAll(ProjectFileNames.unreadConstraints(folder, output));
     return found;
   }
 

@@ -159,6 +159,7 @@ public final class ModelValidation {
   /** Findings about other models must not hide that no constraint is about these. */
   private List<Diagnostic> unconstrained(OclRules rules) {
     return models.stream()
+        .filter(model -> !model.roots().isEmpty())
         .filter(model -> model.roots().stream().noneMatch(rules::areAbout))
         .map(model -> SourceLocation.of(origins.locate(model.roots().get(0)).file()))
         .map(

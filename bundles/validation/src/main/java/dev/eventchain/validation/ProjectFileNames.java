@@ -4,10 +4,11 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.io.IOException;
+import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Collection;
 import java.util.List;
+import java.util.Locale;
 import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
@@ -38,6 +39,9 @@ final class ProjectFileNames {
           "software-base/signals.json",
           "tests");
 
+  /** How files in folders of projects end that are read. */
+  private static final List<String> READ = List.of(".yaml", ".json", ".xmi", ".py", ".msg", ".idl");
+
   private ProjectFileNames() {}
 
   /**
@@ -61,6 +65,7 @@ final class ProjectFileNames {
     }
     return entries(folder).stream()
         .filter(entry -> entry.getFileName().toString().equalsIgnoreCase(name))
+        .filter(entry -> !Files.isDirectory(entry) || holdsAnyToRead(entry))
         .findFirst()
         .map(
             entry ->
@@ -72,17 +77,36 @@ final class ProjectFileNames {
                     .withHint("Rename it to '" + name + "'."));
   }
 
+  /** A folder for something else may have a name like one of ours. */
+  private static boolean holdsAnyToRead(Path folder) {
+    return entries(folder).stream()
+        .map(entry -> entry.getFileName().toString())
+        .anyMatch(
+            name ->
+                READ.stream().anyMatch(name::endsWith) || Files.isDirectory(folder.resolve(name)));
+  }
+
+  /** Another spelling of the file by which a project is known, if the folder has one. */
+  static Optional<String> misspelt(Path wanted) {
+    return entries(wanted.resolveSibling("")).stream()
+        .map(entry -> entry.getFileName().toString())
+        .filter(name -> name.equalsIgnoreCase(wanted.getFileName().toString()))
+        .findFirst();
+  }
+
   /**
    * A warning for each OCL document next to {@code eventchain.yaml} that is not read.
    *
-   * @param read the documents that are read
+   * @param output the folder of the project's results, which may hold generated constraints
    */
-  static List<Diagnostic> unreadConstraints(Path folder, Collection<Path> read) {
+  static List<Diagnostic> unreadConstraints(ProjectFolder project, Path output) {
     Set<Path> known =
-        read.stream().map(file -> file.toAbsolutePath().normalize()).collect(Collectors.toSet());
-    return entries(folder).stream()
-        .filter(file -> file.getFileName().toString().endsWith(".ocl"))
-        .filter(file -> !known.contains(file.toAbsolutePath().normalize()))
+        Constraints.files(project, output).stream()
+            .map(ProjectFileNames::identity)
+            .collect(Collectors.toSet());
+    return entries(project.folder()).stream()
+        .filter(file -> file.getFileName().toString().toLowerCase(Locale.ROOT).endsWith(".ocl"))
+        .filter(file -> !Files.isDirectory(file) && !known.contains(identity(file)))
         .map(
             file ->
                 Diagnostic.warning(
@@ -95,11 +119,20 @@ final class ProjectFileNames {
         .toList();
   }
 
+  /** The file behind links. */
+  private static Path identity(Path file) {
+    try {
+      return file.toRealPath();
+    } catch (IOException e) {
+      return file.toAbsolutePath().normalize();
+    }
+  }
+
   /** Sorted; none of a folder that may not be listed, whose files are found unreadable later. */
   private static Set<Path> entries(Path folder) {
     try (Stream<Path> entries = Files.list(folder)) {
       return entries.collect(Collectors.toCollection(TreeSet::new));
-    } catch (IOException e) {
+    } catch (IOException | UncheckedIOException e) {
       return Set.of();
     }
   }

@@ -77,8 +77,11 @@ public class ProjectFolder {
                   "The folder is not a project: it contains no eventchain.yaml.",
                   SourceLocation.of(folder))
               .withHint(
-                  "Name the folder of a project, for example examples/aeb; 'eventchain init' starts one."
-                      + " Model files are named one by one."));
+                  ProjectFileNames.misspelt(configurationFile())
+                      .map(name -> "Rename '" + name + "' to '" + CONFIGURATION + "'.")
+                      .orElse(
+                          "Name the folder of a project, for example examples/aeb; 'eventchain init'"
+                              + " starts one. Model files are named one by one.")));
     }
     ProjectFileNames.refuseOtherCase(folder);
     return SourceText.read(configurationFile());
@@ -147,11 +150,6 @@ public class ProjectFolder {
   /** The constraints that people wrote, and those that they import. */
   public final List<Path> ownConstraints() {
     return OclRules.files(existing("constraints.ocl").stream().toList());
-  }
-
-  /** A warning for each OCL document of the folder that is not read. */
-  public final List<Diagnostic> unreadConstraints() {
-    return ProjectFileNames.unreadConstraints(folder, ownConstraints());
   }
 
   /** The constraints that an earlier run has generated, when there are any. */

@@ -109,7 +109,7 @@ public final class ProjectValidation {
     if (Files.isDirectory(folder.softwareBase())) {
       ProjectFolder.below(folder.softwareBase()).forEach(file -> digest.add(file + "\n"));
     }
-    digest.add(folder.unreadConstraints().toString());
+    digest.add(ProjectFileNames.unreadConstraints(folder, output).toString());
     return digest.hex();
   }
 

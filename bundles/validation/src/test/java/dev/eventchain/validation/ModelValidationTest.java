@@ -117,6 +117,19 @@ class ModelValidationTest {
         List.of(), ids(validate(List.of(people, values), "bakery.xmi", "anna.xmi").diagnostics()));
   }
 
+  /** Both files are named, and all of the second one is a part of the first. */
+  @Test
+  void aModelWhoseRootIsPartOfAnotherFileIsConstrainedThere() throws IOException {
+    Files.writeString(
+        folder.resolve("shop.ecore"),
+        ECORE.replace(
+            "name=\"owner\"", "name=\"owner\" containment=\"true\" resolveProxies=\"false\""));
+    Path ocl =
+        Files.writeString(folder.resolve("rules.ocl"), "context Shop inv Named: name <> ''\n");
+    Validation found = validate(List.of(ocl), "bakery.xmi", "anna.xmi");
+    assertEquals(List.of(), ids(found.diagnostics()));
+  }
+
   @Test
   void filesThatAModelRefersToAreValidatedToo() throws IOException {
     demand();

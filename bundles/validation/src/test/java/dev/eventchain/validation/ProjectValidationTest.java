@@ -154,7 +154,10 @@ class ProjectValidationTest {
 
   @Test
   void aFolderThatIsNoProjectIsSaid() throws IOException {
-    Files.delete(folder.resolve("eventchain.yaml"));
+    Files.move(folder.resolve("eventchain.yaml"), folder.resolve("Eventchain.yaml"));
+    assertEquals(List.of(".:0 project.missing"), found());
+    assertTrue(validate().diagnostics().get(0).hint().startsWith("Rename 'Eventchain.yaml'"));
+    Files.delete(folder.resolve("Eventchain.yaml"));
     assertEquals(List.of(".:0 project.missing"), found());
   }
 
@@ -190,12 +193,16 @@ class ProjectValidationTest {
     String constraints = "context SoftwareNode inv Slow: self.frequency < 100";
     project.write("timing.ocl", constraints);
     assertEquals(List.of("timing.ocl:0 project.constraints.unread"), found());
+    Files.createSymbolicLink(project.file("constraints.ocl"), Path.of("timing.ocl"));
+    assertEquals(List.of(), found());
+    Files.delete(project.file("constraints.ocl"));
     project.write("constraints.ocl", "import 'timing.ocl'\n");
     assertEquals(List.of(), found());
     Files.delete(project.file("timing.ocl"));
     Files.delete(project.file("constraints.ocl"));
     project.write("Constraints.ocl", constraints);
     project.write("Tests/Brake_Request.yaml", "");
+    project.write("Recordings/README", "a folder for something else");
     Files.move(project.file("model/chain.xmi"), project.file("model/Chain.xmi"));
     assertEquals(
         List.of(

@@ -10,12 +10,15 @@ import dev.eventchain.m2t.syntax.Token.Kind;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.regex.Pattern;
 
 /** Parses the blocks inside a template. The tokens are balanced, so blocks always end. */
 final class BlockParser {
   private static final Decoration NONE =
       new Decoration(
           Optional.empty(), Optional.empty(), Optional.empty(), Optional.empty(), List.of());
+
+  private static final Pattern TEXT = Pattern.compile("[\\w\\[]");
 
   private final Problems problems;
   private final List<Token> tokens;
@@ -289,18 +292,20 @@ final class BlockParser {
     if (id.isEmpty()) {
       return Optional.empty();
     }
-    warnOfAreaOnOneLine(token, tokens.get(next));
+    warnOfTextBehindTheId(token, tokens.get(next));
     return Optional.of(new Syntax.Protected(token.start(), id.get(), startPrefix, endPrefix, body));
   }
 
-  /** What is behind the id on its line is read as a part of the id when the file is read again. */
-  private void warnOfAreaOnOneLine(Token open, Token close) {
-    if (problems.source().text().substring(open.end(), close.start()).indexOf('\n') < 0) {
+  /** What follows the id on its line is read as a part of the id when the file is read again. */
+  private void warnOfTextBehindTheId(Token open, Token close) {
+    String area = problems.source().text().substring(open.end(), close.start());
+    // What is apart from the id, such as the end of a comment, is known to be no part of it.
+    if (area.indexOf('\n') < 0 || TEXT.matcher(area).lookingAt()) {
       problems.warning(
           "m2t.protected.id",
           open.start(),
-          "This protected area is on one line, where an edit of its text changes its id.",
-          "Put its text, and the closing tag, on lines of their own.");
+          "The text on the line of the opening tag belongs to the area's id, which an edit changes.",
+          "Put the text of the area, and the closing tag, on lines of their own.");
     }
   }
 

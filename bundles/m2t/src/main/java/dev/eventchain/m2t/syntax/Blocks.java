@@ -7,6 +7,7 @@ import java.util.Deque;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.stream.Collectors;
 
 /**
  * Which tags make a block. Tags that fit nowhere are reported and dropped; blocks that are not
@@ -15,8 +16,6 @@ import java.util.Set;
 final class Blocks {
   /** Deeper blocks would only be found in a template that a machine wrote to do harm. */
   static final int DEEPEST = 200;
-
-  private static final Set<String> BRANCHED = Set.of("if", "let");
 
   private static final Map<String, String> MIDDLE_OF = Map.of("elseif", "if", "elselet", "let");
 
@@ -95,10 +94,22 @@ final class Blocks {
       problems.syntax(
           token.start(),
           "An '" + keyword + "' is outside the block it belongs to.",
-          open.stream().skip(1).noneMatch(outer -> BRANCHED.contains(outer.keyword()))
-              ? "It belongs between [if ...] and [/if], or [let ...] and [/let]."
-              : "Close the block '" + around + "' before it.");
+          hintOf(keyword, around));
     }
+  }
+
+  private String hintOf(String keyword, String around) {
+    Set<String> owners =
+        keyword.equals("else") ? Set.of("if", "let") : Set.of(MIDDLE_OF.get(keyword));
+    boolean isInOne = open.stream().anyMatch(outer -> owners.contains(outer.keyword()));
+    String places =
+        owners.stream()
+            .sorted()
+            .map(owner -> "[" + owner + " ...] and [/" + owner + "]")
+            .collect(Collectors.joining(", or "));
+    return isInOne
+        ? "Close the block '" + around + "' before it."
+        : "It belongs between " + places + ".";
   }
 
   private void close(Token token) {
