@@ -135,7 +135,7 @@ final class Linker {
         unit.queries().put(query, declared(query, parameters.get(), type.get(), unit));
       }
     }
-    refuseDuplicates(unit);
+    new Duplicates(unit.loaded().problems()).report(unit.callables().toList(), unit.templates());
   }
 
   private Query declared(
@@ -147,61 +147,6 @@ final class Linker {
         parameters,
         type,
         place(query.name(), unit));
-  }
-
-  private void refuseDuplicates(Unit unit) {
-    Set<String> signatures = new HashSet<>();
-    unit.callables()
-        .filter(callable -> !(callable instanceof Template))
-        .forEach(callable -> refuseDuplicate(unit, callable, signatures));
-    Set<String> always = new HashSet<>();
-    unit.loaded().syntax().templates().stream()
-        .filter(template -> unit.templates().containsKey(template))
-        .filter(template -> template.overrides().isEmpty() && !template.main())
-        .forEach(template -> warnOfUnreachable(unit, template, always));
-  }
-
-  /**
-   * Warns of a template behind one that takes the same arguments whatever they are. One with a
-   * guard is asked before those without.
-   *
-   * @param always the signatures of the templates so far that have no guard
-   */
-  private static void warnOfUnreachable(Unit unit, Syntax.Template template, Set<String> always) {
-    String signature = signature(unit.templates().get(template));
-    if (template.guard().isEmpty() && !always.add(signature)) {
-      unit.loaded()
-          .problems()
-          .warning(
-              "m2t.name.duplicate",
-              template.name().start(),
-              "This template is never called: an earlier one is also called '"
-                  + template.name().text()
-                  + "', has the same parameters, and no guard.",
-              "Rename one of them, or give one of them a guard.");
-    }
-  }
-
-  private static String signature(Callable callable) {
-    return callable.name() + callable.parameters().stream().map(p -> name(p.type())).toList();
-  }
-
-  /** Classes of several metamodels may have the same name. */
-  private static String name(EClassifier type) {
-    String owner = type.getEPackage() == null ? "" : type.getEPackage().getNsURI() + "#";
-    return owner + type.getName();
-  }
-
-  private static void refuseDuplicate(Unit unit, Callable callable, Set<String> signatures) {
-    if (!signatures.add(signature(callable))) {
-      unit.loaded()
-          .problems()
-          .error(
-              "m2t.name.duplicate",
-              callable.place().offset(),
-              "There are two queries '" + callable.name() + "' with the same parameters.",
-              "Rename one of them.");
-    }
   }
 
   private static Place place(Syntax.Name name, Unit unit) {
