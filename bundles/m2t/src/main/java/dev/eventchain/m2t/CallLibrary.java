@@ -94,11 +94,9 @@ final class CallLibrary implements OperationLibrary {
   /** The most special last; those with the same parameters keep their order. */
   private static List<Callable> fromTheMostGeneral(List<Callable> callables) {
     List<Callable> general = new ArrayList<>();
-    int likes = 0;
-    for (int i = 0; i < callables.size(); i++) {
-      boolean isLike = i > 0 && types(callables.get(i)).equals(types(callables.get(i - 1)));
-      likes = isLike ? likes + 1 : 0;
-      general.add(likes, callables.get(i));
+    for (Callable callable : callables) {
+      int alike = general.stream().map(CallLibrary::types).toList().lastIndexOf(types(callable));
+      general.add(alike + 1, callable);
     }
     return general;
   }

@@ -126,7 +126,7 @@ record ExpressionCompiler(ExpressionLanguage language, Problems problems, Usage 
       return new Instances(eClass);
     }
     Class<?> usual = language.conforms(type, language.type("String")) ? String.class : Void.class;
-    return value -> value.getClass() == usual || language.isInstance(value, type);
+    return value -> usual.isInstance(value) || language.isInstance(value, type);
   }
 
   /**

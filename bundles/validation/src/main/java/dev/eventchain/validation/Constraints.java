@@ -107,7 +107,7 @@ public final class Constraints {
    * @param items the design rules
    * @param command the command that runs the project, with what follows it
    */
-  public List<Diagnostic> uncovered(List<Requirements.Item> items, UnaryOperator<String> command) {
+  List<Diagnostic> uncovered(List<Requirements.Item> items, UnaryOperator<String> command) {
     return items.stream()
         .filter(item -> standingFor(item.id()).isEmpty())
         .map(
