@@ -1,5 +1,6 @@
 package dev.eventchain.agents;
 
+import dev.eventchain.metamodel.WrittenRequirement;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.documents.Document;
 import dev.eventchain.modeler.Requirements;
@@ -16,7 +17,7 @@ final class ChainCheck {
   ChainCheck(Requirements requirements, SoftwareBase base) {
     this.existing =
         base.components().stream().map(SoftwareBase.Component::name).collect(Collectors.toSet());
-    this.requirements = requirements.items().stream().map(Requirements.Item::id).toList();
+    this.requirements = requirements.items().stream().map(WrittenRequirement::id).toList();
   }
 
   List<Diagnostic> check(Document text) {

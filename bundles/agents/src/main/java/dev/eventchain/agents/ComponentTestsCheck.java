@@ -1,5 +1,6 @@
 package dev.eventchain.agents;
 
+import dev.eventchain.metamodel.WrittenRequirement;
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.agents.ChainView.Component;
 import dev.eventchain.agents.ComponentTests.Case;
@@ -38,7 +39,7 @@ final class ComponentTestsCheck {
   private static final double ZERO = 1e-5;
 
   private final Component component;
-  private final Map<String, Requirements.Item> requirements = new LinkedHashMap<>();
+  private final Map<String, WrittenRequirement> requirements = new LinkedHashMap<>();
   private final boolean isNormalized;
 
   /**
@@ -91,7 +92,7 @@ final class ComponentTestsCheck {
   }
 
   private Optional<Diagnostic> contradiction(Case test) {
-    Requirements.Item requirement = requirements.get(test.requirement());
+    WrittenRequirement requirement = requirements.get(test.requirement());
     if (requirement == null) {
       return Optional.empty();
     }

@@ -1,5 +1,6 @@
 package dev.eventchain.agents;
 
+import dev.eventchain.metamodel.WrittenRequirement;
 import dev.eventchain.modeler.Requirements;
 import java.util.Collection;
 import java.util.List;
@@ -42,7 +43,7 @@ public final class ConstrainAgent {
             "metamodel", metamodel,
             "event chain", ModelNames.of(model),
             "design rules", RuleText.items(rules.items()));
-    List<String> ids = rules.items().stream().map(Requirements.Item::id).toList();
+    List<String> ids = rules.items().stream().map(WrittenRequirement::id).toList();
     ConstraintCheck check = new ConstraintCheck(ids, packages, List.copyOf(model));
     return new RepairLoop(context, "constrain", AnswerKind.OCL)
         .run(FILE, PROMPT, values, Optional.empty(), check::check);

@@ -78,9 +78,9 @@ public final class DesignAgent {
   static List<Diagnostic> check(
       SourceText text, Requirements requirements, SoftwareBase base, MessageCatalog messages) {
     Modeled<EventChain> chain =
-        EventChainReader.read(text, "chain", requirements, OptionalDouble.empty());
+        EventChainReader.read(text, "chain", requirements.items(), OptionalDouble.empty());
     List<Diagnostic> diagnostics = new ArrayList<>(chain.diagnostics());
-    EventChainReader.addBudgets(chain.root(), chain.root(), base);
+    base.addBudgets(chain.root(), chain.root());
     diagnostics.addAll(base.check(chain.root(), chain.origins()::locate));
     diagnostics.addAll(
         ChainAnalysis.of(messages, base.signals())

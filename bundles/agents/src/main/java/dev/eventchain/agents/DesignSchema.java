@@ -1,5 +1,6 @@
 package dev.eventchain.agents;
 
+import dev.eventchain.metamodel.WrittenRequirement;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.SourceText;
@@ -30,7 +31,7 @@ final class DesignSchema {
    *     what is wrong with it, and the answer cannot help it
    */
   static AnswerSchema of(Requirements requirements, SoftwareBase base, MessageCatalog messages) {
-    List<String> ids = requirements.items().stream().map(Requirements.Item::id).toList();
+    List<String> ids = requirements.items().stream().map(WrittenRequirement::id).toList();
     Set<String> types = new TreeSet<>(messages.names());
     Stream.concat(
             base.messageTypes().stream(),

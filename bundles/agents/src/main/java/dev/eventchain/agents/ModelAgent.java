@@ -38,7 +38,7 @@ public final class ModelAgent {
   }
 
   /**
-   * Models a chain, without its budgets: see {@link EventChainReader#addBudgets}.
+   * Models a chain, without its budgets: see {@link SoftwareBase#addBudgets}.
    *
    * @param metamodel the text of the metamodel of event chains, an Ecore file
    * @param chain the event-chain description
@@ -57,8 +57,8 @@ public final class ModelAgent {
       SoftwareBase base) {
     SourceText description = SourceText.of(chain.name(), Budgets.without(chain));
     EventChain direct =
-        EventChainReader.read(description, name, requirements, OptionalDouble.empty()).root();
-    EventChainReader.markExisting(direct, base);
+        EventChainReader.read(description, name, requirements.items(), OptionalDouble.empty()).root();
+    base.markExisting(direct);
     Map<String, String> values =
         Map.ofEntries(
             Map.entry("metamodel", metamodel),

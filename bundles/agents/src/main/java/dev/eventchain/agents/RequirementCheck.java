@@ -1,5 +1,6 @@
 package dev.eventchain.agents;
 
+import dev.eventchain.metamodel.WrittenRequirement;
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.agents.ChainView.Component;
 import dev.eventchain.modeler.Requirements;
@@ -36,7 +37,7 @@ final class RequirementCheck {
   }
 
   /** The requirements that a component contributes to, by its description. */
-  static List<Requirements.Item> own(JsonNode component, Requirements requirements) {
+  static List<WrittenRequirement> own(JsonNode component, Requirements requirements) {
     List<String> ids = new ArrayList<>();
     component.path("requirements").forEach(id -> ids.add(id.asText()));
     return requirements.items().stream().filter(item -> ids.contains(item.id())).toList();

@@ -1,9 +1,9 @@
 package dev.eventchain.agents;
 
+import dev.eventchain.metamodel.WrittenRequirement;
 import dev.eventchain.agents.ChainView.Component;
 import dev.eventchain.agents.ChainView.Value;
 import dev.eventchain.messages.Unit;
-import dev.eventchain.modeler.Requirements;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -94,7 +94,7 @@ final class RequirementThresholds {
   }
 
   /** Those of a requirement. */
-  static List<Threshold> of(Requirements.Item requirement, Component component) {
+  static List<Threshold> of(WrittenRequirement requirement, Component component) {
     List<Threshold> found = new ArrayList<>();
     for (String clause : CLAUSE_END.split(requirement.text(), -1)) {
       threshold(clause.strip(), component).ifPresent(found::add);

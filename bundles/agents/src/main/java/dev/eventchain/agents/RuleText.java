@@ -1,6 +1,6 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.modeler.Requirements;
+import dev.eventchain.metamodel.WrittenRequirement;
 import java.math.BigDecimal;
 import java.util.List;
 import java.util.stream.Collectors;
@@ -10,7 +10,7 @@ final class RuleText {
   private RuleText() {}
 
   /** An item a line, with its id. */
-  static String items(List<Requirements.Item> items) {
+  static String items(List<WrittenRequirement> items) {
     return items.stream()
         .map(item -> "- " + item.id() + ": " + item.text())
         .collect(Collectors.joining("\n"));

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.metamodel.WrittenRequirement;
 import dev.eventchain.agents.RequirementThresholds.Threshold;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
@@ -100,7 +101,7 @@ class ComponentTesterTest {
         "It shall hold the brake for at least 3 s |"
       })
   void thresholdsAreReadFromRequirements(String text, String expected) {
-    Requirements.Item item =
+    WrittenRequirement item =
         Requirements.read(SourceText.of("r.md", "- R-1: " + text + ".\n")).items().get(0);
     List<String> found =
         RequirementThresholds.of(item, ChainView.component(CHAIN, COMPONENT)).stream()

@@ -39,6 +39,6 @@ class ConstraintCheckTest {
             SourceText.of("r.md", PromptTemplate.resource("model/example.requirements.md")));
     SourceText text =
         SourceText.of("chain.json", PromptTemplate.resource("model/example.chain.json"));
-    return EventChainReader.read(text, "example", requirements, OptionalDouble.empty()).root();
+    return EventChainReader.read(text, "example", requirements.items(), OptionalDouble.empty()).root();
   }
 }

@@ -1,9 +1,9 @@
 package dev.eventchain.agents;
 
+import dev.eventchain.metamodel.EventChainMetamodel;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.llm.ChatModel;
 import dev.eventchain.messages.MessageCatalog;
-import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
@@ -61,8 +61,8 @@ record ExampleWorkflow(String folder, String name, String title, double frequenc
     results.put("chain.json", design);
     SourceText description = SourceText.of("chain.json", design.text());
     EventChain chain =
-        EventChainReader.read(description, name, requirements, OptionalDouble.of(frequency)).root();
-    EventChainReader.markExisting(chain, base);
+        EventChainReader.read(description, name, requirements.items(), OptionalDouble.of(frequency)).root();
+    base.markExisting(chain);
 
     ComponentProbe probe = new ComponentProbe(PythonEnvironment.ensure(message -> {}));
     ImplementAgent implement = new ImplementAgent(context, probe);
@@ -79,7 +79,7 @@ record ExampleWorkflow(String folder, String name, String title, double frequenc
               requirements,
               Optional.of(ComponentTester.read(tests, description, component, requirements))));
     }
-    String metamodel = XmiStore.eventchainEcore();
+    String metamodel = EventChainMetamodel.text();
     results.put(
         "instance.json",
         new ModelAgent(context).model(metamodel, description, name, requirements, base));

@@ -1,5 +1,6 @@
 package dev.eventchain.agents;
 
+import dev.eventchain.metamodel.WrittenRequirement;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -53,7 +54,7 @@ final class GoodAnswers {
     GoodAnswer design = design().get(0);
     description = SourceText.of("chain.json", design.block());
     chain = chain(SourceText.of("chain.json", Budgets.without(description)));
-    EventChainReader.markExisting(chain, base);
+    base.markExisting(chain);
   }
 
   List<GoodAnswer> design() throws IOException {
@@ -73,7 +74,7 @@ final class GoodAnswers {
   }
 
   List<GoodAnswer> constrain() throws IOException {
-    List<String> ids = rules.items().stream().map(Requirements.Item::id).toList();
+    List<String> ids = rules.items().stream().map(WrittenRequirement::id).toList();
     ConstraintCheck check =
         new ConstraintCheck(ids, List.of(EventchainPackage.eINSTANCE), List.of(chain));
     return recorded("constrain", AnswerKind.OCL, check::check, GoodAnswers::changedLines);
@@ -127,7 +128,7 @@ final class GoodAnswers {
   }
 
   private EventChain chain(SourceText text) {
-    return EventChainReader.read(text, example.name(), requirements, OptionalDouble.empty()).root();
+    return EventChainReader.read(text, example.name(), requirements.items(), OptionalDouble.empty()).root();
   }
 
   private static EObject instance(SourceText text) {

@@ -39,10 +39,10 @@ class ModelCheckTest {
         EventChainReader.read(
                 example("chain.json"),
                 "lane_departure_warning",
-                requirements,
+                requirements.items(),
                 OptionalDouble.empty())
             .root();
-    EventChainReader.markExisting(direct, SoftwareBase.read(folder));
+    SoftwareBase.read(folder).markExisting(direct);
   }
 
   @Test

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.metamodel.EventChainMetamodel;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticFormat;
@@ -11,7 +12,6 @@ import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.fixtures.ExpectedFile;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.metamodel.LoadedModel;
-import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.modeler.SoftwareBase;
 import java.io.IOException;
@@ -120,7 +120,7 @@ class RuleCasesTest {
     Path messages = folder.resolve("msg");
     MessageCatalog catalog =
         MessageCatalog.of(Files.isDirectory(messages) ? List.of(messages) : List.of());
-    LoadedModel model = new XmiStore(folder).load(folder.resolve("chain.xmi"));
+    LoadedModel model = EventChainMetamodel.store(folder).load(folder.resolve("chain.xmi"));
     return ChainAnalysis.of(catalog, base.signals())
         .check((EventChain) model.roots().get(0), model.origins()::locate);
   }

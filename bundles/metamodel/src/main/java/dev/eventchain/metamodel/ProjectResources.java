@@ -1,7 +1,6 @@
 package dev.eventchain.metamodel;
 
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.metamodel.eventchain.EventchainPackage;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
@@ -111,6 +110,5 @@ final class ProjectResources extends ResourceSetImpl {
     registry.put(EcorePackage.eNS_URI, EcorePackage.eINSTANCE);
     registry.put(XMLTypePackage.eNS_URI, XMLTypePackage.eINSTANCE);
     registry.put(XMLNamespacePackage.eNS_URI, XMLNamespacePackage.eINSTANCE);
-    registry.put(EventchainPackage.eNS_URI, EventchainPackage.eINSTANCE);
   }
 }

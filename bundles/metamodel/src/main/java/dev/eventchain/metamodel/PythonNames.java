@@ -54,7 +54,7 @@ public final class PythonNames {
    * @throws IllegalStateException if it has another number of them
    */
   private static List<String> patterns(String definition, int number) {
-    String document = XmiStore.standardConstraints().text();
+    String document = EventChainMetamodel.constraints().text();
     int start = document.indexOf("def: " + definition + "(");
     int end = document.indexOf("def:", start + 1);
     List<String> patterns = new ArrayList<>();

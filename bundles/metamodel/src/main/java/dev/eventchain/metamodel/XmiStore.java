@@ -3,12 +3,6 @@ package dev.eventchain.metamodel;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.diagnostics.SourceText;
-import java.io.ByteArrayInputStream;
-import java.io.IOException;
-import java.io.InputStream;
-import java.io.UncheckedIOException;
-import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -18,11 +12,9 @@ import org.eclipse.emf.common.util.URI;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;
 import org.eclipse.emf.ecore.impl.EPackageRegistryImpl;
-import org.eclipse.emf.ecore.resource.Resource;
-import org.eclipse.emf.ecore.xmi.impl.EcoreResourceFactoryImpl;
 
 /**
- * Reads and writes the XMI files of one project, for the event-chain metamodel and any other.
+ * Reads and writes the XMI files of one project, for models of any Ecore metamodel.
  *
  * <p>Files are read as data: no document type, no entity, no schema location and no Java class that
  * a file names is followed, and references between files only inside the project's folder, or into
@@ -38,7 +30,7 @@ public final class XmiStore {
   private final ProjectResources metamodels;
 
   /**
-   * A store for the files below a folder. The event-chain metamodel and Ecore are registered.
+   * A store for the files below a folder. Ecore is registered.
    *
    * @param projectRoot the folder that references must not leave
    */
@@ -64,7 +56,17 @@ public final class XmiStore {
    *     the others
    */
   public XmiStore(Collection<Path> folders, Map<String, Path> map) {
+    this(folders, map, List.of());
+  }
+
+  /**
+   * As {@link #XmiStore(Collection, Map)} for models that may be of known metamodels without naming
+   * a file. One that is loaded with the same nsURI takes the place of a known one.
+   */
+  public XmiStore(
+      Collection<Path> folders, Map<String, Path> map, Collection<EPackage> known) {
     ProjectResources.registerStandard(registry);
+    known.forEach(each -> registry.put(each.getNsURI(), each));
     List<Path> all = new ArrayList<>(folders);
     all.addAll(map.values());
     files = new ProjectFiles(all, new MappedUris(map), registry);
@@ -73,8 +75,7 @@ public final class XmiStore {
 
   /**
    * Reads a metamodel and registers it, its subpackages and those of the {@code .ecore} files it
-   * refers to. It may take the place of the event-chain metamodel, but two files must not have one
-   * nsURI. A package without nsURI gets the name of its file, and a subpackage a path below its
+   * refers to. It may take the place of a known metamodel, but two files must not have one nsURI. A package without nsURI gets the name of its file, and a subpackage a path below its
    * package; models of such a metamodel have that namespace or none.
    *
    * @return the packages at the top of the file, at least one
@@ -228,46 +229,5 @@ public final class XmiStore {
   /** As {@link #toBytes(EObject)} for a model with several roots. */
   public static byte[] toBytes(List<? extends EObject> roots) {
     return XmiWriter.write(roots);
-  }
-
-  /** The text of the event-chain metamodel. */
-  public static String eventchainEcore() {
-    return resource("metamodel/eventchain.ecore");
-  }
-
-  /** The metamodel of message definitions, which templates may be about. */
-  public static EPackage messagesMetamodel() {
-    return MessagesMetamodel.PACKAGE;
-  }
-
-  /** Read when it is first needed: most runs do without. */
-  private static final class MessagesMetamodel {
-    private static final EPackage PACKAGE = read();
-
-    private static EPackage read() {
-      Resource resource =
-          new EcoreResourceFactoryImpl().createResource(URI.createURI("messages.ecore"));
-      byte[] text = resource("metamodel/messages.ecore").getBytes(StandardCharsets.UTF_8);
-      try {
-        resource.load(new ByteArrayInputStream(text), Map.of());
-      } catch (IOException e) {
-        throw new UncheckedIOException(e);
-      }
-      return (EPackage) resource.getContents().get(0);
-    }
-  }
-
-  /** The standard rules of event chains, in Complete OCL. */
-  public static SourceText standardConstraints() {
-    String name = "metamodel/eventchain.ocl";
-    return SourceText.of(name, resource(name));
-  }
-
-  private static String resource(String name) {
-    try (InputStream stream = XmiStore.class.getResourceAsStream("/" + name)) {
-      return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
-    }
   }
 }

@@ -54,7 +54,7 @@ class XmiStoreTest {
 
   private static String outcome(Path project) {
     try {
-      XmiStore store = new XmiStore(project);
+      XmiStore store = EventChainMetamodel.store(project);
       Path metamodel = project.resolve("metamodel.ecore");
       if (Files.exists(metamodel)) {
         store.loadMetamodel(metamodel);
@@ -108,7 +108,7 @@ class XmiStoreTest {
   @Test
   void registersTheMetamodelsThatAMetamodelRefersTo() {
     Path project = CASES.resolve("good-foreign-metamodel");
-    XmiStore store = new XmiStore(project);
+    XmiStore store = EventChainMetamodel.store(project);
     List<EPackage> packages = store.loadMetamodel(project.resolve("metamodel.ecore"));
     assertEquals(List.of("library"), packages.stream().map(EPackage::getName).toList());
     EObject library = store.load(project.resolve("model.xmi")).roots().get(0);
@@ -117,23 +117,23 @@ class XmiStoreTest {
 
   @Test
   void readsTheEventChainMetamodelAsAnyOther() throws IOException {
-    Path ecore = Files.writeString(folder.resolve("eventchain.ecore"), XmiStore.eventchainEcore());
-    XmiStore store = new XmiStore(folder);
+    Path ecore = Files.writeString(folder.resolve("eventchain.ecore"), EventChainMetamodel.text());
+    XmiStore store = EventChainMetamodel.store(folder);
     EPackage loaded = store.loadMetamodel(ecore).get(0);
     assertEquals("eventchain", loaded.getName());
     byte[] written = XmiStore.toBytes(loaded);
     Path again = Files.write(folder.resolve("again.ecore"), written);
-    assertArrayEquals(written, XmiStore.toBytes(new XmiStore(folder).loadMetamodel(again).get(0)));
+    assertArrayEquals(written, XmiStore.toBytes(EventChainMetamodel.store(folder).loadMetamodel(again).get(0)));
   }
 
   @Test
   void keepsRegistriesApart() {
     Path project = CASES.resolve("good-foreign-metamodel");
-    new XmiStore(project).loadMetamodel(project.resolve("metamodel.ecore"));
+    EventChainMetamodel.store(project).loadMetamodel(project.resolve("metamodel.ecore"));
     DiagnosticException refused =
         assertThrows(
             DiagnosticException.class,
-            () -> new XmiStore(project).load(project.resolve("model.xmi")));
+            () -> EventChainMetamodel.store(project).load(project.resolve("model.xmi")));
     assertEquals("xmi.package.unknown", refused.diagnostics().get(0).id());
   }
 
@@ -148,7 +148,7 @@ class XmiStoreTest {
         Files.writeString(
             project.resolve("model.xmi"), text.replace("//@data.0", "link/lib.xmi#//@data.0"));
     DiagnosticException refused =
-        assertThrows(DiagnosticException.class, () -> new XmiStore(project).load(model));
+        assertThrows(DiagnosticException.class, () -> EventChainMetamodel.store(project).load(model));
     assertEquals("xmi.href.refused", refused.diagnostics().get(0).id());
   }
 
@@ -156,7 +156,7 @@ class XmiStoreTest {
   void saysThatAFileIsMissing() {
     DiagnosticException refused =
         assertThrows(
-            DiagnosticException.class, () -> new XmiStore(folder).load(folder.resolve("no.xmi")));
+            DiagnosticException.class, () -> EventChainMetamodel.store(folder).load(folder.resolve("no.xmi")));
     assertEquals("file.missing", refused.diagnostics().get(0).id());
     assertEquals(1, refused.diagnostics().size());
   }
@@ -168,7 +168,7 @@ class XmiStoreTest {
     Files.createDirectory(folder.resolve("people"));
     Files.copy(source.resolve("metamodel.ecore"), folder.resolve("metamodel.ecore"));
     Files.copy(source.resolve("people/people.ecore"), folder.resolve("people/people.ecore"));
-    XmiStore store = new XmiStore(folder);
+    XmiStore store = EventChainMetamodel.store(folder);
     store.loadMetamodel(folder.resolve("metamodel.ecore"));
     for (int length = 0; length < text.stripTrailing().length(); length++) {
       Path model = Files.writeString(folder.resolve("model.xmi"), text.substring(0, length));
@@ -184,7 +184,7 @@ class XmiStoreTest {
     String declared = text.replace("UTF-8", "UTF-16");
     byte[] bytes = declared.getBytes(StandardCharsets.UTF_16);
     Path model = Files.write(folder.resolve("model.xmi"), bytes);
-    assertEquals(1, new XmiStore(folder).load(model).roots().size());
+    assertEquals(1, EventChainMetamodel.store(folder).load(model).roots().size());
     Files.write(model, Arrays.copyOf(bytes, bytes.length - 1));
     assertEquals("file.encoding", refusal(model).id());
     Files.write(model, Arrays.copyOf(bytes, bytes.length - 40));
@@ -223,7 +223,7 @@ class XmiStoreTest {
     Path project = CASES.resolve("reference-to-another-file");
     Path first = project.resolve("model.xmi");
     Path second = project.resolve("parts/lib.xmi");
-    List<LoadedModel> models = new XmiStore(project).loadAll(List.of(first, second, first));
+    List<LoadedModel> models = EventChainMetamodel.store(project).loadAll(List.of(first, second, first));
     assertEquals(2, models.size());
     EventChain chain = (EventChain) models.get(0).roots().get(0);
     EventChain library = (EventChain) models.get(1).roots().get(0);
@@ -234,7 +234,7 @@ class XmiStoreTest {
   @Test
   void aMetamodelIsOneObjectWhicheverFileLeadsToIt() {
     Path project = CASES.resolve("good-foreign-metamodel");
-    XmiStore store = new XmiStore(project);
+    XmiStore store = EventChainMetamodel.store(project);
     EPackage library = store.loadMetamodel(project.resolve("metamodel.ecore")).get(0);
     EPackage people = store.loadMetamodel(project.resolve("people/people.ecore")).get(0);
     EClass person = (EClass) people.getEClassifier("Person");
@@ -248,7 +248,7 @@ class XmiStoreTest {
     Path source = CASES.resolve("good-foreign-metamodel/people/people.ecore");
     Path first = Files.copy(source, folder.resolve("first.ecore"));
     Path second = Files.copy(source, folder.resolve("second.ecore"));
-    XmiStore store = new XmiStore(folder);
+    XmiStore store = EventChainMetamodel.store(folder);
     EPackage people = store.loadMetamodel(first).get(0);
     DiagnosticException refused =
         assertThrows(DiagnosticException.class, () -> store.loadMetamodel(second));
@@ -264,7 +264,7 @@ class XmiStoreTest {
   }
 
   private List<Diagnostic> refusals(Path model) {
-    return assertThrows(DiagnosticException.class, () -> new XmiStore(folder).load(model))
+    return assertThrows(DiagnosticException.class, () -> EventChainMetamodel.store(folder).load(model))
         .diagnostics();
   }
 
@@ -275,7 +275,7 @@ class XmiStoreTest {
     EventChain second = EventchainFactory.eINSTANCE.createEventChain();
     second.setName("second");
     byte[] both = XmiStore.toBytes(List.of(first, second));
-    LoadedModel model = new XmiStore(folder).load(Files.write(folder.resolve("model.xmi"), both));
+    LoadedModel model = EventChainMetamodel.store(folder).load(Files.write(folder.resolve("model.xmi"), both));
     assertEquals(2, model.roots().size());
     assertArrayEquals(both, XmiStore.toBytes(model.roots()));
     String alone = new String(XmiStore.toBytes(model.roots().get(1)), StandardCharsets.UTF_8);
@@ -310,11 +310,11 @@ class XmiStoreTest {
 
   @Test
   void holdsTheStandardRules() {
-    assertTrue(XmiStore.standardConstraints().text().contains("inv HasInputAndOutputData"));
+    assertTrue(EventChainMetamodel.constraints().text().contains("inv HasInputAndOutputData"));
   }
 
   private static LoadedModel load(String name) {
     Path project = CASES.resolve(name);
-    return new XmiStore(project).load(project.resolve("model.xmi"));
+    return EventChainMetamodel.store(project).load(project.resolve("model.xmi"));
   }
 }

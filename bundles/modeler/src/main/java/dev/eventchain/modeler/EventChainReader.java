@@ -1,5 +1,6 @@
 package dev.eventchain.modeler;
 
+import dev.eventchain.metamodel.WrittenRequirement;
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
@@ -57,11 +58,6 @@ public final class EventChainReader {
 
   private static final NumberRange NOT_NEGATIVE = NumberRange.atLeast(0);
 
-  private static final List<EAttribute> BUDGETS =
-      List.of(
-          Literals.SOFTWARE_NODE__BEST_CASE_EXECUTION_TIME,
-          Literals.SOFTWARE_NODE__WORST_CASE_EXECUTION_TIME,
-          Literals.SOFTWARE_NODE__MEMORY);
 
   private static final String EXTERNAL = "external";
 
@@ -113,48 +109,16 @@ public final class EventChainReader {
    * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if the description is not JSON
    */
   public static Modeled<EventChain> read(
-      SourceText description, String name, Requirements written, OptionalDouble defaultFrequency) {
+      SourceText description,
+      String name,
+      List<WrittenRequirement> written,
+      OptionalDouble defaultFrequency) {
     EventChainReader reader =
         new EventChainReader(JsonDocument.parse(description), defaultFrequency);
     reader.chain.setName(name);
-    written.items().forEach(reader::addRequirement);
+    written.forEach(reader::addRequirement);
     reader.readComponents();
     return reader.result();
-  }
-
-  /**
-   * Marks the components that the software base holds as existing ones and the others as generated.
-   */
-  public static void markExisting(EventChain chain, SoftwareBase base) {
-    for (SoftwareNode node : chain.getSoftware()) {
-      Optional<SoftwareBase.Component> existing = base.find(node.getName());
-      node.setOrigin(existing.isPresent() ? ComponentOrigin.EXISTING : ComponentOrigin.GENERATED);
-      existing.ifPresent(component -> node.setImplementation(component.implementation()));
-    }
-  }
-
-  /**
-   * Adds what components may cost, which language models are not asked for: as a description of the
-   * chain states it, else as the software base does.
-   *
-   * @param described the chain as its description gives it directly
-   */
-  public static void addBudgets(EventChain chain, EventChain described, SoftwareBase base) {
-    for (SoftwareNode node : chain.getSoftware()) {
-      described.getSoftware().stream()
-          .filter(other -> Objects.equals(other.getName(), node.getName()))
-          .findFirst()
-          .ifPresent(other -> addBudgets(node, other));
-      base.described(String.valueOf(node.getName())).ifPresent(other -> addBudgets(node, other));
-    }
-  }
-
-  private static void addBudgets(SoftwareNode node, SoftwareNode from) {
-    for (EAttribute budget : BUDGETS) {
-      if (!node.eIsSet(budget) && from.eIsSet(budget)) {
-        node.eSet(budget, from.eGet(budget));
-      }
-    }
   }
 
   /** Reads the components of a software base: as an event chain, but for requirements. */
@@ -169,7 +133,7 @@ public final class EventChainReader {
     return new Modeled<>(chain, origins, diagnostics.stream().sorted().toList());
   }
 
-  private void addRequirement(Requirements.Item item) {
+  private void addRequirement(WrittenRequirement item) {
     Requirement requirement = FACTORY.createRequirement();
     requirement.setId(item.id());
     requirement.setText(item.text());

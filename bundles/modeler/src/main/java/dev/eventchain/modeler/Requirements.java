@@ -1,7 +1,7 @@
 package dev.eventchain.modeler;
 
+import dev.eventchain.metamodel.WrittenRequirement;
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -22,22 +22,13 @@ import java.util.regex.Pattern;
  * @param diagnostics what is wrong with the file: an id twice, an item without text, no item at
  *     all, and as warnings lines that name an id like those of the items and are none
  */
-public record Requirements(List<Item> items, List<Diagnostic> diagnostics) {
+public record Requirements(List<WrittenRequirement> items, List<Diagnostic> diagnostics) {
 
   private static final Pattern ITEM =
       Pattern.compile("[-*+] +\\**([A-Za-z][A-Za-z0-9_.-]*)\\**:\\**\\s*(.*)");
 
   /** An id as most people number them: what is before the number, and the number. */
   private static final Pattern NUMBERED = Pattern.compile("(.*?[A-Za-z])[-_. ]?([0-9]+)");
-
-  /**
-   * An item.
-   *
-   * @param id the id under which people know it
-   * @param text what it says, on one line
-   * @param location where it is
-   */
-  public record Item(String id, String text, SourceLocation location) {}
 
   /** Keeps its own copies. */
   public Requirements {
@@ -52,7 +43,7 @@ public record Requirements(List<Item> items, List<Diagnostic> diagnostics) {
 
   private static final class Reader {
     private final SourceText source;
-    private final List<Item> items = new ArrayList<>();
+    private final List<WrittenRequirement> items = new ArrayList<>();
     private final List<Diagnostic> diagnostics = new ArrayList<>();
 
     Reader(SourceText source) {
@@ -66,7 +57,7 @@ public record Requirements(List<Item> items, List<Diagnostic> diagnostics) {
         number++;
         Matcher item = ITEM.matcher(line.stripTrailing());
         if (item.matches()) {
-          items.add(new Item(item.group(1), item.group(2).strip(), source.at(number, 1)));
+          items.add(new WrittenRequirement(item.group(1), item.group(2).strip(), source.at(number, 1)));
           open = true;
         } else if (open && line.startsWith("  ") && !line.isBlank()) {
           goOn(line.strip());
@@ -80,8 +71,8 @@ public record Requirements(List<Item> items, List<Diagnostic> diagnostics) {
     }
 
     private void goOn(String text) {
-      Item last = items.remove(items.size() - 1);
-      items.add(new Item(last.id, (last.text + " " + text).strip(), last.location));
+      WrittenRequirement last = items.remove(items.size() - 1);
+      items.add(new WrittenRequirement(last.id(), (last.text() + " " + text).strip(), last.location()));
     }
 
     private void check() {
@@ -91,17 +82,17 @@ public record Requirements(List<Item> items, List<Diagnostic> diagnostics) {
                     "modeler.requirements.none", "The file contains no requirement.", source.at(0))
                 .withHint("Write each as an item with an id: '- REQ-1: The system shall ...'"));
       }
-      Map<String, Item> seen = new HashMap<>();
-      for (Item item : items) {
-        Item earlier = seen.putIfAbsent(item.id.toLowerCase(Locale.ROOT), item);
+      Map<String, WrittenRequirement> seen = new HashMap<>();
+      for (WrittenRequirement item : items) {
+        WrittenRequirement earlier = seen.putIfAbsent(item.id().toLowerCase(Locale.ROOT), item);
         if (earlier != null) {
           find(
               "duplicate",
-              "The id " + item.id + " is already used in line " + earlier.location.line() + ".",
+              "The id " + item.id() + " is already used in line " + earlier.location().line() + ".",
               item);
         }
-        if (item.text.isEmpty()) {
-          find("empty", "The item " + item.id + " has no text.", item);
+        if (item.text().isEmpty()) {
+          find("empty", "The item " + item.id() + " has no text.", item);
         }
       }
     }
@@ -110,8 +101,8 @@ public record Requirements(List<Item> items, List<Diagnostic> diagnostics) {
     private void findUnread() {
       Set<String> known = new HashSet<>();
       Set<String> kinds = new TreeSet<>();
-      for (Item item : items) {
-        Matcher numbered = NUMBERED.matcher(item.id);
+      for (WrittenRequirement item : items) {
+        Matcher numbered = NUMBERED.matcher(item.id());
         if (numbered.matches()) {
           kinds.add(Pattern.quote(numbered.group(1)));
           known.add(plain(numbered));
@@ -140,8 +131,8 @@ public record Requirements(List<Item> items, List<Diagnostic> diagnostics) {
       return numbered.group(1).toLowerCase(Locale.ROOT) + "-" + numbered.group(2);
     }
 
-    private void find(String kind, String message, Item item) {
-      diagnostics.add(Diagnostic.error("modeler.requirements." + kind, message, item.location));
+    private void find(String kind, String message, WrittenRequirement item) {
+      diagnostics.add(Diagnostic.error("modeler.requirements." + kind, message, item.location()));
     }
   }
 }

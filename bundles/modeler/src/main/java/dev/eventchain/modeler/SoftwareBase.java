@@ -1,5 +1,8 @@
 package dev.eventchain.modeler;
 
+import dev.eventchain.metamodel.eventchain.EventchainPackage.Literals;
+import dev.eventchain.metamodel.eventchain.ComponentOrigin;
+import org.eclipse.emf.ecore.EAttribute;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -47,6 +50,12 @@ public final class SoftwareBase {
 
   private static final String COMPONENTS = "components.json";
   private static final String SIGNALS = "signals.json";
+
+  private static final List<EAttribute> BUDGETS =
+      List.of(
+          Literals.SOFTWARE_NODE__BEST_CASE_EXECUTION_TIME,
+          Literals.SOFTWARE_NODE__WORST_CASE_EXECUTION_TIME,
+          Literals.SOFTWARE_NODE__MEMORY);
 
   private final Map<String, Component> components;
   private final String componentsText;
@@ -109,6 +118,41 @@ public final class SoftwareBase {
         "[]",
         Optional.empty(),
         List.of());
+  }
+
+  /**
+   * Marks the components of a chain that are here as existing ones and the others as generated.
+   */
+  public void markExisting(EventChain chain) {
+    for (SoftwareNode node : chain.getSoftware()) {
+      Optional<Component> existing = find(node.getName());
+      node.setOrigin(existing.isPresent() ? ComponentOrigin.EXISTING : ComponentOrigin.GENERATED);
+      existing.ifPresent(component -> node.setImplementation(component.implementation()));
+    }
+  }
+
+  /**
+   * Adds what components may cost, which language models are not asked for: as a description of the
+   * chain states it, else as this software base does.
+   *
+   * @param described the chain as its description gives it directly
+   */
+  public void addBudgets(EventChain chain, EventChain described) {
+    for (SoftwareNode node : chain.getSoftware()) {
+      described.getSoftware().stream()
+          .filter(other -> Objects.equals(other.getName(), node.getName()))
+          .findFirst()
+          .ifPresent(other -> addBudgets(node, other));
+      described(String.valueOf(node.getName())).ifPresent(other -> addBudgets(node, other));
+    }
+  }
+
+  private static void addBudgets(SoftwareNode node, SoftwareNode from) {
+    for (EAttribute budget : BUDGETS) {
+      if (!node.eIsSet(budget) && from.eIsSet(budget)) {
+        node.eSet(budget, from.eGet(budget));
+      }
+    }
   }
 
   /** A file as it is written, and what it says. */

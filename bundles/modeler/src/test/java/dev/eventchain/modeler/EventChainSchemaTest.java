@@ -3,6 +3,7 @@ package dev.eventchain.modeler;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
+import dev.eventchain.metamodel.WrittenRequirement;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
@@ -91,11 +92,11 @@ class EventChainSchemaTest {
     SourceLocation nowhere = SourceLocation.NONE;
     Requirements requirements =
         new Requirements(
-            IDS.stream().map(id -> new Requirements.Item(id, "text", nowhere)).toList(), List.of());
+            IDS.stream().map(id -> new WrittenRequirement(id, "text", nowhere)).toList(), List.of());
     return EventChainReader.read(
         SourceText.of("chain.json", chain.toPrettyString()),
         "chain",
-        requirements,
+        requirements.items(),
         OptionalDouble.empty());
   }
 }

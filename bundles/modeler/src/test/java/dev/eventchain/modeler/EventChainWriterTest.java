@@ -64,7 +64,7 @@ class EventChainWriterTest {
         EventChainReader.read(
             text,
             "aeb",
-            Requirements.read(SourceText.of("requirements.md", "- R-1: The system shall signal.")),
+            Requirements.read(SourceText.of("requirements.md", "- R-1: The system shall signal.")).items(),
             OptionalDouble.empty());
     assertEquals(List.of(), modeled.diagnostics());
     return modeled.root();

@@ -2,6 +2,7 @@ package dev.eventchain.modeler;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import dev.eventchain.metamodel.WrittenRequirement;
 import dev.eventchain.diagnostics.SourceText;
 import java.nio.file.Path;
 import java.util.List;
@@ -27,6 +28,6 @@ class ExampleTest {
     assertEquals(List.of(), rules.diagnostics());
     assertEquals(
         List.of("DR-1", "DR-2", "DR-3"),
-        rules.items().stream().map(Requirements.Item::id).toList());
+        rules.items().stream().map(WrittenRequirement::id).toList());
   }
 }

@@ -4,6 +4,7 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.metamodel.EventChainMetamodel;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import com.networknt.schema.JsonSchema;
@@ -12,7 +13,6 @@ import com.networknt.schema.SpecVersion;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.fixtures.ExpectedFile;
-import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -69,7 +69,7 @@ class MetamodelSchemaTest {
       Path folder = Path.of("src/test/resources/cases");
       return this == EVENTCHAIN
           ? EventchainPackage.eINSTANCE
-          : new XmiStore(folder)
+          : EventChainMetamodel.store(folder)
               .loadMetamodel(folder.resolve(name().toLowerCase(Locale.ROOT) + ".ecore"))
               .get(0);
     }

@@ -143,7 +143,7 @@ class ModelComparisonTest {
     return EventChainReader.read(
             SourceText.read(cases.resolve("chain/good-our-form/chain.json")),
             "aeb",
-            Requirements.read(SourceText.read(cases.resolve("requirements.md"))),
+            Requirements.read(SourceText.read(cases.resolve("requirements.md"))).items(),
             OptionalDouble.empty())
         .root();
   }

@@ -70,7 +70,7 @@ class ModelerCasesTest {
     return EventChainReader.read(
         read(folder, "chain.json"),
         "aeb",
-        Requirements.read(read(CASES, "requirements.md")),
+        Requirements.read(read(CASES, "requirements.md")).items(),
         OptionalDouble.empty());
   }
 

@@ -3,6 +3,7 @@ package dev.eventchain.modeler;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.metamodel.WrittenRequirement;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import java.util.List;
@@ -15,7 +16,7 @@ class RequirementsTest {
     Requirements read =
         read(
             "# Title\n\nProse: not one.\n\n- AEB-1: The system\n  shall brake.\n* **R2:** Bold.\n");
-    assertEquals(List.of("AEB-1", "R2"), read.items().stream().map(Requirements.Item::id).toList());
+    assertEquals(List.of("AEB-1", "R2"), read.items().stream().map(WrittenRequirement::id).toList());
     assertEquals("The system shall brake.", read.items().get(0).text());
     assertEquals("Bold.", read.items().get(1).text());
     assertEquals(5, read.items().get(0).location().line());

@@ -3,6 +3,7 @@ package dev.eventchain.modeler;
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import dev.eventchain.metamodel.EventChainMetamodel;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.metamodel.XmiStore;
@@ -46,7 +47,7 @@ class RoundTripTest {
     assertArrayEquals(written, XmiStore.toBytes(chain));
     Path folder = Files.createTempDirectory("xmi");
     Path file = Files.write(folder.resolve("chain.xmi"), written);
-    EventChain again = (EventChain) new XmiStore(folder).load(file).roots().get(0);
+    EventChain again = (EventChain) EventChainMetamodel.store(folder).load(file).roots().get(0);
     Files.delete(file);
     Files.delete(folder);
     assertArrayEquals(written, XmiStore.toBytes(again));
@@ -63,7 +64,7 @@ class RoundTripTest {
         EventChainReader.read(
             SourceText.of("chain.json", description),
             "chain",
-            new Requirements(List.of(), List.of()),
+            List.of(),
             OptionalDouble.empty());
     assertEquals(List.of(), read.diagnostics());
     return read.root();

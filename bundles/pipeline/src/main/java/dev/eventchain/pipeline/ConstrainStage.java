@@ -1,10 +1,10 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.metamodel.EventChainMetamodel;
 import dev.eventchain.agents.AgentResult;
 import dev.eventchain.agents.ConstrainAgent;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
 import dev.eventchain.modeler.Modeled;
@@ -43,7 +43,7 @@ final class ConstrainStage implements StageWork {
     AgentResult constrained =
         new ConstrainAgent(run.models().agent(Stage.CONSTRAIN))
             .constrain(
-                XmiStore.eventchainEcore(),
+                EventChainMetamodel.text(),
                 List.of(EventchainPackage.eINSTANCE),
                 rules.get(),
                 List.of(chain(run)));

@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.metamodel.EventChainMetamodel;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -67,7 +68,7 @@ public final class Diagrams {
   private Diagrams(List<Path> ecores, Map<String, Path> map, List<Path> models) {
     List<Path> files = Stream.concat(models.stream(), ecores.stream()).toList();
     XmiStore store =
-        new XmiStore(files.stream().map(f -> f.resolveSibling("")).distinct().toList(), map);
+        EventChainMetamodel.store(files.stream().map(f -> f.resolveSibling("")).distinct().toList(), map);
     ecores.forEach(ecore -> metamodels.addAll(store.loadMetamodel(ecore)));
     for (LoadedModel model : store.loadAll(models)) {
       roots.addAll(model.roots());

@@ -1,10 +1,10 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.metamodel.EventChainMetamodel;
 import dev.eventchain.messages.FieldType;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.messages.MessageType;
 import dev.eventchain.messages.RosNames;
-import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import java.lang.reflect.Array;
@@ -37,7 +37,7 @@ final class MessageModel {
 
   /** The metamodel. */
   static EPackage metamodel() {
-    return XmiStore.messagesMetamodel();
+    return EventChainMetamodel.messages();
   }
 
   /**
@@ -83,7 +83,7 @@ final class MessageModel {
         .ifPresentOrElse(
             message -> set(added, "message", add(message)),
             () -> set(added, "primitive", type.kind().name().toLowerCase(Locale.ROOT)));
-    EEnum shapes = (EEnum) XmiStore.messagesMetamodel().getEClassifier("FieldShape");
+    EEnum shapes = (EEnum) EventChainMetamodel.messages().getEClassifier("FieldShape");
     set(added, "shape", shapes.getEEnumLiteral(type.shape().name()).getInstance());
     set(added, "size", type.size());
     set(added, "stringBound", type.stringBound());
@@ -125,7 +125,7 @@ final class MessageModel {
   }
 
   private static EObject create(String name) {
-    return EcoreUtil.create((EClass) XmiStore.messagesMetamodel().getEClassifier(name));
+    return EcoreUtil.create((EClass) EventChainMetamodel.messages().getEClassifier(name));
   }
 
   private static void set(EObject object, String feature, Object value) {

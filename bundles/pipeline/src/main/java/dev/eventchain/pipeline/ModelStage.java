@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.metamodel.EventChainMetamodel;
 import dev.eventchain.agents.AgentResult;
 import dev.eventchain.agents.ModelAgent;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -60,13 +61,13 @@ final class ModelStage implements StageWork {
     AgentResult answered =
         new ModelAgent(run.models().agent(Stage.MODEL))
             .model(
-                XmiStore.eventchainEcore(),
+                EventChainMetamodel.text(),
                 description,
                 run.project().configuration().name(),
                 run.requirements(),
                 run.softwareBase());
     EventChain chain = instance(answered.text());
-    EventChainReader.addBudgets(chain, direct, run.softwareBase());
+    run.softwareBase().addBudgets(chain, direct);
     ChainModel.complete(chain, run.project().configuration().settings(), run.softwareBase());
     run.write(FILE, XmiStore.toBytes(chain));
     return new StageResult(

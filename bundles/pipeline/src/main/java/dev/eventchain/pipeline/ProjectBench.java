@@ -1,10 +1,10 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.metamodel.EventChainMetamodel;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.metamodel.LoadedModel;
-import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.modeler.SoftwareBase;
 import dev.eventchain.simulation.Bench;
@@ -50,7 +50,7 @@ public record ProjectBench(String text, List<Diagnostic> diagnostics) {
     if (file.isEmpty()) {
       return new ProjectBench(bench.listing(Optional.empty()), found);
     }
-    LoadedModel model = new XmiStore(file.get().resolveSibling("")).load(file.get());
+    LoadedModel model = EventChainMetamodel.store(file.get().resolveSibling("")).load(file.get());
     EventChain chain = ChainModel.chainOf(model, file.get());
     found.addAll(bench.check(chain, model.origins()::locate));
     return new ProjectBench(bench.listing(Optional.of(chain)), found);

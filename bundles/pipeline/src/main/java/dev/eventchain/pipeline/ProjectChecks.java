@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.metamodel.WrittenRequirement;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
@@ -26,14 +27,14 @@ final class ProjectChecks {
     return run.snapshots()
         .of(
             "constraints",
-            Constraints.files(run.project(), output),
+            run.project().constraintFiles(output),
             () -> Constraints.of(run.project(), output, run.options().timeLimit()));
   }
 
   /** The checks of a project, whose software base knows the vehicle and its messages. */
   static ChainChecks of(RunContext run) {
     Constraints constraints = constraints(run);
-    List<Requirements.Item> rules = run.designRules().map(Requirements::items).orElse(List.of());
+    List<WrittenRequirement> rules = run.designRules().map(Requirements::items).orElse(List.of());
     Path output = run.options().output();
     return of(run, constraints, ChainChecks.unchecked(run.project(), constraints, rules, output));
   }
@@ -56,7 +57,7 @@ final class ProjectChecks {
 
   /** The files that the checks of a project depend on, besides the chain's. */
   static List<Path> files(RunContext run) {
-    List<Path> files = new ArrayList<>(Constraints.files(run.project(), run.options().output()));
+    List<Path> files = new ArrayList<>(run.project().constraintFiles(run.options().output()));
     files.add(run.project().designRulesFile());
     files.add(run.project().requirements());
     files.addAll(run.project().softwareBaseFiles());

@@ -1,10 +1,10 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.metamodel.WrittenRequirement;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.modeler.Requirements;
 import dev.eventchain.simulation.Scenario;
 import dev.eventchain.validation.ProjectFolder;
 import java.util.ArrayList;
@@ -28,7 +28,7 @@ final class ProjectScenarios {
   static List<Diagnostic> check(RunContext run) {
     List<Scenario> scenarios =
         Scenario.readFolder(run.project().scenarios(), run.bench(), warning -> {});
-    List<String> known = requirements(run).stream().map(Requirements.Item::id).toList();
+    List<String> known = requirements(run).stream().map(WrittenRequirement::id).toList();
     List<Diagnostic> found = new ArrayList<>();
     if (known.isEmpty()) {
       return found;
@@ -64,7 +64,7 @@ final class ProjectScenarios {
   }
 
   /** The requirements, where the project has written any. */
-  static List<Requirements.Item> requirements(RunContext run) {
+  static List<WrittenRequirement> requirements(RunContext run) {
     return ProjectFolder.isAbsent(run.project().requirements())
         ? List.of()
         : run.requirements().items();

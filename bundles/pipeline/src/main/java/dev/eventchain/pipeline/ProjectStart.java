@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.metamodel.WrittenRequirement;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -225,7 +226,7 @@ public final class ProjectStart {
         accept:
           no_impact: true
         """
-        .formatted(requirements.items().stream().map(Requirements.Item::id).toList());
+        .formatted(requirements.items().stream().map(WrittenRequirement::id).toList());
   }
 
   /** What the folder has; no components are an empty list of them. */

@@ -1,8 +1,8 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.metamodel.EventChainMetamodel;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.metamodel.LoadedModel;
-import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.modeler.EventChainWriter;
 import dev.eventchain.validation.ChainModel;
 import java.nio.file.Files;
@@ -30,7 +30,7 @@ record ReferenceChain(String name, String description) {
   static Optional<ReferenceChain> of(Project project, Path output) {
     Optional<Path> edited = project.editedModel();
     if (edited.isPresent()) {
-      LoadedModel loaded = new XmiStore(project.folder()).loadAll(List.of(edited.get())).get(0);
+      LoadedModel loaded = EventChainMetamodel.store(project.folder()).loadAll(List.of(edited.get())).get(0);
       String description = EventChainWriter.write(ChainModel.chainOf(loaded, edited.get()));
       return Optional.of(new ReferenceChain("model/chain.xmi", description));
     }

@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.metamodel.WrittenRequirement;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Suppressions;
@@ -9,7 +10,6 @@ import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.Requirement;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
-import dev.eventchain.modeler.Requirements;
 import dev.eventchain.simulation.Bench;
 import dev.eventchain.simulation.Scenario;
 import java.util.ArrayDeque;
@@ -48,7 +48,7 @@ final class RequirementCoverage {
             .flatMap(scenario -> scenario.requirements().stream())
             .collect(Collectors.toSet());
     List<Diagnostic> found = new ArrayList<>();
-    for (Requirements.Item item : ProjectScenarios.requirements(run)) {
+    for (WrittenRequirement item : ProjectScenarios.requirements(run)) {
       if (!named.contains(item.id())) {
         found.add(
             untested(
@@ -96,7 +96,7 @@ final class RequirementCoverage {
         .toList();
   }
 
-  private static Diagnostic untested(Requirements.Item item, String message, String hint) {
+  private static Diagnostic untested(WrittenRequirement item, String message, String hint) {
     return Diagnostic.error(UNTESTED, message, item.location())
         .withRule(item.id())
         .withHint(hint + ", or suppress this finding with a reason and an expiry date.");
@@ -133,8 +133,8 @@ final class RequirementCoverage {
     }
   }
 
-  private void findIndependent(List<Requirements.Item> requirements, Map<String, String> unproven) {
-    for (Requirements.Item item : requirements) {
+  private void findIndependent(List<WrittenRequirement> requirements, Map<String, String> unproven) {
+    for (WrittenRequirement item : requirements) {
       List<SoftwareNode> satisfying =
           chain.getSoftware().stream()
               .filter(

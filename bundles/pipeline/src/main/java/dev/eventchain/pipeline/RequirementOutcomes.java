@@ -1,9 +1,9 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.metamodel.WrittenRequirement;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
-import dev.eventchain.modeler.Requirements;
 import dev.eventchain.simulation.ScenarioVerdict;
 import java.util.ArrayList;
 import java.util.List;
@@ -37,12 +37,12 @@ final class RequirementOutcomes {
    * @param evidence what the measured model says of their constraints
    */
   static ArrayNode of(
-      List<Requirements.Item> requirements,
+      List<WrittenRequirement> requirements,
       List<ScenarioVerdict> verdicts,
       Set<String> unproven,
       RuleEvidence evidence) {
     ArrayNode outcomes = JsonNodeFactory.instance.arrayNode();
-    for (Requirements.Item item : requirements) {
+    for (WrittenRequirement item : requirements) {
       List<ScenarioVerdict> about =
           verdicts.stream().filter(each -> each.requirements().contains(item.id())).toList();
       boolean untested = unproven.contains(item.id()) || evidence.untestedIds().contains(item.id());

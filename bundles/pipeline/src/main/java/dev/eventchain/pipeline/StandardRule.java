@@ -1,7 +1,7 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.metamodel.EventChainMetamodel;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.rules.OclConstraint;
 import dev.eventchain.rules.OclRules;
 import dev.eventchain.validation.Constraints;
@@ -16,12 +16,12 @@ public final class StandardRule {
 
   /** The qualified names of all of them, in the order of the document. */
   public static List<String> names() {
-    return rules(XmiStore.standardConstraints()).constraintNames();
+    return rules(EventChainMetamodel.constraints()).constraintNames();
   }
 
   /** A page in Markdown about the constraint of this qualified name, if there is one. */
   public static Optional<String> page(String name) {
-    SourceText document = XmiStore.standardConstraints();
+    SourceText document = EventChainMetamodel.constraints();
     return rules(document).constraint(name).map(constraint -> page(constraint, document));
   }
 

@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.metamodel.WrittenRequirement;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
@@ -36,10 +37,10 @@ final class Traceability {
   ArrayNode table() {
     ArrayNode table = JsonNodeFactory.instance.arrayNode();
     try {
-      for (Requirements.Item item : run.requirements().items()) {
+      for (WrittenRequirement item : run.requirements().items()) {
         table.add(requirement(item));
       }
-      for (Requirements.Item item : run.designRules().map(Requirements::items).orElse(List.of())) {
+      for (WrittenRequirement item : run.designRules().map(Requirements::items).orElse(List.of())) {
         table.add(designRule(item));
       }
     } catch (DiagnosticException e) {
@@ -49,7 +50,7 @@ final class Traceability {
     return table;
   }
 
-  private ObjectNode requirement(Requirements.Item item) {
+  private ObjectNode requirement(WrittenRequirement item) {
     ObjectNode row = row(item);
     ArrayNode components = row.putArray("components");
     ArrayNode files = row.putArray("files");
@@ -80,7 +81,7 @@ final class Traceability {
     return proved(row, proofs);
   }
 
-  private ObjectNode designRule(Requirements.Item item) {
+  private ObjectNode designRule(WrittenRequirement item) {
     ObjectNode row = row(item);
     row.putArray("components");
     List<Proof> proofs = checks(item);
@@ -95,7 +96,7 @@ final class Traceability {
    * What the constraints say that stand for a requirement or design rule. The measured model is the
    * designed one with more in it: a constraint on what is only there is tested by it alone.
    */
-  private List<Proof> checks(Requirements.Item item) {
+  private List<Proof> checks(WrittenRequirement item) {
     JsonNode designed = report(Stage.VALIDATE).path("validation");
     JsonNode measured = report(Stage.SIMULATE).path("validation");
     JsonNode untested = report(Stage.SIMULATE).path("untested");
@@ -112,7 +113,7 @@ final class Traceability {
 
   private record Proof(String kind, String name, boolean tested, boolean passed) {}
 
-  private static ObjectNode row(Requirements.Item item) {
+  private static ObjectNode row(WrittenRequirement item) {
     return JsonNodeFactory.instance.objectNode().put("id", item.id()).put("text", item.text());
   }
 

@@ -30,7 +30,7 @@ final class ValidateStage implements StageWork {
         ProjectChecks.report(SourceLocation.of(run.model()).file(), outcome.constraints()));
     List<String> files = new ArrayList<>();
     files.add(SourceLocation.of(run.model()).file());
-    files.addAll(Constraints.names(run.project(), run.options().output()));
+    files.addAll(run.project().constraintNames(run.options().output()));
     return new StageResult(
         outcome.words(), List.of(), outcome.diagnostics(), report, outcome.coverage(files));
   }

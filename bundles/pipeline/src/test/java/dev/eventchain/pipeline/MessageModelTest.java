@@ -3,6 +3,7 @@ package dev.eventchain.pipeline;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.metamodel.EventChainMetamodel;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.Data;
@@ -30,7 +31,7 @@ class MessageModelTest {
 
   @Test
   void theModelOfTheTemplateCaseIsTheOneThatTheDefinitionsGive() throws IOException {
-    XmiStore store = new XmiStore(CASE.getParent());
+    XmiStore store = EventChainMetamodel.store(CASE.getParent());
     store.loadMetamodel(Path.of("../../metamodel/messages.ecore"));
     EventChain chain = (EventChain) store.load(CASE).resource().getContents().get(0);
     EventChain copy = EcoreUtil.copy(chain);

@@ -3,6 +3,7 @@ package dev.eventchain.pipeline;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.metamodel.EventChainMetamodel;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
@@ -15,7 +16,6 @@ import dev.eventchain.messages.QosSettings;
 import dev.eventchain.messages.RosNames;
 import dev.eventchain.metamodel.DataFlowIndex;
 import dev.eventchain.metamodel.PythonNames;
-import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.Data;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainFactory;
@@ -171,7 +171,7 @@ class NamesAgreeTest {
   /** The findings of the standard rules and others, with positions as elements. */
   private static List<Diagnostic> check(EventChain chain, String... others) {
     List<SourceText> documents = new ArrayList<>();
-    documents.add(XmiStore.standardConstraints());
+    documents.add(EventChainMetamodel.constraints());
     for (String other : others) {
       documents.add(SourceText.of("rule.ocl", other));
     }
@@ -208,7 +208,7 @@ class NamesAgreeTest {
     return EventChainReader.read(
             SourceText.of("chain.json", description.toString()),
             "chain",
-            Requirements.read(SourceText.of("requirements.md", "- R-1: It shall work.\n")),
+            Requirements.read(SourceText.of("requirements.md", "- R-1: It shall work.\n")).items(),
             OptionalDouble.empty())
         .diagnostics()
         .stream()

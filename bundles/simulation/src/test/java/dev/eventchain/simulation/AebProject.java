@@ -2,6 +2,7 @@ package dev.eventchain.simulation;
 
 import static dev.eventchain.diagnostics.SourceLocation.NONE;
 
+import dev.eventchain.metamodel.EventChainMetamodel;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -122,7 +123,7 @@ final class AebProject {
   }
 
   private static EventChain load() {
-    XmiStore store = new XmiStore(RESOURCES.resolve("aeb"));
+    XmiStore store = EventChainMetamodel.store(RESOURCES.resolve("aeb"));
     return (EventChain)
         store.load(RESOURCES.resolve("aeb/chain.xmi")).resource().getContents().get(0);
   }
@@ -138,7 +139,7 @@ final class AebProject {
     /** The metamodel of message definitions, which the templates name. */
     private static EPackage messages() {
       Path folder = Path.of("../../metamodel");
-      return new XmiStore(folder).loadMetamodel(folder.resolve("messages.ecore")).get(0);
+      return EventChainMetamodel.store(folder).loadMetamodel(folder.resolve("messages.ecore")).get(0);
     }
 
     private static Map<String, byte[]> filesOf(EventChain chain) {

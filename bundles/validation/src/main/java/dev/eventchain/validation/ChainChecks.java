@@ -1,5 +1,6 @@
 package dev.eventchain.validation;
 
+import dev.eventchain.metamodel.WrittenRequirement;
 import dev.eventchain.analysis.AnalysisResult;
 import dev.eventchain.analysis.ChainAnalysis;
 import dev.eventchain.diagnostics.Coverage;
@@ -9,7 +10,6 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.metamodel.EcoreChecks;
 import dev.eventchain.metamodel.eventchain.EventChain;
-import dev.eventchain.modeler.Requirements;
 import dev.eventchain.modeler.SoftwareBase;
 import dev.eventchain.rules.OclResult;
 import java.nio.file.Path;
@@ -32,14 +32,14 @@ public final class ChainChecks {
   private final Constraints constraints;
   private final ChainAnalysis analysis;
   private final SoftwareBase base;
-  private final List<Requirements.Item> requirements;
+  private final List<WrittenRequirement> requirements;
   private final List<Diagnostic> unchecked;
 
   private ChainChecks(
       Constraints constraints,
       SoftwareBase base,
       MessageCatalog messages,
-      List<Requirements.Item> requirements,
+      List<WrittenRequirement> requirements,
       List<Diagnostic> unchecked) {
     this.constraints = constraints;
     this.analysis = ChainAnalysis.of(messages, base.signals());
@@ -110,11 +110,11 @@ public final class ChainChecks {
     Attempts attempts = new Attempts();
     Optional<Constraints> constraints =
         attempts.of(() -> Constraints.of(folder, output, timeLimit));
-    Optional<List<Requirements.Item>> rules =
+    Optional<List<WrittenRequirement>> rules =
         attempts.of(() -> folder.designRules().map(ChainChecks::items).orElse(List.of()));
     Optional<SoftwareBase> base = attempts.of(folder::readSoftwareBase);
     Optional<MessageCatalog> messages = attempts.of(folder::readMessages);
-    Optional<List<Requirements.Item>> requirements = attempts.of(() -> requirements(folder));
+    Optional<List<WrittenRequirement>> requirements = attempts.of(() -> requirements(folder));
     attempts.refuseProblems();
     return of(
         constraints.orElseThrow(),
@@ -146,19 +146,19 @@ public final class ChainChecks {
    * @param output the folder of the project's results
    */
   public static List<Diagnostic> unchecked(
-      ProjectFolder folder, Constraints constraints, List<Requirements.Item> rules, Path output) {
+      ProjectFolder folder, Constraints constraints, List<WrittenRequirement> rules, Path output) {
     List<Diagnostic> found =
         new ArrayList<>(constraints.uncovered(rules, more -> folder.command(output, more)));
     found.addAll(ProjectFileNames.unreadConstraints(folder, output));
     return found;
   }
 
-  private static List<Requirements.Item> requirements(ProjectFolder folder) {
+  private static List<WrittenRequirement> requirements(ProjectFolder folder) {
     Path file = folder.requirements();
     return ProjectFolder.isAbsent(file) ? List.of() : items(file);
   }
 
-  private static List<Requirements.Item> items(Path file) {
+  private static List<WrittenRequirement> items(Path file) {
     return ProjectFolder.readRules(file).items();
   }
 
@@ -172,7 +172,7 @@ public final class ChainChecks {
       Constraints constraints,
       SoftwareBase base,
       MessageCatalog messages,
-      List<Requirements.Item> requirements,
+      List<WrittenRequirement> requirements,
       List<Diagnostic> unchecked) {
     return new ChainChecks(constraints, base, messages, requirements, unchecked);
   }

@@ -1,5 +1,6 @@
 package dev.eventchain.validation;
 
+import dev.eventchain.metamodel.EventChainMetamodel;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -69,7 +70,7 @@ public final class ChainModel {
    */
   public static ChainModel read(ProjectFolder folder, Path output, Path file, Duration timeLimit) {
     Path root = file.startsWith(output) ? output : folder.folder();
-    List<LoadedModel> all = XmiStore.withReferred(new XmiStore(root).loadAll(List.of(file)));
+    List<LoadedModel> all = XmiStore.withReferred(EventChainMetamodel.store(root).loadAll(List.of(file)));
     LoadedModel loaded = all.get(0);
     return new ChainModel(
         chainOf(loaded, file),
@@ -150,8 +151,8 @@ public final class ChainModel {
       Path description, ProjectSettings settings, Requirements requirements, SoftwareBase base) {
     Modeled<EventChain> direct =
         EventChainReader.read(
-            SourceText.read(description), settings.name(), requirements, OptionalDouble.empty());
-    EventChainReader.addBudgets(direct.root(), direct.root(), base);
+            SourceText.read(description), settings.name(), requirements.items(), OptionalDouble.empty());
+    base.addBudgets(direct.root(), direct.root());
     complete(direct.root(), settings, base);
     return direct;
   }
@@ -163,7 +164,7 @@ public final class ChainModel {
         node.setFrequency(settings.frequency());
       }
     }
-    EventChainReader.markExisting(chain, base);
+    base.markExisting(chain);
   }
 
   private static String path(EObject element) {

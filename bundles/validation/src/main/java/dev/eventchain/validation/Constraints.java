@@ -1,12 +1,12 @@
 package dev.eventchain.validation;
 
+import dev.eventchain.metamodel.WrittenRequirement;
+import dev.eventchain.metamodel.EventChainMetamodel;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
-import dev.eventchain.modeler.Requirements;
 import dev.eventchain.rules.OclConstraint;
 import dev.eventchain.rules.OclResult;
 import dev.eventchain.rules.OclRules;
@@ -56,26 +56,14 @@ public final class Constraints {
 
   /** The standard constraints alone, for chains that are in no project. */
   static Constraints standard(Duration timeLimit) {
-    return new Constraints(parse(List.of(XmiStore.standardConstraints())), timeLimit, false);
+    return new Constraints(parse(List.of(EventChainMetamodel.constraints())), timeLimit, false);
   }
 
   private static List<SourceText> written(ProjectFolder folder) {
     List<SourceText> documents = new ArrayList<>();
-    documents.add(XmiStore.standardConstraints());
+    documents.add(EventChainMetamodel.constraints());
     folder.ownConstraints().forEach(file -> documents.add(SourceText.read(file)));
     return documents;
-  }
-
-  /** The files that hold the constraints, but for the standard ones. */
-  public static List<Path> files(ProjectFolder folder, Path output) {
-    List<Path> files = new ArrayList<>(folder.ownConstraints());
-    folder.generated(output).ifPresent(files::add);
-    return files;
-  }
-
-  /** As {@link #files}, for people. */
-  public static List<String> names(ProjectFolder folder, Path output) {
-    return files(folder, output).stream().map(file -> SourceLocation.of(file).file()).toList();
   }
 
   /** The constraints of documents about event chains. */
@@ -107,7 +95,7 @@ public final class Constraints {
    * @param items the design rules
    * @param command the command that runs the project, with what follows it
    */
-  List<Diagnostic> uncovered(List<Requirements.Item> items, UnaryOperator<String> command) {
+  List<Diagnostic> uncovered(List<WrittenRequirement> items, UnaryOperator<String> command) {
     return items.stream()
         .filter(item -> standingFor(item.id()).isEmpty())
         .map(

@@ -1,5 +1,6 @@
 package dev.eventchain.validation;
 
+import dev.eventchain.metamodel.EventChainMetamodel;
 import dev.eventchain.analysis.AnalysisResult;
 import dev.eventchain.analysis.ChainAnalysis;
 import dev.eventchain.diagnostics.Coverage;
@@ -42,7 +43,7 @@ public final class ModelValidation {
 
   private ModelValidation(
       List<Path> metamodels, Map<String, Path> map, List<Path> models, Duration timeLimit) {
-    store = new XmiStore(folders(metamodels, models), map);
+    store = EventChainMetamodel.store(folders(metamodels, models), map);
     for (Path metamodel : metamodels) {
       SourceLocation place = SourceLocation.of(metamodel);
       packages.addAll(DiagnosticException.at(place, () -> store.loadMetamodel(metamodel)));
@@ -115,7 +116,7 @@ public final class ModelValidation {
     ModelValidation any = read(metamodels, map, models, timeLimit);
     List<SourceText> documents = new ArrayList<>();
     if (metamodels.isEmpty()) {
-      documents.add(XmiStore.standardConstraints());
+      documents.add(EventChainMetamodel.constraints());
     }
     List<Path> rulesIn = OclRules.files(constraints);
     rulesIn.forEach(file -> documents.add(SourceText.read(file)));

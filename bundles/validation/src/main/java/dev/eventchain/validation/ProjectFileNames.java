@@ -101,7 +101,7 @@ final class ProjectFileNames {
    */
   static List<Diagnostic> unreadConstraints(ProjectFolder project, Path output) {
     Set<Path> known =
-        Constraints.files(project, output).stream()
+        project.constraintFiles(output).stream()
             .map(ProjectFileNames::identity)
             .collect(Collectors.toSet());
     return entries(project.folder()).stream()

@@ -15,6 +15,7 @@ import java.nio.file.Files;
 import java.nio.file.LinkOption;
 import java.nio.file.NotDirectoryException;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.stream.Stream;
@@ -155,6 +156,22 @@ public class ProjectFolder {
   /** The constraints that an earlier run has generated, when there are any. */
   public final Optional<Path> generated(Path output) {
     return Optional.of(output.resolve(GENERATED)).filter(file -> !isAbsent(file));
+  }
+
+  /**
+   * The files that hold the project's constraints, but for the standard ones.
+   *
+   * @param output the folder of the project's results, which may hold generated constraints
+   */
+  public final List<Path> constraintFiles(Path output) {
+    List<Path> files = new ArrayList<>(ownConstraints());
+    generated(output).ifPresent(files::add);
+    return files;
+  }
+
+  /** As {@link #constraintFiles}, for people. */
+  public final List<String> constraintNames(Path output) {
+    return constraintFiles(output).stream().map(file -> SourceLocation.of(file).file()).toList();
   }
 
   /** Folders that hold {@code <package>/msg/*.msg}. */

@@ -61,7 +61,7 @@ public final class ProjectValidation {
     Optional<ChainModel> model =
         file.flatMap(each -> attempts.of(() -> ChainModel.read(folder, output, each, timeLimit)));
     Optional<ChainChecks> checks = attempts.of(this::checks);
-    Optional<List<String>> files = attempts.of(() -> Constraints.names(folder, output));
+    Optional<List<String>> files = attempts.of(() -> folder.constraintNames(output));
     List<Diagnostic> found = new ArrayList<>(attempts.problems());
     if (file.isEmpty()) {
       found.add(missing());
@@ -93,7 +93,7 @@ public final class ProjectValidation {
 
   /** The content of what the checks are made of, and which files there are besides. */
   private String stateOfFiles() {
-    List<Path> files = new ArrayList<>(Constraints.files(folder, output));
+    List<Path> files = new ArrayList<>(folder.constraintFiles(output));
     files.add(folder.designRulesFile());
     files.add(folder.requirements());
     files.addAll(folder.softwareBaseFiles());

@@ -1,12 +1,12 @@
 package dev.eventchain.validation;
 
+import dev.eventchain.metamodel.WrittenRequirement;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.EventchainPackage.Literals;
 import dev.eventchain.metamodel.eventchain.Requirement;
-import dev.eventchain.modeler.Requirements;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -29,12 +29,12 @@ final class RequirementTrace {
    * @return {@code project.requirement.unknown}, {@code project.requirement.changed}
    */
   static List<Diagnostic> check(
-      List<Requirements.Item> written,
+      List<WrittenRequirement> written,
       EventChain chain,
       BiFunction<EObject, EStructuralFeature, SourceLocation> locator) {
     Map<String, String> texts =
         written.stream()
-            .collect(Collectors.toMap(Requirements.Item::id, Requirements.Item::text, (a, b) -> a));
+            .collect(Collectors.toMap(WrittenRequirement::id, WrittenRequirement::text, (a, b) -> a));
     List<Diagnostic> found = new ArrayList<>();
     if (written.isEmpty()) {
       return found;

@@ -1,7 +1,7 @@
 package dev.eventchain.benchmarks;
 
+import dev.eventchain.metamodel.EventChainMetamodel;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.python.PythonEnvironment;
 import dev.eventchain.simulation.Bench;
@@ -114,7 +114,7 @@ public final class LockstepBenchmark {
     Path generated = out.resolve("ros2/aeb");
     return SimulationRequest.of(
         (EventChain)
-            new XmiStore(out).load(out.resolve("chain.xmi")).resource().getContents().get(0),
+            EventChainMetamodel.store(out).load(out.resolve("chain.xmi")).resource().getContents().get(0),
         generated,
         NodeManifest.read(SourceText.read(generated.resolve(NodeManifest.FILE))),
         List.of(project.resolve("software-base/msg")),

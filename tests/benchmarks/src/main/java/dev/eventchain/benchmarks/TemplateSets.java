@@ -1,8 +1,8 @@
 package dev.eventchain.benchmarks;
 
+import dev.eventchain.metamodel.EventChainMetamodel;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.m2t.TemplateModule;
-import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
 import dev.eventchain.templates.ShippedTemplates;
 import java.util.List;
@@ -17,6 +17,6 @@ final class TemplateSets {
     return TemplateModule.compile(
         main,
         ShippedTemplates.modules(set),
-        List.of(EventchainPackage.eINSTANCE, XmiStore.messagesMetamodel()));
+        List.of(EventchainPackage.eINSTANCE, EventChainMetamodel.messages()));
   }
 }

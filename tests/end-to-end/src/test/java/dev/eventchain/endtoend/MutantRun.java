@@ -1,9 +1,9 @@
 package dev.eventchain.endtoend;
 
+import dev.eventchain.metamodel.EventChainMetamodel;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.messages.MessageCatalog;
-import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.ComponentOrigin;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import dev.eventchain.metamodel.eventchain.SoftwareNode;
@@ -59,7 +59,7 @@ final class MutantRun {
     this.generated = manifest(out.resolve("ros2")).getParent();
     this.chain =
         (EventChain)
-            new XmiStore(out).load(out.resolve("chain.xmi")).resource().getContents().get(0);
+            EventChainMetamodel.store(out).load(out.resolve("chain.xmi")).resource().getContents().get(0);
     this.messages = List.of(project.resolve("software-base/msg"));
     this.bench =
         Bench.read(

@@ -38,7 +38,7 @@ public record ChainImport(byte[] model, List<Diagnostic> diagnostics) {
             ? Requirements.read(SourceText.read(requirements))
             : new Requirements(List.of(), List.of());
     Modeled<EventChain> read =
-        EventChainReader.read(SourceText.read(description), name, written, frequency);
+        EventChainReader.read(SourceText.read(description), name, written.items(), frequency);
     if (Diagnostic.anyError(read.diagnostics())) {
       throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, read.diagnostics());
     }

@@ -1,5 +1,6 @@
 package dev.eventchain.eclipse;
 
+import dev.eventchain.metamodel.EventChainMetamodel;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
@@ -23,7 +24,7 @@ final class Metamodels {
   static List<EPackage> of(List<Path> ecores) {
     List<EPackage> packages = new ArrayList<>();
     load(ecores, (file, loaded) -> packages.addAll(loaded));
-    for (EPackage ours : List.of(EventchainPackage.eINSTANCE, XmiStore.messagesMetamodel())) {
+    for (EPackage ours : List.of(EventchainPackage.eINSTANCE, EventChainMetamodel.messages())) {
       if (packages.stream().noneMatch(each -> ours.getNsURI().equals(each.getNsURI()))) {
         packages.add(ours);
       }
@@ -55,7 +56,7 @@ final class Metamodels {
   private static XmiStore load(
       List<Path> places, List<Path> ecores, BiConsumer<Path, List<EPackage>> sound) {
     List<Path> folders = places.stream().map(Path::getParent).distinct().toList();
-    XmiStore store = new XmiStore(folders);
+    XmiStore store = EventChainMetamodel.store(folders);
     for (Path ecore : ecores) {
       try {
         sound.accept(ecore, store.loadMetamodel(ecore));

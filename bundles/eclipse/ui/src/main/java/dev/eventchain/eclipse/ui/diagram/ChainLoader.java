@@ -1,10 +1,10 @@
 package dev.eventchain.eclipse.ui.diagram;
 
+import dev.eventchain.metamodel.EventChainMetamodel;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.metamodel.LoadedModel;
 import dev.eventchain.metamodel.Origins;
-import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
@@ -67,7 +67,7 @@ final class ChainLoader extends Job {
       return failed(file, file.getFullPath() + " is not in a folder on this machine.");
     }
     try {
-      LoadedModel model = new XmiStore(folders(file)).load(place.toFile().toPath());
+      LoadedModel model = EventChainMetamodel.store(folders(file)).load(place.toFile().toPath());
       return model.roots().stream()
           .filter(EventChain.class::isInstance)
           .findFirst()

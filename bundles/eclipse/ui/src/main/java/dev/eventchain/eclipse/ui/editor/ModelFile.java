@@ -1,9 +1,9 @@
 package dev.eventchain.eclipse.ui.editor;
 
+import dev.eventchain.metamodel.EventChainMetamodel;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.metamodel.LoadedModel;
-import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventChain;
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
@@ -73,7 +73,7 @@ final class ModelFile {
     }
     known = bytes().orElse(new byte[0]);
     try {
-      LoadedModel model = new XmiStore(project.toPath()).load(location.toPath());
+      LoadedModel model = EventChainMetamodel.store(project.toPath()).load(location.toPath());
       return model.roots().stream()
           .filter(EventChain.class::isInstance)
           .findFirst()

@@ -1,5 +1,6 @@
 package dev.eventchain.eclipse.ui.fixes;
 
+import dev.eventchain.metamodel.WrittenRequirement;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.eclipse.EventchainFolders;
 import dev.eventchain.metamodel.eventchain.Data;
@@ -67,7 +68,7 @@ enum ElementFix {
           written.stream()
               .flatMap(path -> Requirements.read(SourceText.read(path)).items().stream())
               .filter(item -> item.id().equals(requirement.getId()))
-              .map(Requirements.Item::text)
+              .map(WrittenRequirement::text)
               .findFirst();
       text.ifPresent(requirement::setText);
       return text.isPresent();

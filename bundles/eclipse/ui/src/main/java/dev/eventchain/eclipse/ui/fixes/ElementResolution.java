@@ -1,5 +1,6 @@
 package dev.eventchain.eclipse.ui.fixes;
 
+import dev.eventchain.metamodel.EventChainMetamodel;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.eclipse.FindingMarker;
@@ -36,7 +37,7 @@ record ElementResolution(ElementFix fix) implements IMarkerResolution {
   private Optional<String> changed(IFile file, String path, int line) throws CoreException {
     try {
       Path location = file.getLocation().toPath();
-      LoadedModel model = new XmiStore(location.getParent()).load(location);
+      LoadedModel model = EventChainMetamodel.store(location.getParent()).load(location);
       Optional<EObject> element = find(model, path, line);
       return element.isPresent() && fix.apply(element.get(), file)
           ? Optional.of(new String(XmiStore.toBytes(model.roots()), StandardCharsets.UTF_8))

@@ -1,5 +1,6 @@
 package dev.eventchain.eclipse.ui.text;
 
+import dev.eventchain.metamodel.EventChainMetamodel;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.metamodel.XmiStore;
 import dev.eventchain.metamodel.eventchain.EventchainPackage;
@@ -33,7 +34,7 @@ final class Vocabulary {
     List<EPackage> packages = new ArrayList<>(List.of(EventchainPackage.eINSTANCE));
     if (file != null) {
       List<Path> found = metamodels(file.getProject());
-      XmiStore store = new XmiStore(found.stream().map(Path::getParent).distinct().toList());
+      XmiStore store = EventChainMetamodel.store(found.stream().map(Path::getParent).distinct().toList());
       for (Path path : found) {
         try {
           packages.addAll(store.loadMetamodel(path));
