@@ -2,10 +2,10 @@ package dev.eventchain.agents;
 
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.description.EventChainSchema;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.JsonLayout;
-import dev.eventchain.modeler.EventChainSchema;
-import dev.eventchain.modeler.JsonDocument;
+import dev.eventchain.jsonmodels.JsonDocument;
 import java.util.Set;
 
 /**

@@ -1,10 +1,10 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.metamodel.WrittenRequirement;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.documents.Document;
-import dev.eventchain.modeler.Requirements;
-import dev.eventchain.modeler.SoftwareBase;
+import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.project.Requirements;
+import dev.eventchain.project.SoftwareBase;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;

@@ -1,10 +1,10 @@
 package dev.eventchain.agents;
 
 import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.description.EventChainSchema;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.modeler.EventChainSchema;
-import dev.eventchain.modeler.JsonDocument;
-import dev.eventchain.python.ComponentSignature;
+import dev.eventchain.jsonmodels.JsonDocument;
+import dev.eventchain.sandbox.ComponentSignature;
 import java.util.ArrayList;
 import java.util.List;
 

@@ -1,6 +1,5 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.metamodel.WrittenRequirement;
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.agents.ChainView.Component;
 import dev.eventchain.agents.ComponentTests.Case;
@@ -10,7 +9,8 @@ import dev.eventchain.agents.RequirementThresholds.Threshold;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.modeler.Requirements;
+import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.project.Requirements;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;

@@ -1,7 +1,7 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.metamodel.WrittenRequirement;
-import dev.eventchain.modeler.Requirements;
+import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.project.Requirements;
 import java.util.Collection;
 import java.util.List;
 import java.util.Map;

@@ -1,10 +1,10 @@
 package dev.eventchain.agents;
 
+import dev.eventchain.constraints.OclConstraint;
+import dev.eventchain.constraints.OclRules;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.ocl.DeepStack;
-import dev.eventchain.rules.OclConstraint;
-import dev.eventchain.rules.OclRules;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;

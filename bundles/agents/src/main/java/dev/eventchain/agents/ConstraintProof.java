@@ -1,8 +1,8 @@
 package dev.eventchain.agents;
 
+import dev.eventchain.constraints.OclConstraint;
+import dev.eventchain.constraints.OclConstraint.Verdict;
 import dev.eventchain.ocl.TimeBudget;
-import dev.eventchain.rules.OclConstraint;
-import dev.eventchain.rules.OclConstraint.Verdict;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;

@@ -1,17 +1,17 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.analysis.ChainAnalysis;
+import dev.eventchain.contracts.ChainAnalysis;
+import dev.eventchain.description.EventChainReader;
+import dev.eventchain.description.EventChainSchema;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
+import dev.eventchain.jsonmodels.JsonDocument;
+import dev.eventchain.jsonmodels.Modeled;
 import dev.eventchain.messages.MessageCatalog;
-import dev.eventchain.metamodel.eventchain.EventChain;
-import dev.eventchain.modeler.EventChainReader;
-import dev.eventchain.modeler.EventChainSchema;
-import dev.eventchain.modeler.JsonDocument;
-import dev.eventchain.modeler.Modeled;
-import dev.eventchain.modeler.Requirements;
-import dev.eventchain.modeler.SoftwareBase;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.project.Requirements;
+import dev.eventchain.project.SoftwareBase;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;

@@ -1,18 +1,18 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.metamodel.WrittenRequirement;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.description.EventChainSchema;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.JsonLayout;
+import dev.eventchain.jsonmodels.JsonDocument;
 import dev.eventchain.llm.AnswerSchema;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.messages.RosNames;
-import dev.eventchain.metamodel.Signal;
-import dev.eventchain.modeler.EventChainSchema;
-import dev.eventchain.modeler.JsonDocument;
-import dev.eventchain.modeler.Requirements;
-import dev.eventchain.modeler.SoftwareBase;
+import dev.eventchain.model.Signal;
+import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.project.Requirements;
+import dev.eventchain.project.SoftwareBase;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Set;

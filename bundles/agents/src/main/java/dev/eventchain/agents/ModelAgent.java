@@ -1,15 +1,15 @@
 package dev.eventchain.agents;
 
+import dev.eventchain.description.EventChainReader;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.metamodel.eventchain.EventChain;
-import dev.eventchain.metamodel.eventchain.EventchainPackage;
-import dev.eventchain.modeler.EventChainReader;
-import dev.eventchain.modeler.InstanceModeler;
-import dev.eventchain.modeler.ModelComparison;
-import dev.eventchain.modeler.Modeled;
-import dev.eventchain.modeler.Requirements;
-import dev.eventchain.modeler.SoftwareBase;
+import dev.eventchain.jsonmodels.InstanceModeler;
+import dev.eventchain.jsonmodels.ModelComparison;
+import dev.eventchain.jsonmodels.Modeled;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.EventchainPackage;
+import dev.eventchain.project.Requirements;
+import dev.eventchain.project.SoftwareBase;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -57,7 +57,8 @@ public final class ModelAgent {
       SoftwareBase base) {
     SourceText description = SourceText.of(chain.name(), Budgets.without(chain));
     EventChain direct =
-        EventChainReader.read(description, name, requirements.items(), OptionalDouble.empty()).root();
+        EventChainReader.read(description, name, requirements.items(), OptionalDouble.empty())
+            .root();
     base.markExisting(direct);
     Map<String, String> values =
         Map.ofEntries(

@@ -1,7 +1,7 @@
 package dev.eventchain.agents;
 
+import dev.eventchain.constraints.OclConstraint;
 import dev.eventchain.ocl.Expression.Navigation;
-import dev.eventchain.rules.OclConstraint;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;

@@ -1,8 +1,8 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.metamodel.eventchain.Data;
-import dev.eventchain.metamodel.eventchain.EventChain;
-import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import dev.eventchain.model.eventchain.Data;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.SoftwareNode;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;

@@ -1,12 +1,12 @@
 package dev.eventchain.agents;
 
+import dev.eventchain.jsonmodels.MetamodelSchema;
 import dev.eventchain.llm.AnswerSchema;
-import dev.eventchain.metamodel.eventchain.EventChain;
-import dev.eventchain.metamodel.eventchain.EventchainPackage;
-import dev.eventchain.metamodel.eventchain.EventchainPackage.Literals;
-import dev.eventchain.metamodel.eventchain.Requirement;
-import dev.eventchain.metamodel.eventchain.SoftwareNode;
-import dev.eventchain.modeler.MetamodelSchema;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.EventchainPackage;
+import dev.eventchain.model.eventchain.EventchainPackage.Literals;
+import dev.eventchain.model.eventchain.Requirement;
+import dev.eventchain.model.eventchain.SoftwareNode;
 import java.util.List;
 import org.eclipse.emf.ecore.EStructuralFeature;
 

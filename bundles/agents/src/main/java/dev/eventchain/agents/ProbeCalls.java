@@ -1,7 +1,7 @@
 package dev.eventchain.agents;
 
 import dev.eventchain.agents.ChainView.Value;
-import dev.eventchain.python.ComponentCall;
+import dev.eventchain.sandbox.ComponentCall;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;

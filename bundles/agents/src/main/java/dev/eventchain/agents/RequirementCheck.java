@@ -1,9 +1,9 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.metamodel.WrittenRequirement;
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.agents.ChainView.Component;
-import dev.eventchain.modeler.Requirements;
+import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.project.Requirements;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;

@@ -1,9 +1,9 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.metamodel.WrittenRequirement;
 import dev.eventchain.agents.ChainView.Component;
 import dev.eventchain.agents.ChainView.Value;
 import dev.eventchain.messages.Unit;
+import dev.eventchain.model.WrittenRequirement;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -28,7 +28,8 @@ final class RequirementThresholds {
   private static final Pattern WORDS =
       Pattern.compile(
           QUANTITY
-              + "(below|under|less than|lower than|above|over|more than|greater than|at least|at most)\\s+"
+              + "(below|under|less than|lower than|above|over|more than|greater than|at least|at"
+              + " most)\\s+"
               + NUMBER
               + UNIT);
   private static final Pattern OR_MORE =

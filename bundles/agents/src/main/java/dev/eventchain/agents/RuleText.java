@@ -1,6 +1,6 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.metamodel.WrittenRequirement;
+import dev.eventchain.model.WrittenRequirement;
 import java.math.BigDecimal;
 import java.util.List;
 import java.util.stream.Collectors;

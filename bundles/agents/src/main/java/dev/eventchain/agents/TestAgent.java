@@ -5,7 +5,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.DocumentFormat;
 import dev.eventchain.documents.JsonLayout;
-import dev.eventchain.modeler.Requirements;
+import dev.eventchain.project.Requirements;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;

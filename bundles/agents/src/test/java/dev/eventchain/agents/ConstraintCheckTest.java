@@ -1,11 +1,11 @@
 package dev.eventchain.agents;
 
+import dev.eventchain.description.EventChainReader;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.fixtures.ExpectedFile;
-import dev.eventchain.metamodel.eventchain.EventChain;
-import dev.eventchain.metamodel.eventchain.EventchainPackage;
-import dev.eventchain.modeler.EventChainReader;
-import dev.eventchain.modeler.Requirements;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.EventchainPackage;
+import dev.eventchain.project.Requirements;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -39,6 +39,7 @@ class ConstraintCheckTest {
             SourceText.of("r.md", PromptTemplate.resource("model/example.requirements.md")));
     SourceText text =
         SourceText.of("chain.json", PromptTemplate.resource("model/example.chain.json"));
-    return EventChainReader.read(text, "example", requirements.items(), OptionalDouble.empty()).root();
+    return EventChainReader.read(text, "example", requirements.items(), OptionalDouble.empty())
+        .root();
   }
 }

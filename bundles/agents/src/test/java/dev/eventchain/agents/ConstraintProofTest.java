@@ -2,13 +2,13 @@ package dev.eventchain.agents;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import dev.eventchain.constraints.OclConstraint;
+import dev.eventchain.constraints.OclRules;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.metamodel.eventchain.EventChain;
-import dev.eventchain.metamodel.eventchain.EventchainFactory;
-import dev.eventchain.metamodel.eventchain.EventchainPackage;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.EventchainFactory;
+import dev.eventchain.model.eventchain.EventchainPackage;
 import dev.eventchain.ocl.TimeBudget;
-import dev.eventchain.rules.OclConstraint;
-import dev.eventchain.rules.OclRules;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;

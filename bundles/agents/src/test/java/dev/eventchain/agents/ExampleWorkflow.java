@@ -1,17 +1,17 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.metamodel.EventChainMetamodel;
+import dev.eventchain.description.EventChainReader;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.llm.ChatModel;
 import dev.eventchain.messages.MessageCatalog;
-import dev.eventchain.metamodel.eventchain.EventChain;
-import dev.eventchain.metamodel.eventchain.EventchainPackage;
-import dev.eventchain.metamodel.eventchain.SoftwareNode;
-import dev.eventchain.modeler.EventChainReader;
-import dev.eventchain.modeler.Requirements;
-import dev.eventchain.modeler.SoftwareBase;
-import dev.eventchain.python.ComponentProbe;
-import dev.eventchain.python.PythonEnvironment;
+import dev.eventchain.model.EventChainMetamodel;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.EventchainPackage;
+import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.project.Requirements;
+import dev.eventchain.project.SoftwareBase;
+import dev.eventchain.sandbox.ComponentProbe;
+import dev.eventchain.sandbox.PythonEnvironment;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -61,7 +61,8 @@ record ExampleWorkflow(String folder, String name, String title, double frequenc
     results.put("chain.json", design);
     SourceText description = SourceText.of("chain.json", design.text());
     EventChain chain =
-        EventChainReader.read(description, name, requirements.items(), OptionalDouble.of(frequency)).root();
+        EventChainReader.read(description, name, requirements.items(), OptionalDouble.of(frequency))
+            .root();
     base.markExisting(chain);
 
     ComponentProbe probe = new ComponentProbe(PythonEnvironment.ensure(message -> {}));

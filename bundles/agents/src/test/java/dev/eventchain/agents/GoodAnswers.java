@@ -1,21 +1,21 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.metamodel.WrittenRequirement;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
+import dev.eventchain.description.EventChainReader;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.jsonmodels.InstanceModeler;
+import dev.eventchain.jsonmodels.JsonDocument;
+import dev.eventchain.jsonmodels.ModelComparison;
 import dev.eventchain.messages.MessageCatalog;
-import dev.eventchain.metamodel.eventchain.EventChain;
-import dev.eventchain.metamodel.eventchain.EventchainPackage;
-import dev.eventchain.modeler.EventChainReader;
-import dev.eventchain.modeler.InstanceModeler;
-import dev.eventchain.modeler.JsonDocument;
-import dev.eventchain.modeler.ModelComparison;
-import dev.eventchain.modeler.Requirements;
-import dev.eventchain.modeler.SoftwareBase;
-import dev.eventchain.python.ComponentProbe;
+import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.EventchainPackage;
+import dev.eventchain.project.Requirements;
+import dev.eventchain.project.SoftwareBase;
+import dev.eventchain.sandbox.ComponentProbe;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -128,7 +128,8 @@ final class GoodAnswers {
   }
 
   private EventChain chain(SourceText text) {
-    return EventChainReader.read(text, example.name(), requirements.items(), OptionalDouble.empty()).root();
+    return EventChainReader.read(text, example.name(), requirements.items(), OptionalDouble.empty())
+        .root();
   }
 
   private static EObject instance(SourceText text) {

@@ -6,8 +6,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.modeler.Requirements;
-import dev.eventchain.modeler.SoftwareBase;
+import dev.eventchain.project.Requirements;
+import dev.eventchain.project.SoftwareBase;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -2,13 +2,13 @@ package dev.eventchain.agents;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import dev.eventchain.description.EventChainReader;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.fixtures.ExpectedFile;
-import dev.eventchain.metamodel.eventchain.EventChain;
-import dev.eventchain.modeler.EventChainReader;
-import dev.eventchain.modeler.Requirements;
-import dev.eventchain.modeler.SoftwareBase;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.project.Requirements;
+import dev.eventchain.project.SoftwareBase;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

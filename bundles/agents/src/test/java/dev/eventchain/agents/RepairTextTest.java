@@ -25,7 +25,17 @@ class RepairTextTest {
 
   /** The bundles whose findings may be about an answer. */
   private static final List<String> CHECKING =
-      List.of("agents", "analysis", "documents", "messages", "modeler", "ocl", "python", "rules");
+      List.of(
+          "agents",
+          "chain/contracts",
+          "chain/description",
+          "chain/project",
+          "mde/constraints",
+          "mde/documents",
+          "mde/json-models",
+          "mde/ocl",
+          "robot/messages",
+          "robot/sandbox");
 
   private static final Pattern LITERAL = Pattern.compile("\"((?:[^\"\\\\\n]++|\\\\.)*+)\"");
 

@@ -89,9 +89,9 @@ public final class SiteBuilder {
 
   /** The content of each file of the site, by its name. */
   Map<String, String> files() throws IOException {
-    String acceleo = Files.readString(root.resolve("bundles/m2t/ACCELEO.md"));
+    String acceleo = Files.readString(root.resolve("bundles/mde/m2t/ACCELEO.md"));
     pages.put("acceleo", acceleo.replace("(OPERATIONS.md)", "(operations.md)"));
-    pages.put("operations", Files.readString(root.resolve("bundles/m2t/OPERATIONS.md")));
+    pages.put("operations", Files.readString(root.resolve("bundles/mde/m2t/OPERATIONS.md")));
     pages.put("commands", ReferencePages.commands());
     pages.put("rules", ReferencePages.rules());
     for (Map.Entry<String, String> entry : NAVIGATION) {

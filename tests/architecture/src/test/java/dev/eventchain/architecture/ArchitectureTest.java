@@ -9,7 +9,6 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.core.domain.JavaClasses;
-import com.tngtech.archunit.core.domain.JavaModifier;
 import com.tngtech.archunit.core.importer.ImportOption.DoNotIncludeTests;
 import com.tngtech.archunit.junit.AnalyzeClasses;
 import com.tngtech.archunit.junit.ArchTest;
@@ -26,8 +25,6 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import java.util.stream.Collectors;
-import java.util.stream.Stream;
 
 /** The import directions of the bundles, and the habits that a machine can hold. */
 @AnalyzeClasses(packages = "dev.eventchain", importOptions = DoNotIncludeTests.class)
@@ -35,37 +32,12 @@ class ArchitectureTest {
 
   private static final String ROOT = "dev.eventchain.";
 
-  private static final Path RECORD =
-      Path.of("..", "..", "bundles", "decisions", "012-one-of-each.md");
+  private static final Path RECORD = Path.of("..", "..", "bundles", "decisions", "029-rooms.md");
+
+  private static final int TYPES_OF_A_PACKAGE = 40;
 
   /** A line of the record's table: {@code imported, bundles <- bundle}. */
   private static final Pattern IMPORTS = Pattern.compile("(?m)^ {4}([a-z0-9, ]+) <- ([a-z0-9]+)$");
-
-  /** How many types each bundle shows; a number may be lowered. */
-  private static final Map<String, Integer> PUBLIC_TYPES =
-      new TreeMap<>(
-          Map.ofEntries(
-              Map.entry("diagnostics", 14),
-              Map.entry("documents", 7),
-              Map.entry("metamodel", 8),
-              Map.entry("ocl", 14),
-              Map.entry("rules", 4),
-              Map.entry("messages", 8),
-              Map.entry("dds", 6),
-              Map.entry("python", 9),
-              Map.entry("llm", 11),
-              Map.entry("m2t", 4),
-              Map.entry("output", 3),
-              Map.entry("modeler", 10),
-              Map.entry("analysis", 2),
-              Map.entry("simulation", 11),
-              Map.entry("agents", 9),
-              Map.entry("templates", 1),
-              Map.entry("validation", 9),
-              Map.entry("pipeline", 18),
-              Map.entry("cli", 1),
-              Map.entry("documentation", 1),
-              Map.entry("maven", 6)));
 
   /** Each import that the record states exists, and no other. */
   @ArchTest
@@ -89,10 +61,6 @@ class ArchitectureTest {
     assertEquals(text(stated), text(imports));
   }
 
-  /** What is shown there is what Java starts. */
-  private static final Set<String> PROGRAMS =
-      Set.of(ROOT + "cli", ROOT + "documentation", ROOT + "maven");
-
   private static String text(SortedMap<String, Set<String>> imports) {
     StringBuilder text = new StringBuilder();
     imports.forEach(
@@ -111,11 +79,50 @@ class ArchitectureTest {
   static final ArchRule BUNDLES_HAVE_NO_CYCLES =
       slices().matching(ROOT + "(*)..").should().beFreeOfCycles();
 
+  /** EMF's generator ties what it writes into one knot. */
+  @ArchTest
+  static final ArchRule PACKAGES_HAVE_NO_CYCLES =
+      slices()
+          .matching(ROOT + "(**)")
+          .should()
+          .beFreeOfCycles()
+          .ignoreDependency(
+              resideInAPackage(ROOT + "model.eventchain.."),
+              resideInAPackage(ROOT + "model.eventchain.."));
+
+  /** What a bundle shows to others is what it exports; it exports nothing that no other uses. */
+  @ArchTest
+  static void bundlesUseWhatOthersExport(JavaClasses classes) throws IOException {
+    Set<String> used = new TreeSet<>();
+    for (JavaClass type : classes) {
+      type.getDirectDependenciesFromSelf().stream()
+          .map(dependency -> dependency.getTargetClass())
+          .filter(target -> bundleOf(target).isPresent())
+          .filter(target -> !bundleOf(target).equals(bundleOf(type)))
+          .map(JavaClass::getPackageName)
+          .forEach(used::add);
+    }
+    used.removeIf(name -> name.startsWith(ROOT + "model.eventchain"));
+    assertEquals(used, Manifests.exportedPackages());
+  }
+
+  /** A package is a room, and no hall. */
+  @ArchTest
+  static void packagesAreSmall(JavaClasses classes) {
+    SortedMap<String, Integer> sizes = new TreeMap<>();
+    classes.stream()
+        .filter(JavaClass::isTopLevelClass)
+        .filter(type -> !type.getPackageName().startsWith(ROOT + "model.eventchain"))
+        .forEach(type -> sizes.merge(type.getPackageName(), 1, Integer::sum));
+    sizes.values().removeIf(size -> size <= TYPES_OF_A_PACKAGE);
+    assertEquals(Map.of(), sizes);
+  }
+
   @ArchTest
   static final ArchRule ONLY_THE_COMMAND_LINE_PRINTS_OR_EXITS =
       noClasses()
           .that()
-          .resideOutsideOfPackages(ROOT + "cli..", ROOT + "metamodel.generator..")
+          .resideOutsideOfPackages(ROOT + "cli..", ROOT + "emfgenerator..")
           .should()
           .accessField(System.class, "out")
           .orShould()
@@ -133,10 +140,19 @@ class ArchitectureTest {
   static final ArchRule LANGUAGES_KNOW_NO_EVENT_CHAIN =
       noClasses()
           .that()
-          .resideInAnyPackage(ROOT + "ocl..", ROOT + "rules..", ROOT + "m2t..", ROOT + "output..")
+          .resideInAnyPackage(
+              ROOT + "diagnostics..",
+              ROOT + "documents..",
+              ROOT + "output..",
+              ROOT + "ocl..",
+              ROOT + "constraints..",
+              ROOT + "m2t..",
+              ROOT + "xmi..",
+              ROOT + "jsonmodels..")
           .should()
           .dependOnClassesThat()
-          .resideInAPackage(ROOT + "metamodel..");
+          .resideInAnyPackage(
+              ROOT + "model..", ROOT + "description..", ROOT + "project..", ROOT + "messages..");
 
   /** Templates are read first, then linked and run: what reads them knows nothing of that. */
   @ArchTest
@@ -164,7 +180,7 @@ class ArchitectureTest {
       com.tngtech.archunit.lang.syntax.ArchRuleDefinition.fields()
           .that()
           .areDeclaredInClassesThat()
-          .resideOutsideOfPackage(ROOT + "metamodel.eventchain..")
+          .resideOutsideOfPackage(ROOT + "model.eventchain..")
           .and()
           .areDeclaredInClassesThat() // JNA finds the fields of C's structures by reflection
           .areNotAssignableTo("com.sun.jna.Structure")
@@ -172,42 +188,4 @@ class ArchitectureTest {
           .areNotStatic()
           .should()
           .notBePublic();
-
-  /** A bundle is deep: it shows few types, and none that no other bundle needs. */
-  @ArchTest
-  static void bundlesShowNoMoreTypesThanBefore(JavaClasses classes) {
-    SortedMap<String, Integer> shown = new TreeMap<>();
-    shownTypes(classes).forEach(type -> shown.merge(bundleOf(type).orElseThrow(), 1, Integer::sum));
-    assertEquals(PUBLIC_TYPES, shown);
-  }
-
-  @ArchTest
-  static void everyTypeThatIsShownIsNeeded(JavaClasses classes) {
-    Set<String> unneeded =
-        shownTypes(classes)
-            .filter(type -> !PROGRAMS.contains(type.getPackageName()))
-            .filter(type -> !type.getSimpleName().equals("DdsEvent")) // no driver asks for it yet
-            .filter(type -> !type.getSimpleName().equals("ProjectValidation")) // editors ask for it
-            .filter(
-                type -> !type.getSimpleName().equals("ExitCode")) // its constants are compiled in
-            .filter(type -> !isNeededElsewhere(type))
-            .map(JavaClass::getName)
-            .collect(Collectors.toSet());
-    assertEquals(Set.of(), unneeded);
-  }
-
-  /** What is generated is in its own package, and is not counted. */
-  private static Stream<JavaClass> shownTypes(JavaClasses classes) {
-    return classes.stream()
-        .filter(
-            type ->
-                bundleOf(type).map(ROOT::concat).stream().anyMatch(type.getPackageName()::equals))
-        .filter(type -> type.getModifiers().contains(JavaModifier.PUBLIC))
-        .filter(JavaClass::isTopLevelClass);
-  }
-
-  private static boolean isNeededElsewhere(JavaClass type) {
-    return type.getDirectDependenciesToSelf().stream()
-        .anyMatch(dependency -> !bundleOf(dependency.getOriginClass()).equals(bundleOf(type)));
-  }
 }

@@ -1,6 +1,7 @@
 package dev.eventchain.architecture;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import java.io.IOException;
@@ -11,45 +12,43 @@ import java.util.List;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
-/** Each bundle says in a README what is in it, under its own name. */
+/** Each bundle says in a README what is in it, under its own name, and the map names each. */
 class BundleReadmesTest {
-
-  private static final Path BUNDLES = Path.of("..", "..", "bundles");
 
   @Test
   void everyBundleHasAReadme() throws IOException {
-    List<String> without;
-    try (Stream<Path> files = Files.list(BUNDLES)) {
-      without =
-          files
-              .filter(folder -> Files.isRegularFile(folder.resolve("pom.xml")))
-              .filter(folder -> !isDescribed(folder))
-              .map(folder -> folder.getFileName().toString())
-              .sorted()
-              .toList();
-    }
-    assertEquals(List.of(), without);
+    assertEquals(
+        List.of(), BundleFolders.all().stream().filter(folder -> !isDescribed(folder)).toList());
   }
 
+  /** A row of the map names a group of bundles, and says of each what it holds. */
   @Test
   void theReadmeOfTheRootNamesEveryBundle() throws IOException {
-    String readme = Files.readString(BUNDLES.resolveSibling("README.md"));
-    try (Stream<Path> files = Files.list(BUNDLES)) {
-      List<String> missing =
-          files
-              .filter(folder -> Files.exists(folder.resolve("README.md")))
-              .map(folder -> "`bundles/" + folder.getFileName() + "/`")
-              .filter(name -> !readme.contains(name))
-              .sorted()
-              .toList();
-      assertEquals(List.of(), missing);
+    String readme = Files.readString(BundleFolders.ROOT.resolve("README.md"));
+    List<String> missing =
+        BundleFolders.all().stream()
+            .map(BundleFolders::path)
+            .filter(path -> !isNamed(readme, path))
+            .toList();
+    assertEquals(List.of(), missing);
+  }
+
+  private static boolean isNamed(String readme, String path) {
+    int slash = path.lastIndexOf('/');
+    String group = "| `" + path.substring(0, slash + 1) + "` |";
+    String name = "`" + path.substring(slash + 1) + "`";
+    try (Stream<String> lines = readme.lines()) {
+      return readme.contains("`" + path + "/`")
+          || lines.anyMatch(line -> line.startsWith(group) && line.contains(name));
     }
   }
 
   @Test
   void aFolderWithoutAReadmeIsNoticed() {
-    assertTrue(isDescribed(BUNDLES.resolve("m2t")));
-    assertTrue(!isDescribed(BUNDLES.resolve("m2t").resolve("src")));
+    Path engine = BundleFolders.BUNDLES.resolve("mde/m2t");
+    assertTrue(isDescribed(engine));
+    assertFalse(isDescribed(engine.resolve("src")));
+    assertFalse(isNamed("| `bundles/mde/` | `ocl` |", "bundles/mde/m2t"));
   }
 
   private static boolean isDescribed(Path folder) {

@@ -31,7 +31,7 @@ class MarkdownCommandsTest {
 
   /** Files that speak of another program's options, too. */
   private static final Map<String, String> OTHER_PROGRAMS =
-      Map.of("bundles/ci/README.md", "bundles/ci/validate-models");
+      Map.of("bundles/front/ci/README.md", "bundles/front/ci/validate-models");
 
   private static final CommandLine PROGRAM =
       Main.commandLine().setCaseInsensitiveEnumValuesAllowed(true);
@@ -69,9 +69,9 @@ class MarkdownCommandsTest {
         "README.md",
         "CONTRIBUTING.md",
         "examples/aeb/README.md",
-        "bundles/m2t/ACCELEO.md",
+        "bundles/mde/m2t/ACCELEO.md",
         "bundles/documentation/src/site/tutorial.md",
-        "bundles/pipeline/rules/project.stage.outdated.md"
+        "bundles/run/pipeline/rules/project.stage.outdated.md"
       })
   void commandsAreFound(String file) throws IOException {
     Path path = MarkdownFiles.ROOT.resolve(file);

@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
  */
 class PluginImportsTest {
 
-  private static final Path PLUG_INS = Path.of("..", "..", "bundles", "eclipse");
+  private static final Path PLUG_INS = Path.of("..", "..", "bundles", "front", "eclipse");
   private static final String OURS = "dev.eventchain.";
 
   private static Set<String> imports(String plugIn) throws IOException {
@@ -42,20 +42,23 @@ class PluginImportsTest {
   void coreChecksWithoutStages() throws IOException {
     assertEquals(
         Set.of(
+            "check",
+            "constraints",
+            "description",
             "diagnostics",
+            "json-models",
             "m2t",
             "messages",
-            "metamodel",
-            "modeler",
-            "rules",
+            "model",
+            "project",
             "templates",
-            "validation"),
+            "xmi"),
         imports("core"));
   }
 
   @Test
   void userInterfaceShowsWhatIsInModels() throws IOException {
     assertEquals(
-        Set.of("diagnostics", "eclipse", "messages", "metamodel", "modeler"), imports("ui"));
+        Set.of("diagnostics", "eclipse", "messages", "model", "project", "xmi"), imports("ui"));
   }
 }

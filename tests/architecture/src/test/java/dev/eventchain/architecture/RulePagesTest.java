@@ -60,7 +60,7 @@ class RulePagesTest {
 
   @BeforeAll
   static void read() throws IOException {
-    try (Stream<Path> files = Files.walk(BUNDLES, 4)) {
+    try (Stream<Path> files = Files.walk(BUNDLES, 5)) {
       for (Path file : files.filter(RulePagesTest::isPage).sorted().toList()) {
         String id = file.getFileName().toString().replaceFirst("\\.md$", "");
         String bundle = file.getParent().getParent().getFileName().toString();
@@ -68,14 +68,12 @@ class RulePagesTest {
         assertEquals("# " + id, Files.readAllLines(file).get(0), file.toString());
       }
     }
-    String folders =
-        "/((?:eclipse/)?[a-z0-9]+/src/main|maven-plugin/src/main|ros2-runtime/python)/";
+    String folders = "/(?:[a-z0-9-]+/){1,3}(?:src/main|python)/";
     sources = texts(BUNDLES, Pattern.compile(".*/bundles" + folders + ".*\\.(java|py)"));
   }
 
-  /** In the folder of a bundle; the bundle of rules is called as these folders are. */
   private static boolean isPage(Path file) {
-    return file.getParent().endsWith("rules") && !file.getParent().getParent().equals(BUNDLES);
+    return file.getParent().endsWith("rules") && file.toString().endsWith(".md");
   }
 
   @Test
@@ -134,7 +132,7 @@ class RulePagesTest {
 
   @Test
   void everyFindingIsShownByATest() throws IOException {
-    Pattern tests = Pattern.compile(".*/src/(?:test|it)/.*|.*/ros2-runtime/tests/.*\\.py");
+    Pattern tests = Pattern.compile(".*/src/(?:test|it)/.*|.*/robot/runtime/tests/.*\\.py");
     String all =
         String.join("\n", texts(BUNDLES, tests))
             + String.join("\n", texts(Path.of("..", "end-to-end"), tests));

@@ -1,7 +1,7 @@
 package dev.eventchain.benchmarks;
 
-import dev.eventchain.metamodel.eventchain.EventChain;
-import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.SoftwareNode;
 import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.SortedMap;

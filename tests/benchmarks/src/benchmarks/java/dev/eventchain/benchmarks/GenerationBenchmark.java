@@ -1,7 +1,7 @@
 package dev.eventchain.benchmarks;
 
 import dev.eventchain.m2t.TemplateModule;
-import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.model.eventchain.EventChain;
 import java.util.SortedMap;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;

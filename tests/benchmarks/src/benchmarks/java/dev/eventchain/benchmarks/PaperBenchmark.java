@@ -1,10 +1,10 @@
 package dev.eventchain.benchmarks;
 
+import dev.eventchain.constraints.OclRules;
+import dev.eventchain.constraints.OclValidator;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.metamodel.eventchain.EventChain;
-import dev.eventchain.metamodel.eventchain.EventchainPackage;
-import dev.eventchain.rules.OclRules;
-import dev.eventchain.rules.OclValidator;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.EventchainPackage;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import org.eclipse.emf.ecore.EPackage;

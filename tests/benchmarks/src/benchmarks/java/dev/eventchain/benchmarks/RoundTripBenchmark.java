@@ -8,7 +8,7 @@ import dev.eventchain.dds.DdsWriter;
 import dev.eventchain.messages.CdrCodec;
 import dev.eventchain.messages.MessageValue;
 import dev.eventchain.messages.QosSettings;
-import dev.eventchain.python.PythonEnvironment;
+import dev.eventchain.sandbox.PythonEnvironment;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.TimeUnit;

@@ -8,7 +8,7 @@ import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.messages.MessageType;
 import dev.eventchain.messages.MessageValue;
 import dev.eventchain.messages.QosSettings;
-import dev.eventchain.python.PythonEnvironment;
+import dev.eventchain.sandbox.PythonEnvironment;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStream;
@@ -187,7 +187,7 @@ public final class CallbackNodeBenchmark {
   private void timer() throws IOException {
     String file = scripts.resolve("timer_node.py").toString();
     String fixtures =
-        repository.resolve("bundles/ros2-runtime/tests/fixtures").toAbsolutePath().toString();
+        repository.resolve("bundles/robot/runtime/tests/fixtures").toAbsolutePath().toString();
     List<String> words = List.of("-m", "eventchain_ros2", file, fixtures);
     Process process = WirePeer.start(repository, python, tag, true, words);
     RoundTrips beyond = new RoundTrips();

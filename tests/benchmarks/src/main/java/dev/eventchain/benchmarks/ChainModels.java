@@ -1,10 +1,10 @@
 package dev.eventchain.benchmarks;
 
-import dev.eventchain.metamodel.eventchain.Data;
-import dev.eventchain.metamodel.eventchain.EventChain;
-import dev.eventchain.metamodel.eventchain.EventchainFactory;
-import dev.eventchain.metamodel.eventchain.LatencyConstraint;
-import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import dev.eventchain.model.eventchain.Data;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.EventchainFactory;
+import dev.eventchain.model.eventchain.LatencyConstraint;
+import dev.eventchain.model.eventchain.SoftwareNode;
 
 /**
  * Chains of any size: lines of ten nodes, each node with two inputs and two outputs of its own, and

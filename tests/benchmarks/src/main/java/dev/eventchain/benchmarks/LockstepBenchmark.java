@@ -1,9 +1,9 @@
 package dev.eventchain.benchmarks;
 
-import dev.eventchain.metamodel.EventChainMetamodel;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.metamodel.eventchain.EventChain;
-import dev.eventchain.python.PythonEnvironment;
+import dev.eventchain.model.EventChainMetamodel;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.sandbox.PythonEnvironment;
 import dev.eventchain.simulation.Bench;
 import dev.eventchain.simulation.Measurements;
 import dev.eventchain.simulation.NodeManifest;
@@ -114,7 +114,11 @@ public final class LockstepBenchmark {
     Path generated = out.resolve("ros2/aeb");
     return SimulationRequest.of(
         (EventChain)
-            EventChainMetamodel.store(out).load(out.resolve("chain.xmi")).resource().getContents().get(0),
+            EventChainMetamodel.store(out)
+                .load(out.resolve("chain.xmi"))
+                .resource()
+                .getContents()
+                .get(0),
         generated,
         NodeManifest.read(SourceText.read(generated.resolve(NodeManifest.FILE))),
         List.of(project.resolve("software-base/msg")),

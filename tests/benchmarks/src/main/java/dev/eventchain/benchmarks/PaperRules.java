@@ -1,7 +1,7 @@
 package dev.eventchain.benchmarks;
 
-import dev.eventchain.metamodel.eventchain.EventChain;
-import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.SoftwareNode;
 import java.util.ArrayList;
 import java.util.List;
 import org.eclipse.emf.common.util.TreeIterator;

@@ -1,6 +1,6 @@
 package dev.eventchain.benchmarks;
 
-import dev.eventchain.metamodel.XmiStore;
+import dev.eventchain.xmi.XmiStore;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -1,8 +1,8 @@
 package dev.eventchain.benchmarks;
 
+import dev.eventchain.constraints.OclRules;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.metamodel.eventchain.EventchainPackage;
-import dev.eventchain.rules.OclRules;
+import dev.eventchain.model.eventchain.EventchainPackage;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;

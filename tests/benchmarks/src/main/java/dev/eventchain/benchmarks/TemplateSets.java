@@ -1,9 +1,9 @@
 package dev.eventchain.benchmarks;
 
-import dev.eventchain.metamodel.EventChainMetamodel;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.m2t.TemplateModule;
-import dev.eventchain.metamodel.eventchain.EventchainPackage;
+import dev.eventchain.model.EventChainMetamodel;
+import dev.eventchain.model.eventchain.EventchainPackage;
 import dev.eventchain.templates.ShippedTemplates;
 import java.util.List;
 

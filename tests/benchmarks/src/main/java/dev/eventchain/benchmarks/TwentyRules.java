@@ -1,9 +1,9 @@
 package dev.eventchain.benchmarks;
 
-import dev.eventchain.metamodel.eventchain.Data;
-import dev.eventchain.metamodel.eventchain.EventChain;
-import dev.eventchain.metamodel.eventchain.LatencyConstraint;
-import dev.eventchain.metamodel.eventchain.SoftwareNode;
+import dev.eventchain.model.eventchain.Data;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.LatencyConstraint;
+import dev.eventchain.model.eventchain.SoftwareNode;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashSet;

@@ -6,7 +6,7 @@ import dev.eventchain.dds.DdsSample;
 import dev.eventchain.dds.DdsWriter;
 import dev.eventchain.messages.MessageType;
 import dev.eventchain.messages.QosSettings;
-import dev.eventchain.python.PythonEnvironment;
+import dev.eventchain.sandbox.PythonEnvironment;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -43,7 +43,7 @@ final class WirePeer implements AutoCloseable {
     ProcessBuilder builder = new ProcessBuilder(command);
     builder.environment().put("CYCLONEDDS_URI", DdsParticipant.loopbackConfiguration(tag));
     builder.environment().put("ROS_DOMAIN_ID", "1");
-    Path sources = repository.resolve("bundles/ros2-runtime/python").toAbsolutePath();
+    Path sources = repository.resolve("bundles/robot/runtime/python").toAbsolutePath();
     builder.environment().put("PYTHONPATH", sources.toString());
     builder.redirectError(ProcessBuilder.Redirect.INHERIT);
     if (!output) {

@@ -3,7 +3,7 @@ package dev.eventchain.benchmarks;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.eventchain.metamodel.eventchain.EventChain;
+import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.templates.ShippedTemplates;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;

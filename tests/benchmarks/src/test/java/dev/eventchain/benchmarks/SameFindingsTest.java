@@ -3,11 +3,11 @@ package dev.eventchain.benchmarks;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.constraints.OclRules;
+import dev.eventchain.constraints.OclValidator;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.metamodel.eventchain.EventChain;
-import dev.eventchain.rules.OclRules;
-import dev.eventchain.rules.OclValidator;
+import dev.eventchain.model.eventchain.EventChain;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;

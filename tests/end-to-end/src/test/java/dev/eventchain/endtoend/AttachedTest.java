@@ -101,7 +101,7 @@ class AttachedTest {
 
   private static Path python() throws Exception {
     Path environment =
-        BUNDLES.resolve("python/src/main/resources/dev/eventchain/python/environment.py");
+        BUNDLES.resolve("robot/sandbox/src/main/resources/dev/eventchain/sandbox/environment.py");
     Process found =
         new ProcessBuilder("python3", environment.toString(), "--cyclonedds", "--print-executable")
             .redirectError(ProcessBuilder.Redirect.INHERIT)
@@ -148,8 +148,8 @@ class AttachedTest {
     String path =
         String.join(
             File.pathSeparator,
-            BUNDLES.resolve("ros2-runtime/python").toString(),
-            BUNDLES.resolve("python/src/main/resources/dev/eventchain/python").toString(),
+            BUNDLES.resolve("robot/runtime/python").toString(),
+            BUNDLES.resolve("robot/sandbox/src/main/resources/dev/eventchain/sandbox").toString(),
             generated(project).toString());
     builder
         .environment()

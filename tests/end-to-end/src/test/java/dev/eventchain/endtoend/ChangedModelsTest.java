@@ -21,10 +21,12 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What build servers and pre-commit call, {@code bundles/ci}, in repositories made for it. */
+/**
+ * What build servers and pre-commit call, {@code bundles/front/ci}, in repositories made for it.
+ */
 class ChangedModelsTest {
 
-  private static final Path SCRIPTS = Program.ROOT.resolve("bundles/ci");
+  private static final Path SCRIPTS = Program.ROOT.resolve("bundles/front/ci");
 
   private static final String METAMODEL =
       """
@@ -324,12 +326,12 @@ class ChangedModelsTest {
 
   @Test
   void theFilesOfTheBuildServersCallScriptsThatAreThere() throws IOException {
-    for (String caller : List.of("bundles/ci/action.yml", "bundles/ci/gitlab-ci.yml")) {
+    for (String caller : List.of("bundles/front/ci/action.yml", "bundles/front/ci/gitlab-ci.yml")) {
       String text = Files.readString(Program.ROOT.resolve(caller));
       assertTrue(text.contains("/from-inputs\"'"), caller);
     }
     String hook = Files.readString(Program.ROOT.resolve(".pre-commit-hooks.yaml"));
-    assertTrue(hook.contains("entry: bundles/ci/validate-models\n"), hook);
+    assertTrue(hook.contains("entry: bundles/front/ci/validate-models\n"), hook);
     for (String script : List.of("from-inputs", "validate-models")) {
       assertTrue(Files.isExecutable(SCRIPTS.resolve(script)), script);
     }
@@ -337,10 +339,10 @@ class ChangedModelsTest {
 
   private static String shop(String name, String content) {
     return """
-        <?xml version="1.0" encoding="UTF-8"?>
-        <shop:Shop xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI"
-            xmlns:shop="http://example.org/shop" name="%s">%s</shop:Shop>
-        """
+    <?xml version="1.0" encoding="UTF-8"?>
+    <shop:Shop xmi:version="2.0" xmlns:xmi="http://www.omg.org/XMI"
+        xmlns:shop="http://example.org/shop" name="%s">%s</shop:Shop>
+    """
         .formatted(name, content);
   }
 

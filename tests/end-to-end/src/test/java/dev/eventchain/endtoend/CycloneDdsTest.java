@@ -30,16 +30,16 @@ class CycloneDdsTest {
   private static final Path RESOURCES = Path.of("src/test/resources/cyclonedds").toAbsolutePath();
   private static final Path ENVIRONMENT =
       Program.ROOT.resolve(
-          "bundles/python/src/main/resources/dev/eventchain/python/environment.py");
+          "bundles/robot/sandbox/src/main/resources/dev/eventchain/sandbox/environment.py");
   private static final Path FORK_AND_JOIN =
       Program.ROOT.resolve(
-          "bundles/m2t/src/test/resources/cases/cyclonedds-python/fork-and-join/expected/fork");
+          "bundles/mde/m2t/src/test/resources/cases/cyclonedds-python/fork-and-join/expected/fork");
 
   /** Loopback often has no multicast: all participants are on this machine and found by unicast. */
   private static final String LOOPBACK =
       "<CycloneDDS><Domain><General><Interfaces><NetworkInterface address=\"127.0.0.1\"/>"
-          + "</Interfaces><AllowMulticast>false</AllowMulticast></General><Discovery><Peers>"
-          + "<Peer address=\"127.0.0.1\"/></Peers><ParticipantIndex>auto</ParticipantIndex>"
+          + "</Interfaces><AllowMulticast>false</AllowMulticast></General><Discovery><Peers><Peer"
+          + " address=\"127.0.0.1\"/></Peers><ParticipantIndex>auto</ParticipantIndex>"
           + "<MaxAutoParticipantIndex>30</MaxAutoParticipantIndex></Discovery></Domain></CycloneDDS>";
 
   @TempDir static Path folder;
@@ -135,7 +135,7 @@ class CycloneDdsTest {
   @Test
   void bytesOnTheWireAreThoseOfRos() throws IOException {
     forkAndJoin("wire");
-    Path runtime = Program.ROOT.resolve("bundles/ros2-runtime/python");
+    Path runtime = Program.ROOT.resolve("bundles/robot/runtime/python");
     python(folder.resolve("wire"), RESOURCES.resolve("wire.py"), runtime, RESOURCES.resolve("msg"))
         .expect(0)
         .says("10 messages are the same");

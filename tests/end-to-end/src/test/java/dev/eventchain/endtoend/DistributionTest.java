@@ -32,7 +32,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** What users unpack does what it does in the repository, and stays as it was unpacked. */
 class DistributionTest {
 
-  private static final Path AGAIN = Program.ROOT.resolve("bundles/distribution/target/again");
+  private static final Path AGAIN = Program.ROOT.resolve("bundles/front/distribution/target/again");
 
   @TempDir static Path folder;
   private static Installation installation;

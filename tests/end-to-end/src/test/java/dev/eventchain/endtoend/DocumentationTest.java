@@ -42,7 +42,7 @@ class DocumentationTest {
     Path bin = Files.createDirectories(folder.resolve("bin"));
     Path program = bin.resolve("eventchain");
     Path java = Path.of(System.getProperty("java.home"), "bin", "java");
-    Path lib = Program.ROOT.resolve("bundles/cli/target/eventchain/lib");
+    Path lib = Program.ROOT.resolve("bundles/front/cli/target/eventchain/lib");
     String options = "-XX:+UseSerialGC -XX:TieredStopAtLevel=1";
     Files.writeString(
         program,

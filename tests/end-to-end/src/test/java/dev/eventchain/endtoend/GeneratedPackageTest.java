@@ -23,7 +23,7 @@ import org.junit.jupiter.api.io.TempDir;
 class GeneratedPackageTest {
 
   private static final String ENVIRONMENT =
-      "bundles/python/src/main/resources/dev/eventchain/python/environment.py";
+      "bundles/robot/sandbox/src/main/resources/dev/eventchain/sandbox/environment.py";
 
   @TempDir static Path folder;
 
@@ -94,7 +94,8 @@ class GeneratedPackageTest {
   /** Also what the components import. */
   @Test
   void thePackageNamesWhatItImports() throws Exception {
-    Path script = Program.ROOT.resolve("bundles/m2t/src/test/resources/packages/dependencies.py");
+    Path script =
+        Program.ROOT.resolve("bundles/mde/m2t/src/test/resources/packages/dependencies.py");
     assertEquals("[]", python(List.of(script.toString(), ".")).strip());
     assertTrue(
         Files.readString(generated.resolve("package.xml"))
@@ -148,7 +149,7 @@ class GeneratedPackageTest {
                 "python3", Program.ROOT.resolve(ENVIRONMENT).toString(), "--development", "--run"));
     command.addAll(arguments);
     ProcessBuilder builder = new ProcessBuilder(command).directory(generated.toFile());
-    Path runtime = Program.ROOT.resolve("bundles/ros2-runtime/python");
+    Path runtime = Program.ROOT.resolve("bundles/robot/runtime/python");
     builder.environment().put("PYTHONPATH", runtime.toString());
     builder.environment().put("PYTHONDONTWRITEBYTECODE", "1");
     builder.environment().put("PYTHONPYCACHEPREFIX", folder.resolve("bytecode").toString());

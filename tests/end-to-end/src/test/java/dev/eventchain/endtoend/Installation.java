@@ -23,7 +23,7 @@ import java.util.stream.Stream;
  */
 final class Installation {
 
-  private static final Path TARGET = Program.ROOT.resolve("bundles/distribution/target");
+  private static final Path TARGET = Program.ROOT.resolve("bundles/front/distribution/target");
   private static final List<String> SYSTEM =
       List.of(
           "bash",

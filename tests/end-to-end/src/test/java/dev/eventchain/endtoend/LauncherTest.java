@@ -42,14 +42,14 @@ class LauncherTest {
     for (String part :
         List.of(
             "eventchain",
-            "bundles/cli/src/main/shell",
-            "bundles/cli/target/eventchain/lib",
+            "bundles/front/cli/src/main/shell",
+            "bundles/front/cli/target/eventchain/lib",
             "examples/aeb",
             "metamodel",
             "templates")) {
       copy(Program.ROOT.resolve(part), home.resolve(part));
     }
-    application = home.resolve("bundles/cli/target/eventchain");
+    application = home.resolve("bundles/front/cli/target/eventchain");
     Files.writeString(application.resolve("built"), "now\n");
   }
 
@@ -89,7 +89,7 @@ class LauncherTest {
     assertEquals(2, rehearsals());
     Path moved = Files.move(home, folder.resolve("another home"));
     home = moved;
-    application = home.resolve("bundles/cli/target/eventchain");
+    application = home.resolve("bundles/front/cli/target/eventchain");
     assertVersionAlone(version(java));
     assertEquals(3, rehearsals());
   }

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.io.TempDir;
 class MessageContractsTest {
 
   private static final Path CASES =
-      Program.ROOT.resolve("bundles/analysis/src/test/resources/cases");
+      Program.ROOT.resolve("bundles/chain/contracts/src/test/resources/cases");
 
   @TempDir Path folder;
 

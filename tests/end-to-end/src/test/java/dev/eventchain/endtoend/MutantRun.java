@@ -1,14 +1,14 @@
 package dev.eventchain.endtoend;
 
-import dev.eventchain.metamodel.EventChainMetamodel;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.messages.MessageCatalog;
-import dev.eventchain.metamodel.eventchain.ComponentOrigin;
-import dev.eventchain.metamodel.eventchain.EventChain;
-import dev.eventchain.metamodel.eventchain.SoftwareNode;
-import dev.eventchain.modeler.SoftwareBase;
-import dev.eventchain.python.PythonEnvironment;
+import dev.eventchain.model.EventChainMetamodel;
+import dev.eventchain.model.eventchain.ComponentOrigin;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.project.SoftwareBase;
+import dev.eventchain.sandbox.PythonEnvironment;
 import dev.eventchain.simulation.Bench;
 import dev.eventchain.simulation.NodeManifest;
 import dev.eventchain.simulation.Scenario;
@@ -59,7 +59,11 @@ final class MutantRun {
     this.generated = manifest(out.resolve("ros2")).getParent();
     this.chain =
         (EventChain)
-            EventChainMetamodel.store(out).load(out.resolve("chain.xmi")).resource().getContents().get(0);
+            EventChainMetamodel.store(out)
+                .load(out.resolve("chain.xmi"))
+                .resource()
+                .getContents()
+                .get(0);
     this.messages = List.of(project.resolve("software-base/msg"));
     this.bench =
         Bench.read(

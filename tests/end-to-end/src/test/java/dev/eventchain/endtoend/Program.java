@@ -144,7 +144,7 @@ final class Program {
     List<String> command = new ArrayList<>(prefix);
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-cp"));
-    command.add(ROOT.resolve("bundles/cli/target/eventchain/lib") + "/*");
+    command.add(ROOT.resolve("bundles/front/cli/target/eventchain/lib") + "/*");
     command.add("dev.eventchain.cli.Main");
     return command;
   }

@@ -38,10 +38,10 @@ class SiteTest {
   @Test
   void javadocHasThePublicPackagesAndTheirContracts() throws IOException {
     List<String> packages = Files.readAllLines(SITE.resolve("apidocs/element-list"));
-    assertTrue(packages.contains("dev.eventchain.rules"), packages::toString);
-    assertTrue(packages.contains("dev.eventchain.metamodel.eventchain"), "generated code, too");
+    assertTrue(packages.contains("dev.eventchain.constraints"), packages::toString);
+    assertTrue(packages.contains("dev.eventchain.model.eventchain"), "generated code, too");
     assertTrue(packages.stream().noneMatch(name -> name.endsWith(".impl")), packages::toString);
-    String page = Files.readString(SITE.resolve("apidocs/dev/eventchain/rules/OclValidator.html"));
+    String page = Files.readString(SITE.resolve("apidocs/dev/eventchain/constraints/OclValidator.html"));
     assertTrue(page.contains("Parameters:"), page);
   }
 

@@ -2,9 +2,9 @@ package dev.eventchain.documentation.examples;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.metamodel.XmiStore;
-import dev.eventchain.modeler.InstanceModeler;
-import dev.eventchain.modeler.Modeled;
+import dev.eventchain.jsonmodels.InstanceModeler;
+import dev.eventchain.jsonmodels.Modeled;
+import dev.eventchain.xmi.XmiStore;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

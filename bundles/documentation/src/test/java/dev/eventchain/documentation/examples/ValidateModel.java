@@ -1,12 +1,12 @@
 package dev.eventchain.documentation.examples;
 
+import dev.eventchain.constraints.OclResult;
+import dev.eventchain.constraints.OclRules;
+import dev.eventchain.constraints.OclValidator;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.metamodel.LoadedModel;
-import dev.eventchain.metamodel.XmiStore;
-import dev.eventchain.rules.OclResult;
-import dev.eventchain.rules.OclRules;
-import dev.eventchain.rules.OclValidator;
+import dev.eventchain.xmi.LoadedModel;
+import dev.eventchain.xmi.XmiStore;
 import java.nio.file.Path;
 import java.util.List;
 import org.eclipse.emf.ecore.EPackage;

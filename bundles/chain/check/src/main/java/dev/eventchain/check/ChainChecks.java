@@ -1,0 +1,214 @@
+package dev.eventchain.check;
+
+import dev.eventchain.constraints.OclResult;
+import dev.eventchain.contracts.AnalysisResult;
+import dev.eventchain.contracts.ChainAnalysis;
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.project.ProjectFileNames;
+import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.SoftwareBase;
+import dev.eventchain.xmi.EcoreChecks;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.BiFunction;
+import java.util.function.Function;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EStructuralFeature;
+
+/**
+ * What has to hold for the event chain of a project: its metamodel, its constraints, its contracts
+ * on messages, and the use of existing components as they are. What the project says is read once;
+ * chains are then checked against it as often as wanted, by one thread at a time.
+ */
+public final class ChainChecks {
+
+  private final Constraints constraints;
+  private final ChainAnalysis analysis;
+  private final SoftwareBase base;
+  private final List<WrittenRequirement> requirements;
+  private final List<Diagnostic> unchecked;
+
+  private ChainChecks(
+      Constraints constraints,
+      SoftwareBase base,
+      MessageCatalog messages,
+      List<WrittenRequirement> requirements,
+      List<Diagnostic> unchecked) {
+    this.constraints = constraints;
+    this.analysis = ChainAnalysis.of(messages, base.signals());
+    this.base = base;
+    this.requirements = requirements;
+    this.unchecked = unchecked;
+  }
+
+  /**
+   * What was checked and found.
+   *
+   * @param ecore what the metamodel demands
+   * @param constraints the standard constraints, the project's own and the generated ones
+   * @param analysis the contracts
+   * @param reuse how existing components are used otherwise than they are
+   * @param trace how the model's requirements are others than those that are written
+   * @param unchecked what people wrote and nothing checks, as {@link #unchecked}
+   */
+  public record Outcome(
+      EcoreChecks ecore,
+      OclResult constraints,
+      AnalysisResult analysis,
+      List<Diagnostic> reuse,
+      List<Diagnostic> trace,
+      List<Diagnostic> unchecked) {
+
+    /** All findings. */
+    public List<Diagnostic> diagnostics() {
+      List<Diagnostic> all = new ArrayList<>(ecore.diagnostics());
+      all.addAll(constraints.diagnostics());
+      all.addAll(analysis.diagnostics());
+      all.addAll(reuse);
+      all.addAll(trace);
+      all.addAll(unchecked);
+      return all;
+    }
+
+    /** What was done, in words. */
+    public String words() {
+      Coverage all = coverage(List.of());
+      return Constraints.words(constraints)
+          + ", "
+          + Coverage.counted(all.evaluations(Coverage.Kind.CONTRACT), "message contract")
+          + ", "
+          + Coverage.counted(all.evaluations(Coverage.Kind.METAMODEL), "metamodel check");
+    }
+
+    /**
+     * What was checked.
+     *
+     * @param files the files that were
+     */
+    public Coverage coverage(List<String> files) {
+      return Constraints.coverage(files, constraints)
+          .and(ecore.coverage())
+          .and(new Coverage(List.of(), 0, analysis.checks()));
+    }
+  }
+
+  /**
+   * The checks of a project as its files say it now.
+   *
+   * @param output the folder of the project's results, which may hold generated constraints
+   * @param timeLimit the processor time that a constraint, or the patterns of a data type, may take
+   * @throws DiagnosticException INPUT with what is wrong with any of the files
+   */
+  public static ChainChecks of(ProjectFolder folder, Path output, Duration timeLimit) {
+    Attempts attempts = new Attempts();
+    Optional<Constraints> constraints =
+        attempts.of(() -> Constraints.of(folder, output, timeLimit));
+    Optional<List<WrittenRequirement>> rules =
+        attempts.of(() -> folder.designRules().map(ChainChecks::items).orElse(List.of()));
+    Optional<SoftwareBase> base = attempts.of(folder::readSoftwareBase);
+    Optional<MessageCatalog> messages = attempts.of(folder::readMessages);
+    Optional<List<WrittenRequirement>> requirements = attempts.of(() -> requirements(folder));
+    attempts.refuseProblems();
+    return of(
+        constraints.orElseThrow(),
+        base.orElseThrow(),
+        messages.orElseThrow(),
+        requirements.orElseThrow(),
+        unchecked(folder, constraints.get(), rules.orElseThrow(), output));
+  }
+
+  /**
+   * The checks of a chain that is in no project: the standard constraints, the contracts inside the
+   * chain, and the metamodel. Nothing is known of the vehicle and of existing components.
+   *
+   * @param timeLimit as for a project
+   */
+  public static ChainChecks alone(Duration timeLimit) {
+    return of(
+        Constraints.standard(timeLimit),
+        SoftwareBase.unknown(),
+        MessageCatalog.of(List.of()),
+        List.of(),
+        List.of());
+  }
+
+  /**
+   * What people wrote and nothing checks: design rules without constraints, and documents that are
+   * not read.
+   *
+   * @param output the folder of the project's results
+   */
+  public static List<Diagnostic> unchecked(
+      ProjectFolder folder, Constraints constraints, List<WrittenRequirement> rules, Path output) {
+    List<Diagnostic> found =
+        new ArrayList<>(constraints.uncovered(rules, more -> folder.command(output, more)));
+    found.addAll(ProjectFileNames.unreadConstraints(folder, output));
+    return found;
+  }
+
+  private static List<WrittenRequirement> requirements(ProjectFolder folder) {
+    Path file = folder.requirements();
+    return ProjectFolder.isAbsent(file) ? List.of() : items(file);
+  }
+
+  private static List<WrittenRequirement> items(Path file) {
+    return ProjectFolder.readRules(file).items();
+  }
+
+  /**
+   * The checks of a project whose files have been read.
+   *
+   * @param requirements those that are written; none if there is no such file
+   * @param unchecked what people wrote and nothing checks, as {@link #unchecked}
+   */
+  public static ChainChecks of(
+      Constraints constraints,
+      SoftwareBase base,
+      MessageCatalog messages,
+      List<WrittenRequirement> requirements,
+      List<Diagnostic> unchecked) {
+    return new ChainChecks(constraints, base, messages, requirements, unchecked);
+  }
+
+  /** Checks a chain that was read from a file. */
+  public Outcome check(ChainModel model) {
+    return check(model.chain(), model.ecore(), model::locate, model::locate);
+  }
+
+  /**
+   * Checks a chain that is held in memory, by a file or by none. Nobody may change it meanwhile.
+   *
+   * @param locator where its elements are
+   * @param featureLocator where their features are
+   */
+  public Outcome check(
+      EventChain chain,
+      Function<EObject, SourceLocation> locator,
+      BiFunction<EObject, EStructuralFeature, SourceLocation> featureLocator) {
+    EcoreChecks ecore = EcoreChecks.of(chain, locator, constraints.timeLimit());
+    return check(chain, ecore, locator, featureLocator);
+  }
+
+  private Outcome check(
+      EventChain chain,
+      EcoreChecks ecore,
+      Function<EObject, SourceLocation> locator,
+      BiFunction<EObject, EStructuralFeature, SourceLocation> featureLocator) {
+    return new Outcome(
+        ecore,
+        constraints.check(chain, locator),
+        analysis.check(chain, featureLocator),
+        base.check(chain, featureLocator),
+        RequirementTrace.check(requirements, chain, featureLocator),
+        unchecked);
+  }
+}

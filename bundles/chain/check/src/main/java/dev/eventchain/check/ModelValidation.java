@@ -1,0 +1,214 @@
+package dev.eventchain.check;
+
+import dev.eventchain.constraints.OclResult;
+import dev.eventchain.constraints.OclRules;
+import dev.eventchain.constraints.OclValidator;
+import dev.eventchain.contracts.AnalysisResult;
+import dev.eventchain.contracts.ChainAnalysis;
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.model.EventChainMetamodel;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.EventchainPackage;
+import dev.eventchain.xmi.EcoreChecks;
+import dev.eventchain.xmi.LoadedModel;
+import dev.eventchain.xmi.Origins;
+import dev.eventchain.xmi.XmiStore;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
+
+/** Models of any Ecore metamodel that were read, and what is found about them. */
+public final class ModelValidation {
+
+  private final XmiStore store;
+  private final List<EPackage> packages = new ArrayList<>();
+  private final List<LoadedModel> models;
+
+  /** The models, and the unnamed ones that they refer to. */
+  private final List<LoadedModel> all;
+
+  private final Origins origins;
+  private final EcoreChecks ecore;
+
+  private ModelValidation(
+      List<Path> metamodels, Map<String, Path> map, List<Path> models, Duration timeLimit) {
+    store = EventChainMetamodel.store(folders(metamodels, models), map);
+    for (Path metamodel : metamodels) {
+      SourceLocation place = SourceLocation.of(metamodel);
+      packages.addAll(DiagnosticException.at(place, () -> store.loadMetamodel(metamodel)));
+    }
+    // Models are of the metamodel that was given, also where that is the file of the shipped one.
+    EPackage shipped = EventchainPackage.eINSTANCE;
+    if (packages.stream().noneMatch(given -> shipped.getNsURI().equals(given.getNsURI()))) {
+      packages.add(shipped);
+    }
+    this.models = store.loadAll(models);
+    all = XmiStore.withReferred(this.models);
+    origins = all.get(0).origins();
+    ecore = EcoreChecks.of(all, timeLimit);
+  }
+
+  /**
+   * Reads models and checks them against their metamodel.
+   *
+   * @param metamodels the models' metamodels; none for event chains
+   * @param map the folders that beginnings of references stand for: {@code platform:/resource/}
+   * @param timeLimit the processor time that the patterns of a data type may take
+   * @throws DiagnosticException INPUT if a file cannot be read
+   */
+  public static ModelValidation read(
+      List<Path> metamodels, Map<String, Path> map, List<Path> models, Duration timeLimit) {
+    return new ModelValidation(metamodels, map, models, timeLimit);
+  }
+
+  /** The metamodels, the shipped one among them. */
+  public List<EPackage> packages() {
+    return List.copyOf(packages);
+  }
+
+  /** The roots of the models that were named. */
+  public List<EObject> roots() {
+    return roots(models);
+  }
+
+  /** Where an element is. */
+  public SourceLocation locate(EObject element) {
+    return origins.locate(element);
+  }
+
+  /** Whether the models, and those that they refer to, are what their metamodels demand. */
+  public EcoreChecks ecore() {
+    return ecore;
+  }
+
+  /**
+   * Checks models against their metamodel and evaluates constraints on them, and on those in files
+   * that they refer to. The constraints are those of documents and those that the metamodels hold;
+   * without any, what the metamodels demand has to do.
+   *
+   * @param metamodels the models' metamodels; none for event chains, for which the standard
+   *     constraints are evaluated and the contracts inside each chain checked, too
+   * @param map the folders that beginnings of references stand for: {@code platform:/resource/}
+   * @param messages folders of {@code PACKAGE/msg/NAME.msg} that event chains use, next to the
+   *     standard types of ROS 2
+   * @param timeLimit the processor time that a constraint, or the patterns of a data type, may take
+   *     on all of the models
+   * @throws DiagnosticException INPUT if a file cannot be read
+   */
+  public static Validation validate(
+      List<Path> metamodels,
+      Map<String, Path> map,
+      List<Path> constraints,
+      List<Path> models,
+      List<Path> messages,
+      Duration timeLimit) {
+    ModelValidation any = read(metamodels, map, models, timeLimit);
+    List<SourceText> documents = new ArrayList<>();
+    if (metamodels.isEmpty()) {
+      documents.add(EventChainMetamodel.constraints());
+    }
+    List<Path> rulesIn = OclRules.files(constraints);
+    rulesIn.forEach(file -> documents.add(SourceText.read(file)));
+    OclRules rules = OclRules.parse(documents, any.packages, any.store::locateInMetamodel);
+    OclResult result =
+        OclValidator.of(rules)
+            .withTimeLimit(timeLimit)
+            .validate(roots(any.all), any.origins::locate);
+    Coverage coverage =
+        Constraints.coverage(any.files(metamodels, rulesIn, models), result)
+            .and(any.ecore.coverage());
+    boolean onlyMetamodel = documents.isEmpty() && rules.constraints().isEmpty();
+    boolean isMetamodelChecked = coverage.evaluations(Coverage.Kind.METAMODEL) > 0;
+    List<Diagnostic> found =
+        any.aboutConstraints(rules, result, onlyMetamodel && isMetamodelChecked);
+    found.addAll(any.ecore.diagnostics());
+    if (metamodels.isEmpty()) {
+      Validation contracts = any.contracts(MessageCatalog.of(messages));
+      coverage = coverage.and(contracts.coverage());
+      found.addAll(contracts.diagnostics());
+    }
+    return new Validation(coverage, found);
+  }
+
+  /**
+   * What evaluating constraints has found.
+   *
+   * @param mayBeNone whether there need not be any
+   */
+  private List<Diagnostic> aboutConstraints(OclRules rules, OclResult result, boolean mayBeNone) {
+    List<Diagnostic> found = new ArrayList<>(result.diagnostics());
+    if (mayBeNone) {
+      found.removeIf(finding -> finding.id().equals("ocl.nothing-evaluated"));
+    }
+    if (result.evaluations() > 0) {
+      found.addAll(unconstrained(rules));
+    }
+    return found;
+  }
+
+  /** Findings about other models must not hide that no constraint is about these. */
+  private List<Diagnostic> unconstrained(OclRules rules) {
+    return models.stream()
+        .filter(model -> !model.roots().isEmpty())
+        .filter(model -> model.roots().stream().noneMatch(rules::areAbout))
+        .map(model -> SourceLocation.of(origins.locate(model.roots().get(0)).file()))
+        .map(
+            file ->
+                Diagnostic.warning(
+                        "ocl.model-unconstrained",
+                        "No constraint applies to any element of this model: only its metamodel was"
+                            + " checked.",
+                        file)
+                    .withHint("Name a document with constraints on its classes (--ocl)."))
+        .toList();
+  }
+
+  private static List<EObject> roots(List<LoadedModel> models) {
+    return models.stream().flatMap(model -> model.roots().stream()).toList();
+  }
+
+  /** The files that were read. */
+  private List<String> files(List<Path> metamodels, List<Path> constraints, List<Path> named) {
+    Stream<String> referred =
+        all.stream().skip(models.size()).map(m -> origins.locate(m.roots().get(0)).file());
+    Stream<String> given =
+        Stream.of(named, metamodels, constraints)
+            .flatMap(List::stream)
+            .map(file -> SourceLocation.of(file).file());
+    return Stream.concat(given, referred).distinct().toList();
+  }
+
+  /** The contracts inside each chain: nothing is known of the vehicle around it. */
+  private Validation contracts(MessageCatalog messages) {
+    ChainAnalysis analysis = ChainAnalysis.of(messages, Optional.empty());
+    Coverage coverage = Coverage.NONE;
+    List<Diagnostic> found = new ArrayList<>();
+    for (EObject root : roots(all)) {
+      if (root instanceof EventChain chain) {
+        AnalysisResult result = analysis.check(chain, origins::locate);
+        coverage = coverage.and(new Coverage(List.of(), 0, result.checks()));
+        found.addAll(result.diagnostics());
+      }
+    }
+    return new Validation(coverage, found);
+  }
+
+  /** References may go between the files that the command names, and what lies below them. */
+  private static List<Path> folders(List<Path> metamodels, List<Path> models) {
+    return Stream.concat(models.stream(), metamodels.stream())
+        .map(file -> file.resolveSibling(""))
+        .distinct()
+        .toList();
+  }
+}

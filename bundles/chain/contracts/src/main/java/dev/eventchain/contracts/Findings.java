@@ -1,0 +1,88 @@
+package dev.eventchain.contracts;
+
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.SourceLocation;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import java.util.function.BiFunction;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EStructuralFeature;
+
+/** What was checked and found so far. */
+final class Findings {
+
+  private final BiFunction<EObject, EStructuralFeature, SourceLocation> locator;
+  private final Map<Rule, Long> checks = new EnumMap<>(Rule.class);
+  private final SortedSet<Diagnostic> found = new TreeSet<>();
+
+  Findings(BiFunction<EObject, EStructuralFeature, SourceLocation> locator) {
+    this.locator = locator;
+  }
+
+  /**
+   * Where a feature of an element is stated. Places are looked up for findings only: most elements
+   * have none.
+   */
+  SourceLocation at(EObject element, EStructuralFeature feature) {
+    return locator.apply(element, feature);
+  }
+
+  void checked(Rule rule) {
+    checks.merge(rule, 1L, Long::sum);
+  }
+
+  void error(
+      Rule rule, SourceLocation place, String message, String hint, SourceLocation... related) {
+    add(Severity.ERROR, rule, place, message, hint, related);
+  }
+
+  void warning(
+      Rule rule, SourceLocation place, String message, String hint, SourceLocation... related) {
+    add(Severity.WARNING, rule, place, message, hint, related);
+  }
+
+  void info(
+      Rule rule, SourceLocation place, String message, String hint, SourceLocation... related) {
+    add(Severity.INFO, rule, place, message, hint, related);
+  }
+
+  private void add(
+      Severity severity,
+      Rule rule,
+      SourceLocation place,
+      String message,
+      String hint,
+      SourceLocation... related) {
+    found.add(
+        new Diagnostic(rule.id(), severity, message, place, hint, "", List.of())
+            .withRelated(related));
+  }
+
+  /** Findings of others, about what is used here. */
+  void addAll(Collection<Diagnostic> others) {
+    found.addAll(others);
+  }
+
+  AnalysisResult result() {
+    List<Coverage.Check> counted = new ArrayList<>();
+    for (Rule rule : Rule.values()) {
+      counted.add(
+          new Coverage.Check(
+              Coverage.Kind.CONTRACT,
+              rule.id(),
+              "",
+              rule.severity(),
+              SourceLocation.NONE,
+              "",
+              checks.getOrDefault(rule, 0L)));
+    }
+    return new AnalysisResult(List.copyOf(found), counted);
+  }
+}

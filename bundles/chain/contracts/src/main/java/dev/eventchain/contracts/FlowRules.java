@@ -1,0 +1,180 @@
+package dev.eventchain.contracts;
+
+import dev.eventchain.model.DataFlowIndex;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.EventchainPackage.Literals;
+import dev.eventchain.model.eventchain.LatencyConstraint;
+import dev.eventchain.model.eventchain.SoftwareNode;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Deque;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/**
+ * What follows from the flow of a whole chain. In OCL each of these rules would look through all
+ * components for each component. With an index, circles take time in proportion to the chain, and
+ * latency constraints, all with the same first component, in proportion to what lies between.
+ */
+final class FlowRules {
+
+  private final EventChain chain;
+  private final DataFlowIndex flow;
+  private final Findings findings;
+
+  FlowRules(EventChain chain, DataFlowIndex flow, Findings findings) {
+    this.chain = chain;
+    this.flow = flow;
+    this.findings = findings;
+  }
+
+  void check() {
+    mainLine();
+    feedback();
+    latencyConstraints();
+  }
+
+  /** The main line has an end: else no order of execution follows it. */
+  private void mainLine() {
+    if (chain.getSoftware().stream().anyMatch(node -> node.getNextstep() != null)) {
+      findings.checked(Rule.NEXTSTEP_CYCLE);
+    }
+    Set<SoftwareNode> done = new HashSet<>();
+    for (SoftwareNode start : chain.getSoftware()) {
+      List<SoftwareNode> line = new ArrayList<>();
+      Set<SoftwareNode> here = new HashSet<>();
+      SoftwareNode node = start;
+      while (node != null && done.add(node)) {
+        line.add(node);
+        here.add(node);
+        node = node.getNextstep();
+      }
+      // A next step to itself is what NextstepIsInChain finds.
+      if (node != null && here.contains(node) && node.getNextstep() != node) {
+        List<SoftwareNode> cycle = line.subList(line.indexOf(node), line.size());
+        findings.error(
+            Rule.NEXTSTEP_CYCLE,
+            findings.at(cycle.get(0), Literals.SOFTWARE_NODE__NEXTSTEP),
+            "The next steps form a cycle: " + path(cycle) + ".",
+            "The main line of a chain must end: remove the nextstep of one of them.");
+      }
+    }
+  }
+
+  /** A warning only: a control loop may be closed on purpose, and nodes run on their own timers. */
+  private void feedback() {
+    if (!chain.getSoftware().isEmpty()) {
+      findings.checked(Rule.FLOW_CYCLE);
+    }
+    for (List<SoftwareNode> group : flow.cycles()) {
+      findings.warning(
+          Rule.FLOW_CYCLE,
+          findings.at(group.get(0), Literals.SOFTWARE_NODE__OUTPUT),
+          "The data flow is cyclic: " + path(shortestCycle(group)) + ".",
+          "If this is not a feedback loop that you want, look for the topic that is written further"
+              + " down and read further up.");
+    }
+  }
+
+  /** The shortest way from a group's first component back to it. */
+  private List<SoftwareNode> shortestCycle(List<SoftwareNode> group) {
+    SoftwareNode start = group.get(0);
+    Map<SoftwareNode, SoftwareNode> before = reach(start, new HashSet<>(group));
+    List<SoftwareNode> cycle = new ArrayList<>();
+    SoftwareNode node = before.get(start);
+    while (node != start) {
+      cycle.add(node);
+      node = before.get(node);
+    }
+    cycle.add(start);
+    Collections.reverse(cycle);
+    return cycle;
+  }
+
+  /**
+   * The components that get data from one, each with the one before it; the start too if it gets
+   * its own.
+   */
+  private Map<SoftwareNode, SoftwareNode> reach(SoftwareNode start, Set<SoftwareNode> within) {
+    Map<SoftwareNode, SoftwareNode> before = new HashMap<>();
+    Deque<SoftwareNode> open = new ArrayDeque<>(List.of(start));
+    while (!open.isEmpty()) {
+      SoftwareNode node = open.remove();
+      for (SoftwareNode next : flow.successors(node)) {
+        if (within.contains(next) && before.putIfAbsent(next, node) == null && next != start) {
+          open.add(next);
+        }
+      }
+    }
+    return before;
+  }
+
+  private void latencyConstraints() {
+    Map<SoftwareNode, List<LatencyConstraint>> byFirst = new LinkedHashMap<>();
+    for (LatencyConstraint constraint : chain.getLatencyConstraints()) {
+      // LatencyConstraintIsComplete finds those that lack an end.
+      if (constraint.getFirst() != null && constraint.getLast() != null) {
+        findings.checked(Rule.LATENCY_UNCONNECTED);
+        byFirst.computeIfAbsent(constraint.getFirst(), none -> new ArrayList<>()).add(constraint);
+      }
+    }
+    byFirst.forEach(this::connected);
+  }
+
+  private void connected(SoftwareNode first, List<LatencyConstraint> constraints) {
+    Set<SoftwareNode> missing = new HashSet<>();
+    constraints.forEach(constraint -> missing.add(constraint.getLast()));
+    removeReached(first, missing);
+    for (LatencyConstraint constraint : constraints) {
+      if (missing.contains(constraint.getLast())) {
+        unconnected(constraint);
+      }
+    }
+  }
+
+  /** Takes the start, and those that get data from it, out of a set; looks no further than that. */
+  private void removeReached(SoftwareNode start, Set<SoftwareNode> wanted) {
+    Set<SoftwareNode> known = new HashSet<>(List.of(start));
+    Deque<SoftwareNode> open = new ArrayDeque<>(known);
+    wanted.remove(start);
+    while (!open.isEmpty() && !wanted.isEmpty()) {
+      for (SoftwareNode next : flow.successors(open.remove())) {
+        if (known.add(next)) {
+          wanted.remove(next);
+          open.add(next);
+        }
+      }
+    }
+  }
+
+  private void unconnected(LatencyConstraint constraint) {
+    SoftwareNode first = constraint.getFirst();
+    SoftwareNode last = constraint.getLast();
+    Set<SoftwareNode> backwards = new HashSet<>(List.of(first));
+    removeReached(last, backwards);
+    findings.error(
+        Rule.LATENCY_UNCONNECTED,
+        findings.at(constraint, Literals.LATENCY_CONSTRAINT__FIRST),
+        ("The latency constraint '%s' bounds the time from '%s' to '%s', but no data flows"
+                + " between them.")
+            .formatted(constraint.getName(), first.getName(), last.getName()),
+        backwards.isEmpty()
+            ? "Data flows the other way: swap first and last."
+            : "Name two components that data flow connects.",
+        findings.at(first, Literals.SOFTWARE_NODE__OUTPUT),
+        findings.at(last, Literals.SOFTWARE_NODE__INPUT));
+  }
+
+  /** {@code A -> B -> A}. */
+  private static String path(List<SoftwareNode> cycle) {
+    return cycle.stream().map(SoftwareNode::getName).collect(Collectors.joining(" -> "))
+        + " -> "
+        + cycle.get(0).getName();
+  }
+}

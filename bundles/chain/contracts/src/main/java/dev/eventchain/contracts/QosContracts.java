@@ -1,0 +1,169 @@
+package dev.eventchain.contracts;
+
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.messages.QosSettings;
+import dev.eventchain.messages.QosSettings.Incompatibility;
+import dev.eventchain.model.Signal;
+import dev.eventchain.model.eventchain.Data;
+import dev.eventchain.model.eventchain.EventchainPackage.Literals;
+import dev.eventchain.model.eventchain.QosProfile;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Supplier;
+
+/**
+ * Whether what publishers offer satisfies what subscribers request (OMG DDS 1.4, 2.2.3). If not,
+ * the middleware connects them silently with nothing.
+ */
+final class QosContracts {
+
+  private static final String VEHICLE = "the vehicle";
+
+  /**
+   * One side of a topic.
+   *
+   * @param profile what it states; null for nothing
+   */
+  private record Side(String name, QosProfile profile, Supplier<SourceLocation> place) {
+
+    boolean isVehicle() {
+      return name.equals(VEHICLE);
+    }
+  }
+
+  private final Findings findings;
+
+  QosContracts(Findings findings) {
+    this.findings = findings;
+  }
+
+  void check(Topic topic) {
+    topic.endpoints().forEach(endpoint -> oneProfile(topic, endpoint));
+    List<Side> requests = sides(topic.subscribers(), topic, Signal.Direction.CONSUMED);
+    for (Side offer : sides(topic.publishers(), topic, Signal.Direction.PROVIDED)) {
+      for (Side request : requests) {
+        if (!offer.isVehicle() || !request.isVehicle()) {
+          findings.checked(Rule.QOS_INCOMPATIBLE);
+          findings.checked(Rule.QOS_UNDECIDED);
+          compare(topic.name(), offer, request);
+        }
+      }
+    }
+  }
+
+  /** A component has one publisher or subscription for a topic, and that has one profile. */
+  private void oneProfile(Topic topic, Endpoint endpoint) {
+    Data holder = endpoint.holderOfQos();
+    if (holder.getQos() == null) {
+      return;
+    }
+    for (Data data : endpoint.data()) {
+      if (data.getQos() != null && data != holder) {
+        findings.checked(Rule.QOS_AMBIGUOUS);
+        if (!Qos.settings(data.getQos()).equals(Qos.settings(holder.getQos()))) {
+          findings.warning(
+              Rule.QOS_AMBIGUOUS,
+              findings.at(data, Literals.DATA__QOS),
+              "%s states two different qualities of service for %s."
+                  .formatted(endpoint.name(), topic.name()),
+              "A topic has one message for all its fields, and its first profile applies:"
+                  + " state the same here.",
+              findings.at(holder, Literals.DATA__QOS));
+        }
+      }
+    }
+  }
+
+  private List<Side> sides(List<Endpoint> endpoints, Topic topic, Signal.Direction vehicle) {
+    List<Side> sides = new ArrayList<>();
+    for (Endpoint endpoint : endpoints) {
+      Data holder = endpoint.holderOfQos();
+      sides.add(
+          new Side(
+              endpoint.name(), holder.getQos(), () -> findings.at(holder, Literals.DATA__QOS)));
+    }
+    topic
+        .signal()
+        .filter(signal -> signal.direction() == vehicle && signal.qos().isPresent())
+        .map(signal -> new Side(VEHICLE, signal.qos().get(), signal::location))
+        .ifPresent(sides::add);
+    return sides;
+  }
+
+  private void compare(String topic, Side offer, Side request) {
+    QosSettings offered = Qos.settings(offer.profile());
+    QosSettings requested = Qos.settings(request.profile());
+    for (Incompatibility gap : QosSettings.incompatibilities(offered, requested)) {
+      // The finding is where the chain can be changed: the vehicle is as it is.
+      Side here = request.isVehicle() ? offer : request;
+      Side there = request.isVehicle() ? request : offer;
+      if (gap.decided()) {
+        findings.error(
+            Rule.QOS_INCOMPATIBLE,
+            here.place().get(),
+            "%s requests %s %s on %s, but %s offers %s, so that no message arrives."
+                .formatted(
+                    sentenceStart(request.name()),
+                    gap.policy(),
+                    gap.requested(),
+                    topic,
+                    offer.name(),
+                    gap.offered()),
+            hint(offer, request, gap),
+            there.place().get());
+      } else {
+        findings.info(
+            Rule.QOS_UNDECIDED,
+            here.place().get(),
+            "Whether messages of %s on %s reach %s depends on the %s: %s is offered, %s requested."
+                .formatted(
+                    offer.name(),
+                    topic,
+                    request.name(),
+                    gap.policy(),
+                    gap.offered(),
+                    gap.requested()),
+            "State the policy on both sides, so that it does not depend on the middleware's"
+                + " configuration or on who starts first.",
+            there.place().get());
+      }
+    }
+  }
+
+  private static String hint(Side offer, Side request, Incompatibility gap) {
+    String lower = "request %s in %s".formatted(least(gap), request.name());
+    String raise = "offer %s in %s".formatted(most(gap), offer.name());
+    String change;
+    if (request.isVehicle()) {
+      change = raise;
+    } else {
+      change = offer.isVehicle() ? lower : lower + ", or " + raise;
+    }
+    return "%s %s, %s %s: %s."
+        .formatted(
+            sentenceStart(request.name()),
+            Qos.words(request.profile()),
+            offer.name(),
+            Qos.words(offer.profile()),
+            change);
+  }
+
+  /** What the offer satisfies. Times are the weaker the longer they are. */
+  private static String least(Incompatibility gap) {
+    if (gap.offered().equals(QosSettings.NO_TIME)) {
+      return "no " + gap.policy();
+    }
+    String what = gap.policy() + " " + gap.offered();
+    return gap.offered().endsWith(" ms") ? what + " or longer" : what;
+  }
+
+  /** What satisfies the request. */
+  private static String most(Incompatibility gap) {
+    String what = gap.policy() + " " + gap.requested();
+    return gap.requested().endsWith(" ms") ? what + " or shorter" : what;
+  }
+
+  private static String sentenceStart(String name) {
+    return Character.toUpperCase(name.charAt(0)) + name.substring(1);
+  }
+}

@@ -1,0 +1,68 @@
+package dev.eventchain.contracts;
+
+import dev.eventchain.messages.RosNames;
+import dev.eventchain.model.Signal;
+import dev.eventchain.model.eventchain.Data;
+import dev.eventchain.model.eventchain.EventchainPackage.Literals;
+import java.util.stream.Collectors;
+
+/** Whether the chain uses the vehicle's topics as they are described. */
+final class SignalContracts {
+
+  private final TypeContracts types;
+  private final Findings findings;
+
+  SignalContracts(TypeContracts types, Findings findings) {
+    this.types = types;
+    this.findings = findings;
+  }
+
+  void check(Topic topic) {
+    topic.signal().ifPresent(signal -> check(topic, signal));
+  }
+
+  private void check(Topic topic, Signal signal) {
+    for (Endpoint publisher : topic.publishers()) {
+      findings.checked(Rule.SIGNAL_DIRECTION);
+      if (signal.direction() == Signal.Direction.PROVIDED) {
+        findings.error(
+            Rule.SIGNAL_DIRECTION,
+            findings.at(publisher.first(), Literals.DATA__TOPIC_NAME),
+            "%s writes %s, which the vehicle provides.".formatted(publisher.name(), topic.name()),
+            "Write another topic, unless the direction of the signal is wrong.",
+            signal.location());
+      }
+    }
+    if (!signal.fields().isEmpty()) {
+      topic.endpoints().forEach(endpoint -> fields(endpoint, signal));
+    }
+  }
+
+  /** A field that exists but is not described: the vehicle may leave it unset, or unread. */
+  private void fields(Endpoint endpoint, Signal signal) {
+    for (Data data : endpoint.data()) {
+      if (types.fieldType(data).isEmpty()) {
+        continue;
+      }
+      findings.checked(Rule.SIGNAL_FIELD);
+      String path = data.getFieldName();
+      boolean described =
+          signal.fields().stream()
+              .map(Signal.Field::path)
+              .anyMatch(known -> RosNames.overlap(known, path));
+      if (!described) {
+        findings.warning(
+            Rule.SIGNAL_FIELD,
+            findings.at(data, Literals.DATA__FIELD_NAME),
+            "%s uses the field '%s' of %s, which the description of the signal does not name."
+                .formatted(endpoint.name(), path, signal.topic()),
+            "The described fields are %s. Use one of them."
+                .formatted(
+                    signal.fields().stream()
+                        .map(Signal.Field::path)
+                        .collect(Collectors.joining(", "))),
+            signal.location());
+      }
+    }
+  }
+}

@@ -1,0 +1,163 @@
+package dev.eventchain.contracts;
+
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.messages.FieldType;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.messages.MessageType;
+import dev.eventchain.messages.RosNames;
+import dev.eventchain.model.Signal;
+import dev.eventchain.model.eventchain.Data;
+import dev.eventchain.model.eventchain.EventchainPackage.Literals;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import java.util.stream.Collectors;
+import org.eclipse.emf.ecore.EAttribute;
+
+/** Whether message types and fields exist, and are what the chain and the signals take them for. */
+final class TypeContracts {
+
+  private final MessageCatalog catalog;
+  private final Findings findings;
+  private final Map<String, Optional<MessageType>> types = new HashMap<>();
+  private final Set<String> broken = new HashSet<>();
+
+  TypeContracts(MessageCatalog catalog, Findings findings) {
+    this.catalog = catalog;
+    this.findings = findings;
+  }
+
+  void check(Topic topic) {
+    for (Endpoint endpoint : topic.endpoints()) {
+      Set<String> seen = new HashSet<>();
+      for (Data data : endpoint.data()) {
+        String type = data.getMessageType();
+        if (isQualified(type)) {
+          if (seen.add(type)) {
+            known(type, topic.name(), () -> findings.at(data, Literals.DATA__MESSAGE_TYPE));
+          }
+          typeOf(type).ifPresent(found -> field(found, data));
+        }
+      }
+    }
+    topic.signal().ifPresent(this::signal);
+  }
+
+  private void signal(Signal signal) {
+    if (isQualified(signal.messageType())) {
+      known(signal.messageType(), signal.topic(), signal::location);
+      typeOf(signal.messageType())
+          .ifPresent(type -> signal.fields().forEach(field -> field(type, field)));
+    }
+  }
+
+  /** What {@code MessageTypeIsQualified} asks for; other names are its findings. */
+  static boolean isQualified(String type) {
+    return type != null && RosNames.isMessageType(type);
+  }
+
+  /** The type of a field that exists; empty as well if it is not legal or its type not known. */
+  Optional<FieldType> fieldType(Data data) {
+    return data.getFieldName() == null || !isQualified(data.getMessageType())
+        ? Optional.empty()
+        : typeOf(data.getMessageType()).flatMap(type -> type.resolve(data.getFieldName()).type());
+  }
+
+  private Optional<MessageType> typeOf(String name) {
+    return types.computeIfAbsent(name, this::find);
+  }
+
+  private Optional<MessageType> find(String name) {
+    try {
+      return catalog.find(name);
+    } catch (DiagnosticException e) {
+      // The catalog reports once, at its definition, that it is wrong.
+      broken.add(name);
+      return Optional.empty();
+    }
+  }
+
+  private void known(String type, String topic, Supplier<SourceLocation> place) {
+    findings.checked(Rule.MESSAGE_UNKNOWN);
+    if (typeOf(type).isEmpty() && !broken.contains(type)) {
+      findings.error(
+          Rule.MESSAGE_UNKNOWN,
+          place.get(),
+          "There is no message type '%s', which %s is said to carry.".formatted(type, topic),
+          nearest(type));
+    }
+  }
+
+  /** The same name in another package, else the nearest name; and where was looked. */
+  private String nearest(String type) {
+    String simpleName = type.substring(type.lastIndexOf('/'));
+    List<String> elsewhere =
+        catalog.names().stream().filter(name -> name.endsWith(simpleName)).toList();
+    Optional<String> meant =
+        elsewhere.isEmpty()
+            ? NearestName.of(RosNames.fullMessageType(type), catalog.names())
+            : Optional.of(String.join("` or `", elsewhere));
+    String searched =
+        catalog.folders().isEmpty()
+            ? "the standard types of ROS 2"
+            : catalog.folders().stream()
+                .map(folder -> folder.toString().replace('\\', '/'))
+                .collect(Collectors.joining(" and ", "the standard types of ROS 2 and in ", ""));
+    String wanted = RosNames.fullMessageType(type) + ".msg";
+    return meant.map(name -> "Did you mean `" + name + "`? ").orElse("")
+        + "Looked for among %s; a definition of your own is PACKAGE/msg/NAME.msg there: %s."
+            .formatted(searched, wanted);
+  }
+
+  private void field(MessageType type, Data data) {
+    if (data.getFieldName() != null && !data.getFieldName().isEmpty()) {
+      String user = "the data '" + data.getName() + "'";
+      Function<EAttribute, SourceLocation> place = feature -> findings.at(data, feature);
+      field(type, data.getFieldName(), data.getType(), user, place);
+    }
+  }
+
+  private void field(MessageType type, Signal.Field field) {
+    String user = "the signal's description";
+    field(type, field.path(), field.type(), user, feature -> field.location());
+  }
+
+  private void field(
+      MessageType type,
+      String path,
+      String declared,
+      String user,
+      Function<EAttribute, SourceLocation> place) {
+    findings.checked(Rule.FIELD_UNKNOWN);
+    MessageType.Resolution resolution = type.resolve(path);
+    if (resolution.type().isEmpty()) {
+      findings.error(
+          Rule.FIELD_UNKNOWN,
+          place.apply(Literals.DATA__FIELD_NAME),
+          "%s names the field '%s' of %s, but %s"
+              .formatted(capitalized(user), path, type, resolution.problem()),
+          resolution.hint());
+    } else if (declared != null && !declared.isBlank()) {
+      findings.checked(Rule.TYPE_MISMATCH);
+      if (!DeclaredType.fits(declared, resolution.type().get())) {
+        findings.error(
+            Rule.TYPE_MISMATCH,
+            place.apply(Literals.DATA__TYPE),
+            "%s gives the type of '%s' as '%s', but %s has '%s' there."
+                .formatted(capitalized(user), path, declared, type, resolution.type().get()),
+            "Write '%s', and convert inside the component.".formatted(resolution.type().get()));
+      }
+    }
+  }
+
+  private static String capitalized(String text) {
+    return Character.toUpperCase(text.charAt(0)) + text.substring(1);
+  }
+}

@@ -1,0 +1,115 @@
+package dev.eventchain.contracts;
+
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.messages.Unit;
+import dev.eventchain.model.Signal;
+import dev.eventchain.model.eventchain.Data;
+import dev.eventchain.model.eventchain.EventchainPackage.Literals;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
+
+/** Whether all sides of a field mean the same number by it. */
+final class UnitContracts {
+
+  /**
+   * What the others are compared with.
+   *
+   * @param name whose it is
+   */
+  private record Reference(String name, String unit, Supplier<SourceLocation> place) {}
+
+  private final Findings findings;
+
+  UnitContracts(Findings findings) {
+    this.findings = findings;
+  }
+
+  /** Against the signal where it gives a unit, else against the first publisher that does. */
+  void check(Topic topic) {
+    Map<String, Reference> references = new HashMap<>();
+    for (Signal.Field field : topic.signal().map(Signal::fields).orElse(List.of())) {
+      if (!field.unit().isBlank()) {
+        references.putIfAbsent(
+            field.path(), new Reference("the existing signal", field.unit(), field::location));
+      }
+    }
+    topic.publishers().forEach(publisher -> check(topic, publisher, true, references));
+    topic.subscribers().forEach(subscriber -> check(topic, subscriber, false, references));
+  }
+
+  private void check(
+      Topic topic, Endpoint endpoint, boolean writes, Map<String, Reference> references) {
+    for (Data data : endpoint.data()) {
+      if (data.getUnit() == null || data.getUnit().isBlank() || data.getFieldName() == null) {
+        continue;
+      }
+      Reference reference = references.get(data.getFieldName());
+      if (reference == null) {
+        references.put(
+            data.getFieldName(),
+            new Reference(
+                endpoint.name(), data.getUnit(), () -> findings.at(data, Literals.DATA__UNIT)));
+      } else {
+        findings.checked(Rule.UNIT_MISMATCH);
+        compare(topic, endpoint, data, writes, reference);
+      }
+    }
+  }
+
+  private void compare(
+      Topic topic, Endpoint endpoint, Data data, boolean writes, Reference reference) {
+    String here = data.getUnit().strip();
+    String there = reference.unit().strip();
+    Optional<Unit> unit = Unit.parse(here);
+    Optional<Unit> other = Unit.parse(there);
+    if (here.equals(there)) {
+      return;
+    }
+    String message =
+        "%s has '%s' of %s in %s, but %s has it in %s."
+            .formatted(
+                endpoint.name(), data.getFieldName(), topic.name(), here, reference.name(), there);
+    SourceLocation place = reference.place().get();
+    if (unit.isEmpty() || other.isEmpty()) {
+      String unread = unit.isEmpty() ? here : there;
+      findings.warning(
+          Rule.UNIT_MISMATCH,
+          findings.at(data, Literals.DATA__UNIT),
+          message,
+          "'%s' is not a known unit, such as m/s2, km/h, deg, %%: write the same on both sides."
+              .formatted(unread),
+          place);
+      return;
+    }
+    switch (unit.get().relationTo(other.get())) {
+      case SAME -> {}
+      case ANGLE ->
+          findings.warning(
+              Rule.UNIT_MISMATCH,
+              findings.at(data, Literals.DATA__UNIT),
+              message,
+              "One side is an angle and the other is not: write the intended unit on both.",
+              place);
+      case INCOMPATIBLE ->
+          findings.error(
+              Rule.UNIT_MISMATCH,
+              findings.at(data, Literals.DATA__UNIT),
+              message,
+              "No factor converts one into the other: one side is a different quantity.",
+              place);
+      case CONVERTIBLE ->
+          findings.error(
+              Rule.UNIT_MISMATCH,
+              findings.at(data, Literals.DATA__UNIT),
+              message,
+              writes
+                  ? "Give it in %s: %s.".formatted(there, unit.get().conversionTo(other.get()))
+                  : "Take it in %s, and convert inside the component: %s."
+                      .formatted(there, other.get().conversionTo(unit.get())),
+              place);
+    }
+  }
+}

@@ -1,0 +1,363 @@
+package dev.eventchain.description;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.Document;
+import dev.eventchain.documents.NumberRange;
+import dev.eventchain.documents.ObjectReader;
+import dev.eventchain.jsonmodels.JsonDocument;
+import dev.eventchain.jsonmodels.Modeled;
+import dev.eventchain.jsonmodels.Names;
+import dev.eventchain.messages.RosNames;
+import dev.eventchain.model.PythonNames;
+import dev.eventchain.model.TopicIndex;
+import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.model.eventchain.Data;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.EventchainFactory;
+import dev.eventchain.model.eventchain.EventchainPackage.Literals;
+import dev.eventchain.model.eventchain.QosProfile;
+import dev.eventchain.model.eventchain.Requirement;
+import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.xmi.Origins;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import org.eclipse.emf.ecore.EStructuralFeature;
+import org.eclipse.emf.ecore.util.EcoreUtil;
+
+/**
+ * Turns an event-chain description into a model, directly. The description is the JSON array of the
+ * paper's Appendix A, or the object around it of {@link EventChainSchema}; we add {@code frequency}
+ * (Hz), {@code requirements} (ids), {@code type}, {@code unit}, {@code maximum_age} (ms) and {@code
+ * safe_value} of values, {@code consumer} ("external") and {@code requirements} of outputs that
+ * leave the chain, and {@code worst_case_execution_time}, {@code best_case_execution_time} (ms) and
+ * {@code memory} (MiB) of components, all optional.
+ *
+ * <p>Each element's origin is its JSON pointer in the description, so that what is found in the
+ * model later points back to it.
+ */
+public final class EventChainReader {
+
+  private static final EventchainFactory FACTORY = EventchainFactory.eINSTANCE;
+
+  private static final NumberRange NOT_NEGATIVE = NumberRange.atLeast(0);
+
+  private static final String EXTERNAL = "external";
+
+  /** The properties of a topic that become features of each of its values. */
+  private static final Map<EStructuralFeature, String> PORT =
+      Map.of(
+          Literals.DATA__TOPIC_NAME, "topic",
+          Literals.DATA__MESSAGE_TYPE, "message_type",
+          Literals.DATA__QOS, "qos_profile");
+
+  private static final Map<EStructuralFeature, String> VALUE =
+      Map.of(
+          Literals.DATA__NAME, "name",
+          Literals.DATA__FIELD_NAME, "field",
+          Literals.DATA__TYPE, "type",
+          Literals.DATA__UNIT, "unit",
+          Literals.DATA__MAXIMUM_AGE, "maximum_age",
+          Literals.DATA__SAFE_VALUE, "safe_value");
+
+  private static final Map<EStructuralFeature, String> COMPONENT =
+      Map.of(
+          Literals.SOFTWARE_NODE__NAME, "name",
+          Literals.SOFTWARE_NODE__FREQUENCY, "frequency",
+          Literals.SOFTWARE_NODE__BEST_CASE_EXECUTION_TIME, "best_case_execution_time",
+          Literals.SOFTWARE_NODE__WORST_CASE_EXECUTION_TIME, "worst_case_execution_time",
+          Literals.SOFTWARE_NODE__MEMORY, "memory",
+          Literals.SOFTWARE_NODE__INPUT, "input",
+          Literals.SOFTWARE_NODE__OUTPUT, "output");
+
+  private final Document text;
+  private final Origins origins = new Origins();
+  private final List<Diagnostic> diagnostics = new ArrayList<>();
+  private final EventChain chain = FACTORY.createEventChain();
+  private final Map<String, Requirement> requirements = new LinkedHashMap<>();
+  private final OptionalDouble defaultFrequency;
+  private boolean requirementsKnown = true;
+
+  private EventChainReader(Document description, OptionalDouble defaultFrequency) {
+    this.text = description;
+    this.defaultFrequency = defaultFrequency;
+  }
+
+  /**
+   * Reads a description.
+   *
+   * @param name the chain's name
+   * @param written the requirements that the description may name
+   * @param defaultFrequency Hz, for components whose description gives none; empty leaves it unset
+   * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if the description is not JSON
+   */
+  public static Modeled<EventChain> read(
+      SourceText description,
+      String name,
+      List<WrittenRequirement> written,
+      OptionalDouble defaultFrequency) {
+    EventChainReader reader =
+        new EventChainReader(JsonDocument.parse(description), defaultFrequency);
+    reader.chain.setName(name);
+    written.forEach(reader::addRequirement);
+    reader.readComponents();
+    return reader.result();
+  }
+
+  /** Reads the components of a software base: as an event chain, but for requirements. */
+  public static Modeled<EventChain> readExisting(Document components) {
+    EventChainReader reader = new EventChainReader(components, OptionalDouble.empty());
+    reader.requirementsKnown = false;
+    reader.read(components.objects(reader.diagnostics::add));
+    return reader.result();
+  }
+
+  private Modeled<EventChain> result() {
+    return new Modeled<>(chain, origins, diagnostics.stream().sorted().toList());
+  }
+
+  private void addRequirement(WrittenRequirement item) {
+    Requirement requirement = FACTORY.createRequirement();
+    requirement.setId(item.id());
+    requirement.setText(item.text());
+    chain.getRequirements().add(requirement);
+    requirements.put(item.id(), requirement);
+    origins.put(requirement, item.location());
+  }
+
+  private void readComponents() {
+    read(EventChainSchema.objects(text, diagnostics::add));
+    JsonNode components = EventChainSchema.components(text.root());
+    if (components.isArray() && components.isEmpty()) {
+      find("modeler.chain.empty", "The description contains no component.", text.at(""));
+    }
+    linkNextSteps();
+  }
+
+  private void read(List<ObjectReader> components) {
+    origins.put(chain, text.at(""));
+    components.forEach(this::readComponent);
+    refuseDuplicates(chain.getSoftware());
+  }
+
+  private void readComponent(ObjectReader json) {
+    SoftwareNode node = FACTORY.createSoftwareNode();
+    chain.getSoftware().add(node);
+    origins.put(node, json.location());
+    origins.putFeatures(node, feature -> Optional.ofNullable(COMPONENT.get(feature)).map(json::at));
+    node.setName(name(json, "component"));
+    json.text("description").ifPresent(node::setDescription);
+    OptionalDouble frequency = json.number("frequency", NumberRange.above(0));
+    if (frequency.isPresent() || json.value("frequency").isEmpty()) {
+      frequency = frequency.isPresent() ? frequency : defaultFrequency;
+      frequency.ifPresent(node::setFrequency);
+    }
+    json.number("best_case_execution_time", NOT_NEGATIVE).ifPresent(node::setBestCaseExecutionTime);
+    json.number("worst_case_execution_time", NOT_NEGATIVE)
+        .ifPresent(node::setWorstCaseExecutionTime);
+    json.number("memory", NOT_NEGATIVE).ifPresent(node::setMemory);
+    json.value("implementation");
+    json.value("file");
+    node.getSatisfies().addAll(readRequirements(json));
+    readPorts(json, "input", node.getInput(), port -> value -> {});
+    readPorts(json, "output", node.getOutput(), this::readConsumer);
+    json.refuseOthers();
+  }
+
+  private List<Requirement> readRequirements(ObjectReader json) {
+    List<Requirement> found = new ArrayList<>();
+    List<String> ids = json.texts("requirements");
+    for (int i = 0; i < ids.size(); i++) {
+      Requirement requirement = requirements.get(ids.get(i));
+      if (requirement == null && requirementsKnown) {
+        diagnostics.add(
+            Diagnostic.error(
+                    "modeler.reference.unresolved",
+                    "There is no requirement '" + ids.get(i) + "'.",
+                    text.at(Document.below(json.pointerTo("requirements"), i)))
+                .withHint(NearestName.hint(ids.get(i), requirements.keySet())));
+      } else if (requirement != null) {
+        found.add(requirement);
+      }
+    }
+    return found;
+  }
+
+  private void readPorts(
+      ObjectReader json,
+      String side,
+      List<Data> data,
+      Function<ObjectReader, Consumer<Data>> more) {
+    Set<String> names = new HashSet<>();
+    json.objects(side).forEach(port -> readPort(port, names, data, more));
+  }
+
+  /** Whether an output leaves the chain, and which requirements ask for that. */
+  private Consumer<Data> readConsumer(ObjectReader port) {
+    Optional<String> consumer = port.text("consumer");
+    if (consumer.isPresent() && !consumer.get().equals(EXTERNAL)) {
+      port.find(
+          Diagnostic.error(
+                  "modeler.consumer.unknown",
+                  "'" + Names.printable(consumer.get()) + "' is not a consumer.",
+                  port.at("consumer"))
+              .withHint(
+                  "Write \"external\" for an output that leaves the chain; leave it out"
+                      + " otherwise."));
+    }
+    List<Requirement> asking = readRequirements(port);
+    return value -> {
+      value.setExternal(consumer.isPresent());
+      value.getSatisfies().addAll(asking);
+    };
+  }
+
+  private void readPort(
+      ObjectReader port,
+      Set<String> names,
+      List<Data> data,
+      Function<ObjectReader, Consumer<Data>> more) {
+    String topic = checked(port, "topic", RosNames::isTopic, "modeler.topic.illegal");
+    String type = checked(port, "message_type", RosNames::isMessageType, "modeler.type.illegal");
+    Optional<QosProfile> qos = QosReader.read(port);
+    if (port.value("values").map(json -> json.isArray() && json.isEmpty()).orElse(true)) {
+      find("modeler.feature.missing", "The topic '" + topic + "' has no values.", port.location());
+    }
+    Consumer<Data> completion = more.apply(port);
+    for (ObjectReader json : port.objects("values")) {
+      Data value = readValue(json, names);
+      origins.putFeatures(value, feature -> placeOf(feature, port, json));
+      completion.accept(value);
+      value.setTopicName(topic);
+      value.setMessageType(type);
+      qos.map(EcoreUtil::copy).ifPresent(value::setQos);
+      chain.getData().add(value);
+      data.add(value);
+    }
+    port.refuseOthers();
+  }
+
+  private static Optional<SourceLocation> placeOf(
+      EStructuralFeature feature, ObjectReader port, ObjectReader value) {
+    boolean ofPort = PORT.containsKey(feature);
+    return Optional.ofNullable(ofPort ? PORT.get(feature) : VALUE.get(feature))
+        .map(ofPort ? port::at : value::at);
+  }
+
+  private Data readValue(ObjectReader json, Set<String> names) {
+    Data value = FACTORY.createData();
+    origins.put(value, json.location());
+    value.setName(name(json, "value"));
+    if (!names.add(value.getName()) && !value.getName().isEmpty()) {
+      find(
+          "modeler.name.duplicate",
+          "There is already a value '" + value.getName() + "' on this side of the component.",
+          json.at("name"));
+    }
+    value.setFieldName(checked(json, "field", RosNames::isFieldPath, "modeler.field.illegal"));
+    json.text("description").ifPresent(value::setDescription);
+    json.text("type").ifPresent(value::setType);
+    json.text("unit").ifPresent(value::setUnit);
+    json.number("maximum_age", NumberRange.above(0)).ifPresent(value::setMaximumAge);
+    safeValue(json).ifPresent(value::setSafeValue);
+    json.refuseOthers();
+    return value;
+  }
+
+  /** A number, a Boolean or a string; the model has what was written. */
+  private Optional<String> safeValue(ObjectReader json) {
+    Optional<JsonNode> value = json.value("safe_value");
+    if (value.isPresent() && !value.get().isValueNode()) {
+      find(
+          "modeler.value.type",
+          "A safe value is a number, true, false or a string.",
+          json.at("safe_value"));
+    }
+    return value.filter(JsonNode::isValueNode).map(JsonNode::asText);
+  }
+
+  private String name(ObjectReader json, String what) {
+    String name = json.requiredText("name");
+    if (!name.isBlank() && !PythonNames.isFreeIdentifier(name)) {
+      diagnostics.add(
+          Diagnostic.error(
+                  "modeler.name.illegal",
+                  "'" + Names.printable(name) + "' cannot be the name of a " + what + ".",
+                  json.at("name"))
+              .withHint(
+                  "Names are Python identifiers: letters, digits and underscores; they cannot"
+                      + " begin with a digit, or be a keyword."));
+    }
+    return name;
+  }
+
+  private String checked(ObjectReader json, String property, Predicate<String> legal, String id) {
+    String value = json.requiredText(property);
+    if (!value.isBlank() && !legal.test(value)) {
+      String message =
+          "'" + Names.printable(value) + "' is not a legal " + property.replace('_', ' ') + ".";
+      diagnostics.add(
+          Diagnostic.error(id, message, json.at(property)).withHint(Names.ruleOf(property)));
+    }
+    return value;
+  }
+
+  private void refuseDuplicates(List<SoftwareNode> nodes) {
+    Map<String, SoftwareNode> seen = new HashMap<>();
+    for (SoftwareNode node : nodes) {
+      // Files and packages are named after components in lower case.
+      SoftwareNode earlier = seen.putIfAbsent(node.getName().toLowerCase(Locale.ROOT), node);
+      if (earlier != null && !node.getName().isEmpty()) {
+        diagnostics.add(
+            Diagnostic.error(
+                    "modeler.name.duplicate",
+                    "There is already a component '"
+                        + earlier.getName()
+                        + "' in line "
+                        + origins.locate(earlier).line()
+                        + ".",
+                    origins.locate(node))
+                .withHint("Names of components must differ in more than upper and lower case."));
+      }
+    }
+  }
+
+  /** The main line: the first component further down that reads a topic which this one writes. */
+  private void linkNextSteps() {
+    List<SoftwareNode> nodes = chain.getSoftware();
+    for (int i = 0; i < nodes.size(); i++) {
+      Set<String> written = topics(nodes.get(i), nodes.get(i).getOutput());
+      Optional<SoftwareNode> next =
+          nodes.subList(i + 1, nodes.size()).stream()
+              .filter(node -> !Collections.disjoint(written, topics(node, node.getInput())))
+              .findFirst();
+      next.ifPresent(nodes.get(i)::setNextstep);
+    }
+  }
+
+  private static Set<String> topics(SoftwareNode node, List<Data> data) {
+    return data.stream()
+        .flatMap(value -> TopicIndex.nameOf(value, node).stream())
+        .collect(Collectors.toSet());
+  }
+
+  private void find(String id, String message, SourceLocation location) {
+    diagnostics.add(Diagnostic.error(id, message, location));
+  }
+}

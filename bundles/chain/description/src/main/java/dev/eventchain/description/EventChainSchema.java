@@ -1,0 +1,255 @@
+package dev.eventchain.description;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.documents.Document;
+import dev.eventchain.documents.ObjectReader;
+import dev.eventchain.jsonmodels.EnumLimits;
+import dev.eventchain.messages.QosSettings;
+import dev.eventchain.model.eventchain.Durability;
+import dev.eventchain.model.eventchain.History;
+import dev.eventchain.model.eventchain.Liveliness;
+import dev.eventchain.model.eventchain.Reliability;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.TreeSet;
+import java.util.function.Consumer;
+import org.eclipse.emf.common.util.Enumerator;
+
+/**
+ * The JSON Schema of the event-chain descriptions that {@link EventChainReader} reads, as far as
+ * they are written by the designer of a chain. Since strict modes want an object at the root, the
+ * array of components is in its property {@code components}.
+ *
+ * <p>Only what is closed is an enumeration: the ids of the requirements, the message types that
+ * there are, the profiles and policies of quality of service, and {@code external}. Names and
+ * topics are free, because a chain may define new ones; units and types of fields, because they are
+ * composed (m/s2, float32[4]); fields, because which there are depends on the message type.
+ *
+ * <p>The properties are in the order of the paper's template: whoever writes a threshold into the
+ * description has it at hand when the ports are written.
+ */
+public final class EventChainSchema {
+
+  private static final JsonNodeFactory JSON = JsonNodeFactory.instance;
+  private static final String COMPONENTS = "components";
+  private static final String MESSAGE_TYPE = "message_type";
+  private static final String QOS = "qos_profile";
+  private static final String REQUIREMENT = "requirement";
+  private static final String POLICIES = "policies";
+
+  private final Collection<String> requirements;
+  private final Collection<String> messageTypes;
+
+  private EventChainSchema(Collection<String> requirements, Collection<String> messageTypes) {
+    this.requirements = requirements;
+    this.messageTypes = messageTypes;
+  }
+
+  /**
+   * The schema of a chain.
+   *
+   * @param requirements the ids of all requirements
+   * @param messageTypes the full names of all message types
+   */
+  public static EventChainSchema of(
+      Collection<String> requirements, Collection<String> messageTypes) {
+    return new EventChainSchema(
+        requirements.stream().distinct().toList(), List.copyOf(new TreeSet<>(messageTypes)));
+  }
+
+  /** Every property is required; where there is nothing to say, it is null. */
+  public ObjectNode nested() {
+    return new Shape(true).root();
+  }
+
+  /** What there is nothing to say of is left out. */
+  public ObjectNode flat() {
+    return new Shape(false).root();
+  }
+
+  /** The array itself, as the paper has it; otherwise as {@link #nested()}. */
+  public ObjectNode array() {
+    return new Shape(true).defined(array(pointer("component")));
+  }
+
+  /**
+   * The components of a description: the array that it is, or the one in an object as the schema
+   * asks for. Anything else is returned as it is.
+   */
+  public static JsonNode components(JsonNode description) {
+    return isWrapped(description) ? description.get(COMPONENTS) : description;
+  }
+
+  /** Readers of the components; what is not a description of a chain is a finding. */
+  static List<ObjectReader> objects(Document description, Consumer<Diagnostic> findings) {
+    if (!isWrapped(description.root())) {
+      return description.objects(findings);
+    }
+    ObjectReader root = description.object("", findings).orElseThrow();
+    List<ObjectReader> components = root.objects(COMPONENTS);
+    root.refuseOthers();
+    return components;
+  }
+
+  private static boolean isWrapped(JsonNode description) {
+    return description.isObject() && description.path(COMPONENTS).isArray();
+  }
+
+  /** One schema in the making. */
+  private final class Shape {
+
+    private final boolean nested;
+
+    Shape(boolean nested) {
+      this.nested = nested;
+    }
+
+    ObjectNode root() {
+      return defined(new Properties().always(COMPONENTS, array(pointer("component"))).closed());
+    }
+
+    ObjectNode defined(ObjectNode root) {
+      ObjectNode definitions = root.putObject("$defs");
+      definitions.set("component", component());
+      definitions.set("input", port(value("maximum_age", type("number"))).closed());
+      definitions.set("output", output());
+      definitions.set(MESSAGE_TYPE, oneOf(messageTypes));
+      definitions.set(REQUIREMENT, oneOf(requirements));
+      definitions.set(POLICIES, policies());
+      return EnumLimits.keep(root);
+    }
+
+    private ObjectNode component() {
+      return new Properties()
+          .always("name", type("string"))
+          .always("description", type("string"))
+          .always("frequency", type("number").put("description", "Hz"))
+          .maybe("worst_case_execution_time", type("number").put("description", "ms"))
+          .always("requirements", array(pointer(REQUIREMENT)))
+          .always("input", array(pointer("input")))
+          .always("output", array(pointer("output")))
+          .closed();
+    }
+
+    private ObjectNode output() {
+      ObjectNode safe = JSON.objectNode();
+      safe.putArray("anyOf").add(type("number")).add(type("boolean")).add(type("string"));
+      return port(value("safe_value", safe))
+          .maybe("consumer", oneOf(List.of("external")))
+          .always("requirements", array(pointer(REQUIREMENT)))
+          .closed();
+    }
+
+    private Properties port(ObjectNode value) {
+      return new Properties()
+          .always("topic", type("string"))
+          .always(MESSAGE_TYPE, pointer(MESSAGE_TYPE))
+          .maybe(QOS, qos())
+          .always("values", array(value));
+    }
+
+    private ObjectNode value(String last, ObjectNode type) {
+      return new Properties()
+          .always("name", type("string"))
+          .always("field", type("string"))
+          .always("type", type("string"))
+          .maybe("unit", type("string"))
+          .always("description", type("string"))
+          .maybe(last, type)
+          .closed();
+    }
+
+    private ObjectNode qos() {
+      List<String> names = new ArrayList<>(QosSettings.names());
+      names.addAll(QosReader.RELIABILITIES);
+      ObjectNode qos = JSON.objectNode();
+      qos.putArray("anyOf")
+          .add(oneOf(names))
+          .add(type("integer").put("description", "The depth of the profile default."))
+          .add(pointer(POLICIES));
+      return qos;
+    }
+
+    private ObjectNode policies() {
+      return new Properties()
+          .always("profile", oneOf(QosSettings.names()))
+          .maybe("reliability", oneOf(names(Reliability.VALUES)))
+          .maybe("durability", oneOf(names(Durability.VALUES)))
+          .maybe("history", oneOf(names(History.VALUES)))
+          .maybe("depth", type("integer"))
+          .maybe("deadline", type("number").put("description", "ms"))
+          .maybe("liveliness", oneOf(names(Liveliness.VALUES)))
+          .maybe("lease_duration", type("number").put("description", "ms"))
+          .closed();
+    }
+
+    /** The properties of an object. */
+    private final class Properties {
+
+      private final ObjectNode all = JSON.objectNode();
+      private final ArrayNode required = JSON.arrayNode();
+
+      Properties always(String name, ObjectNode schema) {
+        all.set(name, schema);
+        required.add(name);
+        return this;
+      }
+
+      Properties maybe(String name, ObjectNode schema) {
+        if (nested) {
+          return always(name, orNull(schema));
+        }
+        all.set(name, schema);
+        return this;
+      }
+
+      ObjectNode closed() {
+        ObjectNode schema = type("object");
+        schema.set("properties", all);
+        schema.set("required", required);
+        return schema.put("additionalProperties", false);
+      }
+    }
+  }
+
+  private static ObjectNode orNull(ObjectNode schema) {
+    if (schema.path("anyOf") instanceof ArrayNode alternatives) {
+      alternatives.add(type("null"));
+      return schema;
+    }
+    ObjectNode nullable = JSON.objectNode();
+    nullable.putArray("anyOf").add(schema).add(type("null"));
+    return nullable;
+  }
+
+  private static List<String> names(List<? extends Enumerator> literals) {
+    return literals.stream().map(Enumerator::getName).toList();
+  }
+
+  private static ObjectNode pointer(String definition) {
+    return JSON.objectNode().put("$ref", "#/$defs/" + definition);
+  }
+
+  private static ObjectNode array(ObjectNode items) {
+    return type("array").set("items", items);
+  }
+
+  /** A text where there is nothing to choose from. */
+  private static ObjectNode oneOf(Collection<String> values) {
+    ObjectNode schema = type("string");
+    if (!values.isEmpty()) {
+      ArrayNode literals = schema.putArray("enum");
+      values.forEach(literals::add);
+    }
+    return schema;
+  }
+
+  private static ObjectNode type(String name) {
+    return JSON.objectNode().put("type", name);
+  }
+}

@@ -1,0 +1,112 @@
+package dev.eventchain.description;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.documents.NumberRange;
+import dev.eventchain.documents.ObjectReader;
+import dev.eventchain.messages.QosSettings;
+import dev.eventchain.model.eventchain.Durability;
+import dev.eventchain.model.eventchain.EventchainFactory;
+import dev.eventchain.model.eventchain.History;
+import dev.eventchain.model.eventchain.Liveliness;
+import dev.eventchain.model.eventchain.QosProfile;
+import dev.eventchain.model.eventchain.Reliability;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.function.Function;
+
+/**
+ * Reads quality of service: the name of a ROS 2 profile, a depth, a reliability, or an object with
+ * the policies.
+ */
+public final class QosReader {
+
+  private static final String NAME = "qos_profile";
+  private static final String DEFAULT = "default";
+
+  /** What stands for the profile {@code default} with that reliability. */
+  static final List<String> RELIABILITIES = List.of("reliable", "best_effort");
+
+  private QosReader() {}
+
+  /** The profile of {@code qos_profile}; nothing where it is missing or not understood. */
+  public static Optional<QosProfile> read(ObjectReader port) {
+    Optional<JsonNode> value = port.value(NAME);
+    if (value.isEmpty()) {
+      return Optional.empty();
+    }
+    if (value.get().isObject()) {
+      return port.object(NAME).map(QosReader::policies);
+    }
+    if (value.get().isTextual() || value.get().isIntegralNumber()) {
+      return named(value.get().asText(), port);
+    }
+    port.refuseType(NAME, "a profile's name, a depth or an object");
+    return Optional.empty();
+  }
+
+  /** Accepts the ways in which C++, Python and documentation write the same profiles. */
+  private static Optional<QosProfile> named(String written, ObjectReader port) {
+    QosProfile qos = EventchainFactory.eINSTANCE.createQosProfile();
+    String name =
+        written.strip().toLowerCase(Locale.ROOT).replaceFirst("^(rmw_)?(qos_profile_)", "");
+    qos.setName(DEFAULT);
+    if (QosSettings.named(name).isPresent()) {
+      qos.setName(name);
+    } else if (name.matches("[1-9][0-9]{0,4}")) {
+      qos.setDepth(Integer.parseInt(name));
+    } else if (name.equals("reliable")) {
+      qos.setReliability(Reliability.RELIABLE);
+    } else if (name.equals("best_effort")) {
+      qos.setReliability(Reliability.BEST_EFFORT);
+    } else {
+      port.find(
+          Diagnostic.error(
+                  "modeler.qos.unknown",
+                  "There is no quality-of-service profile called '" + written + "'.",
+                  port.at(NAME))
+              .withHint(
+                  "Use "
+                      + String.join(", ", QosSettings.names())
+                      + ", reliable, best_effort, a depth, or an object with the policies."));
+      return Optional.empty();
+    }
+    return Optional.of(qos);
+  }
+
+  private static QosProfile policies(ObjectReader object) {
+    QosProfile qos = EventchainFactory.eINSTANCE.createQosProfile();
+    qos.setName(object.text("profile").orElse(DEFAULT));
+    if (QosSettings.named(qos.getName()).isEmpty()) {
+      object.find(
+          "modeler.qos.unknown",
+          "There is no quality-of-service profile called '" + qos.getName() + "'.",
+          object.at("profile"));
+    }
+    policy(object, "reliability", Reliability::getByName).ifPresent(qos::setReliability);
+    policy(object, "durability", Durability::getByName).ifPresent(qos::setDurability);
+    policy(object, "history", History::getByName).ifPresent(qos::setHistory);
+    policy(object, "liveliness", Liveliness::getByName).ifPresent(qos::setLiveliness);
+    object
+        .wholeNumber("depth", NumberRange.of(0, Integer.MAX_VALUE))
+        .ifPresent(depth -> qos.setDepth((int) depth));
+    object.number("deadline", NumberRange.atLeast(0)).ifPresent(qos::setDeadline);
+    object.number("lease_duration", NumberRange.atLeast(0)).ifPresent(qos::setLeaseDuration);
+    object.refuseOthers();
+    return qos;
+  }
+
+  private static <E> Optional<E> policy(
+      ObjectReader object, String name, Function<String, E> literal) {
+    Optional<String> value = object.text(name);
+    Optional<E> found = value.map(v -> literal.apply(v.strip().toUpperCase(Locale.ROOT)));
+    if (value.isPresent() && found.isEmpty()) {
+      object.find(
+          "modeler.qos.unknown",
+          "There is no " + name + " '" + value.get() + "'.",
+          object.at(name));
+    }
+    return found;
+  }
+}

@@ -1,0 +1,99 @@
+package dev.eventchain.model;
+
+import dev.eventchain.messages.RosNames;
+import dev.eventchain.model.eventchain.Data;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.SoftwareNode;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * The topics of an event chain, with their readers and writers. The data of a component that name
+ * the same topic are one endpoint: one publisher or subscription at run time. Names are full ones,
+ * as ROS resolves them for nodes in the root namespace, so that {@code a/x} and {@code /a/x} are
+ * one topic and {@code ~/x} is one for each component. Data without a topic are on none.
+ *
+ * <p>A snapshot: later changes of the chain are not seen. All lists are in chain order.
+ */
+public final class TopicIndex {
+
+  /**
+   * What a component writes to a topic, or reads from it.
+   *
+   * @param data the fields, in the order of the component; at least one
+   */
+  public record Endpoint(SoftwareNode node, List<Data> data) {}
+
+  /**
+   * A topic and everyone on it; at least one is.
+   *
+   * @param name its full name
+   */
+  public record Topic(String name, List<Endpoint> publishers, List<Endpoint> subscribers) {}
+
+  private final Map<String, Topic> topics = new LinkedHashMap<>();
+
+  private TopicIndex(EventChain chain) {
+    for (SoftwareNode node : chain.getSoftware()) {
+      byTopic(node, node.getInput())
+          .forEach((name, data) -> topic(name).subscribers().add(new Endpoint(node, data)));
+      byTopic(node, node.getOutput())
+          .forEach((name, data) -> topic(name).publishers().add(new Endpoint(node, data)));
+    }
+    topics.replaceAll(
+        (name, topic) ->
+            new Topic(name, List.copyOf(topic.publishers()), List.copyOf(topic.subscribers())));
+  }
+
+  private Topic topic(String name) {
+    return topics.computeIfAbsent(
+        name, key -> new Topic(key, new ArrayList<>(), new ArrayList<>()));
+  }
+
+  private static Map<String, List<Data>> byTopic(SoftwareNode node, List<Data> all) {
+    Map<String, List<Data>> groups = new LinkedHashMap<>();
+    for (Data data : all) {
+      nameOf(data, node)
+          .ifPresent(name -> groups.computeIfAbsent(name, key -> new ArrayList<>()).add(data));
+    }
+    return groups;
+  }
+
+  /** The topics of a chain. */
+  public static TopicIndex of(EventChain chain) {
+    return new TopicIndex(chain);
+  }
+
+  /**
+   * The full name of the topic that a component's data are on.
+   *
+   * @return empty if there is no topic
+   */
+  public static Optional<String> nameOf(Data data, SoftwareNode node) {
+    String name = data.getTopicName();
+    String owner = node.getName() == null ? "" : RosNames.nodeName(node.getName());
+    return name == null || name.isEmpty()
+        ? Optional.empty()
+        : Optional.of(RosNames.resolve(name, owner));
+  }
+
+  /** All topics, in the order in which they appear. */
+  public Collection<Topic> topics() {
+    return Collections.unmodifiableCollection(topics.values());
+  }
+
+  /**
+   * A topic.
+   *
+   * @param name its full name
+   * @return empty if the chain neither reads nor writes it
+   */
+  public Optional<Topic> find(String name) {
+    return Optional.ofNullable(topics.get(name));
+  }
+}

@@ -1,0 +1,140 @@
+package dev.eventchain.project;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/**
+ * Files of a project that would be read if they had another name. Most files of a project may be
+ * missing, so a misspelt one would silently count as none: no constraint, no scenario.
+ */
+public final class ProjectFileNames {
+
+  /** What is read by its name, relative to the project. */
+  private static final List<String> KNOWN =
+      List.of(
+          "bench.yaml",
+          "constraints.ocl",
+          "design-rules.md",
+          "eventchain-suppressions.yaml",
+          "model",
+          "model/chain.xmi",
+          "recordings",
+          "requirements.md",
+          "scenarios",
+          "software-base",
+          "software-base/components.json",
+          "software-base/msg",
+          "software-base/signals.json",
+          "tests");
+
+  /** How files in folders of projects end that are read. */
+  private static final List<String> READ = List.of(".yaml", ".json", ".xmi", ".py", ".msg", ".idl");
+
+  private ProjectFileNames() {}
+
+  /**
+   * Refuses files and folders whose names differ from known ones in case alone.
+   *
+   * @throws DiagnosticException INPUT with each of them ({@code project.file.misnamed})
+   */
+  static void refuseOtherCase(Path folder) {
+    List<Diagnostic> found =
+        KNOWN.stream().flatMap(name -> misnamed(folder.resolve(name)).stream()).toList();
+    if (!found.isEmpty()) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, found);
+    }
+  }
+
+  private static Optional<Diagnostic> misnamed(Path wanted) {
+    String name = wanted.getFileName().toString();
+    Path folder = wanted.resolveSibling("");
+    if (!Files.isDirectory(folder) || !ProjectFolder.isAbsent(wanted)) {
+      return Optional.empty();
+    }
+    return entries(folder).stream()
+        .filter(entry -> entry.getFileName().toString().equalsIgnoreCase(name))
+        .filter(entry -> !Files.isDirectory(entry) || holdsAnyToRead(entry))
+        .findFirst()
+        .map(
+            entry ->
+                Diagnostic.error(
+                        "project.file.misnamed",
+                        "'%s' is not read: its name has to be '%s', in this case."
+                            .formatted(entry.getFileName(), name),
+                        SourceLocation.of(entry))
+                    .withHint("Rename it to '" + name + "'."));
+  }
+
+  /** A folder for something else may have a name like one of ours. */
+  private static boolean holdsAnyToRead(Path folder) {
+    return entries(folder).stream()
+        .map(entry -> entry.getFileName().toString())
+        .anyMatch(
+            name ->
+                READ.stream().anyMatch(name::endsWith) || Files.isDirectory(folder.resolve(name)));
+  }
+
+  /** Another spelling of the file by which a project is known, if the folder has one. */
+  static Optional<String> misspelt(Path wanted) {
+    return entries(wanted.resolveSibling("")).stream()
+        .map(entry -> entry.getFileName().toString())
+        .filter(name -> name.equalsIgnoreCase(wanted.getFileName().toString()))
+        .findFirst();
+  }
+
+  /**
+   * A warning for each OCL document next to {@code eventchain.yaml} that is not read.
+   *
+   * @param output the folder of the project's results, which may hold generated constraints
+   */
+  public static List<Diagnostic> unreadConstraints(ProjectFolder project, Path output) {
+    Set<Path> known =
+        project.constraintFiles(output).stream()
+            .map(ProjectFileNames::identity)
+            .collect(Collectors.toSet());
+    return entries(project.folder()).stream()
+        .filter(file -> file.getFileName().toString().toLowerCase(Locale.ROOT).endsWith(".ocl"))
+        .filter(file -> !Files.isDirectory(file) && !known.contains(identity(file)))
+        .map(
+            file ->
+                Diagnostic.warning(
+                        "project.constraints.unread",
+                        "The constraints in this file are not evaluated: a project's own are in"
+                            + " constraints.ocl.",
+                        SourceLocation.of(file))
+                    .withHint(
+                        "Write import '%s' into constraints.ocl, or move the file to another folder."
+                            .formatted(file.getFileName())))
+        .toList();
+  }
+
+  /** The file behind links. */
+  private static Path identity(Path file) {
+    try {
+      return file.toRealPath();
+    } catch (IOException e) {
+      return file.toAbsolutePath().normalize();
+    }
+  }
+
+  /** Sorted; none of a folder that may not be listed, whose files are found unreadable later. */
+  private static Set<Path> entries(Path folder) {
+    try (Stream<Path> entries = Files.list(folder)) {
+      return entries.collect(Collectors.toCollection(TreeSet::new));
+    } catch (IOException | UncheckedIOException e) {
+      return Set.of();
+    }
+  }
+}

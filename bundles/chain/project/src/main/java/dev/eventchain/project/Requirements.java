@@ -1,0 +1,140 @@
+package dev.eventchain.project;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.model.WrittenRequirement;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * Written requirements or design rules: the items {@code - REQ-1: text} of a Markdown file, in
+ * their order. An item continues in indented lines; everything else in the file is for people.
+ *
+ * @param items the items
+ * @param diagnostics what is wrong with the file: an id twice, an item without text, no item at
+ *     all, and as warnings lines that name an id like those of the items and are none
+ */
+public record Requirements(List<WrittenRequirement> items, List<Diagnostic> diagnostics) {
+
+  private static final Pattern ITEM =
+      Pattern.compile("[-*+] +\\**([A-Za-z][A-Za-z0-9_.-]*)\\**:\\**\\s*(.*)");
+
+  /** An id as most people number them: what is before the number, and the number. */
+  private static final Pattern NUMBERED = Pattern.compile("(.*?[A-Za-z])[-_. ]?([0-9]+)");
+
+  /** Keeps its own copies. */
+  public Requirements {
+    items = List.copyOf(items);
+    diagnostics = List.copyOf(diagnostics);
+  }
+
+  /** Reads the items of a file. */
+  public static Requirements read(SourceText source) {
+    return new Reader(source).read();
+  }
+
+  private static final class Reader {
+    private final SourceText source;
+    private final List<WrittenRequirement> items = new ArrayList<>();
+    private final List<Diagnostic> diagnostics = new ArrayList<>();
+
+    Reader(SourceText source) {
+      this.source = source;
+    }
+
+    Requirements read() {
+      int number = 0;
+      boolean open = false;
+      for (String line : source.text().lines().toList()) {
+        number++;
+        Matcher item = ITEM.matcher(line.stripTrailing());
+        if (item.matches()) {
+          items.add(
+              new WrittenRequirement(item.group(1), item.group(2).strip(), source.at(number, 1)));
+          open = true;
+        } else if (open && line.startsWith("  ") && !line.isBlank()) {
+          goOn(line.strip());
+        } else {
+          open = false;
+        }
+      }
+      check();
+      findUnread();
+      return new Requirements(items, diagnostics);
+    }
+
+    private void goOn(String text) {
+      WrittenRequirement last = items.remove(items.size() - 1);
+      items.add(
+          new WrittenRequirement(last.id(), (last.text() + " " + text).strip(), last.location()));
+    }
+
+    private void check() {
+      if (items.isEmpty()) {
+        diagnostics.add(
+            Diagnostic.error(
+                    "modeler.requirements.none", "The file contains no requirement.", source.at(0))
+                .withHint("Write each as an item with an id: '- REQ-1: The system shall ...'"));
+      }
+      Map<String, WrittenRequirement> seen = new HashMap<>();
+      for (WrittenRequirement item : items) {
+        WrittenRequirement earlier = seen.putIfAbsent(item.id().toLowerCase(Locale.ROOT), item);
+        if (earlier != null) {
+          find(
+              "duplicate",
+              "The id " + item.id() + " is already used in line " + earlier.location().line() + ".",
+              item);
+        }
+        if (item.text().isEmpty()) {
+          find("empty", "The item " + item.id() + " has no text.", item);
+        }
+      }
+    }
+
+    /** A line with an id of the same kind may be an item that is written in another way. */
+    private void findUnread() {
+      Set<String> known = new HashSet<>();
+      Set<String> kinds = new TreeSet<>();
+      for (WrittenRequirement item : items) {
+        Matcher numbered = NUMBERED.matcher(item.id());
+        if (numbered.matches()) {
+          kinds.add(Pattern.quote(numbered.group(1)));
+          known.add(plain(numbered));
+        }
+      }
+      if (kinds.isEmpty()) {
+        return;
+      }
+      String kind = "(?i)(?<![A-Za-z0-9_-])(" + String.join("|", kinds) + ")[-_. ]?([0-9]+)";
+      Matcher found = Pattern.compile(kind).matcher(source.text());
+      while (found.find()) {
+        if (known.add(plain(found))) {
+          diagnostics.add(
+              Diagnostic.warning(
+                      "modeler.requirements.unread",
+                      "No item has the id '%s'.".formatted(found.group()),
+                      source.at(found.start()))
+                  .withHint(
+                      "If it should be one, write: '- ID: text'; items continue in indented"
+                          + " lines."));
+        }
+      }
+    }
+
+    private static String plain(Matcher numbered) {
+      return numbered.group(1).toLowerCase(Locale.ROOT) + "-" + numbered.group(2);
+    }
+
+    private void find(String kind, String message, WrittenRequirement item) {
+      diagnostics.add(Diagnostic.error("modeler.requirements." + kind, message, item.location()));
+    }
+  }
+}

@@ -1,0 +1,315 @@
+package dev.eventchain.project;
+
+import dev.eventchain.description.EventChainReader;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.Document;
+import dev.eventchain.documents.ObjectReader;
+import dev.eventchain.jsonmodels.JsonDocument;
+import dev.eventchain.jsonmodels.Modeled;
+import dev.eventchain.model.PythonNames;
+import dev.eventchain.model.Signal;
+import dev.eventchain.model.eventchain.ComponentImplementation;
+import dev.eventchain.model.eventchain.ComponentOrigin;
+import dev.eventchain.model.eventchain.Data;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.EventchainFactory;
+import dev.eventchain.model.eventchain.EventchainPackage.Literals;
+import dev.eventchain.model.eventchain.SoftwareNode;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import java.util.function.BiFunction;
+import java.util.stream.Collectors;
+import org.eclipse.emf.ecore.EAttribute;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EStructuralFeature;
+
+/**
+ * What a project already has: the components of {@code components.json} with their files, and the
+ * signals of {@code signals.json}.
+ */
+public final class SoftwareBase {
+
+  /**
+   * An existing component.
+   *
+   * @param implementation whether it is a class that needs a node around it, or a node by itself
+   * @param file its Python file
+   * @param location where it is described
+   */
+  public record Component(
+      String name, ComponentImplementation implementation, Path file, SourceLocation location) {}
+
+  private static final String COMPONENTS = "components.json";
+  private static final String SIGNALS = "signals.json";
+
+  private static final List<EAttribute> BUDGETS =
+      List.of(
+          Literals.SOFTWARE_NODE__BEST_CASE_EXECUTION_TIME,
+          Literals.SOFTWARE_NODE__WORST_CASE_EXECUTION_TIME,
+          Literals.SOFTWARE_NODE__MEMORY);
+
+  private final Map<String, Component> components;
+  private final String componentsText;
+  private final String signalsText;
+  private final Optional<List<Signal>> signals;
+  private final List<Diagnostic> diagnostics;
+  private final EventChain described;
+
+  private SoftwareBase(
+      Map<String, Component> components,
+      EventChain described,
+      String componentsText,
+      String signalsText,
+      Optional<List<Signal>> signals,
+      List<Diagnostic> diagnostics) {
+    this.components = components;
+    this.described = described;
+    this.componentsText = componentsText;
+    this.signalsText = signalsText;
+    this.signals = signals.map(List::copyOf);
+    this.diagnostics = List.copyOf(diagnostics);
+  }
+
+  /**
+   * Reads a software base. A file that is missing, cannot be read or is not JSON is a finding, and
+   * nothing is known of what it describes.
+   *
+   * @param folder the folder {@code software-base}
+   */
+  public static SoftwareBase read(Path folder) {
+    List<Diagnostic> diagnostics = new ArrayList<>();
+    Map<String, Component> components = new LinkedHashMap<>();
+    EventChain described = EventchainFactory.eINSTANCE.createEventChain();
+    Optional<Text> componentsFile = existing(folder, COMPONENTS, diagnostics);
+    if (componentsFile.isPresent()) {
+      Document json = componentsFile.get().json();
+      Modeled<EventChain> read = EventChainReader.readExisting(json);
+      diagnostics.addAll(read.diagnostics());
+      described = read.root();
+      components = new Reader(folder, json, diagnostics).components();
+    }
+    Optional<Text> signalsFile = existing(folder, SIGNALS, diagnostics);
+    Optional<List<Signal>> signals =
+        signalsFile.map(file -> new SignalReader(file.json(), diagnostics).read());
+    return new SoftwareBase(
+        components,
+        described,
+        componentsFile.map(Text::text).orElse("[]"),
+        signalsFile.map(Text::text).orElse("[]"),
+        signals,
+        diagnostics);
+  }
+
+  /** That of a chain in no project: no component, and nothing is known of the vehicle. */
+  public static SoftwareBase unknown() {
+    return new SoftwareBase(
+        Map.of(),
+        EventchainFactory.eINSTANCE.createEventChain(),
+        "[]",
+        "[]",
+        Optional.empty(),
+        List.of());
+  }
+
+  /** Marks the components of a chain that are here as existing ones and the others as generated. */
+  public void markExisting(EventChain chain) {
+    for (SoftwareNode node : chain.getSoftware()) {
+      Optional<Component> existing = find(node.getName());
+      node.setOrigin(existing.isPresent() ? ComponentOrigin.EXISTING : ComponentOrigin.GENERATED);
+      existing.ifPresent(component -> node.setImplementation(component.implementation()));
+    }
+  }
+
+  /**
+   * Adds what components may cost, which language models are not asked for: as a description of the
+   * chain states it, else as this software base does.
+   *
+   * @param described the chain as its description gives it directly
+   */
+  public void addBudgets(EventChain chain, EventChain described) {
+    for (SoftwareNode node : chain.getSoftware()) {
+      described.getSoftware().stream()
+          .filter(other -> Objects.equals(other.getName(), node.getName()))
+          .findFirst()
+          .ifPresent(other -> addBudgets(node, other));
+      described(String.valueOf(node.getName())).ifPresent(other -> addBudgets(node, other));
+    }
+  }
+
+  private static void addBudgets(SoftwareNode node, SoftwareNode from) {
+    for (EAttribute budget : BUDGETS) {
+      if (!node.eIsSet(budget) && from.eIsSet(budget)) {
+        node.eSet(budget, from.eGet(budget));
+      }
+    }
+  }
+
+  /** A file as it is written, and what it says. */
+  private record Text(String text, Document json) {}
+
+  /** A file; that it is not there is a finding, since nothing could be checked without it. */
+  private static Optional<Text> existing(Path folder, String name, List<Diagnostic> diagnostics) {
+    Path file = folder.resolve(name);
+    if (!Files.exists(file, LinkOption.NOFOLLOW_LINKS)) {
+      diagnostics.add(
+          Diagnostic.error("file.missing", "There is no such file.", SourceLocation.of(file))
+              .withHint("Write `[]` into it if there is nothing to describe."));
+      return Optional.empty();
+    }
+    try {
+      SourceText text = SourceText.read(file);
+      return Optional.of(new Text(text.text(), JsonDocument.parse(text)));
+    } catch (DiagnosticException e) {
+      diagnostics.addAll(e.diagnostics());
+      return Optional.empty();
+    }
+  }
+
+  /** The components, in the order of the file. */
+  public List<Component> components() {
+    return List.copyOf(components.values());
+  }
+
+  /** The component with a name. */
+  public Optional<Component> find(String name) {
+    return Optional.ofNullable(components.get(name));
+  }
+
+  /** The text of {@code components.json}; an empty array where there is no such file. */
+  public String componentsText() {
+    return componentsText;
+  }
+
+  /** The text of {@code signals.json}; an empty array where there is no such file. */
+  public String signalsText() {
+    return signalsText;
+  }
+
+  /**
+   * The signals, in the order of the file; empty where there is no such file, so that nothing is
+   * known about the vehicle.
+   */
+  public Optional<List<Signal>> signals() {
+    return signals;
+  }
+
+  /** The message types that the components read and write, as they are written there. */
+  public SortedSet<String> messageTypes() {
+    return described.getData().stream()
+        .map(Data::getMessageType)
+        .filter(Objects::nonNull)
+        .collect(Collectors.toCollection(TreeSet::new));
+  }
+
+  /** The description of a component, of which a chain states what it uses. */
+  Optional<SoftwareNode> described(String name) {
+    return described.getSoftware().stream().filter(node -> node.getName().equals(name)).findFirst();
+  }
+
+  /** What is wrong with the files. */
+  public List<Diagnostic> diagnostics() {
+    return diagnostics;
+  }
+
+  /** The components of a chain that are not here, in chain order. */
+  public List<SoftwareNode> missing(EventChain chain) {
+    return chain.getSoftware().stream()
+        .filter(node -> !components.containsKey(node.getName()))
+        .toList();
+  }
+
+  /**
+   * Whether a chain uses the existing components as they are: the same values of the same fields of
+   * the same topics, and whatever else is stated of them: units, quality of service, ages, safe
+   * values, frequency, execution times and memory. An output that the chain leaves out is a
+   * warning, all else an error.
+   *
+   * @param locator the places of the features of the chain's elements
+   */
+  public List<Diagnostic> check(
+      EventChain chain, BiFunction<EObject, EStructuralFeature, SourceLocation> locator) {
+    List<Diagnostic> found = new ArrayList<>();
+    for (SoftwareNode node : chain.getSoftware()) {
+      described(String.valueOf(node.getName()))
+          .ifPresent(existing -> new ReuseCheck(existing, node, locator, found).check());
+    }
+    return found;
+  }
+
+  private static final class Reader {
+    private final Path folder;
+    private final Document text;
+    private final List<Diagnostic> diagnostics;
+
+    Reader(Path folder, Document text, List<Diagnostic> diagnostics) {
+      this.folder = folder;
+      this.text = text;
+      this.diagnostics = diagnostics;
+    }
+
+    Map<String, Component> components() {
+      Map<String, Component> components = new LinkedHashMap<>();
+      for (int i = 0; text.root().isArray() && i < text.root().size(); i++) {
+        String pointer = "/" + i;
+        if (text.root().at(pointer).isObject()) {
+          text.object(pointer, diagnostics::add)
+              .flatMap(json -> component(json, pointer))
+              .ifPresent(component -> components.putIfAbsent(component.name(), component));
+        }
+      }
+      return components;
+    }
+
+    /** The descriptions are checked where they are read as a chain; here it is about the files. */
+    private Optional<Component> component(ObjectReader json, String pointer) {
+      String name = text.root().at(pointer).path("name").asText();
+      if (!PythonNames.isFreeIdentifier(name)) {
+        return Optional.empty();
+      }
+      String file = json.text("file").orElse("components/" + name + ".py");
+      Path path = folder.resolve(file).normalize();
+      if (!path.startsWith(folder.normalize())) {
+        json.find(
+            "modeler.component.file",
+            "The file '" + file + "' is not in the software base.",
+            json.at("file"));
+        return Optional.empty();
+      }
+      ComponentImplementation implementation = implementation(json);
+      if (implementation == ComponentImplementation.COMPONENT && !Files.isRegularFile(path)) {
+        json.find(
+            "modeler.component.file",
+            "The component '" + name + "' has no file " + file + ".",
+            json.location());
+      }
+      return Optional.of(new Component(name, implementation, path, json.location()));
+    }
+
+    private ComponentImplementation implementation(ObjectReader json) {
+      String written = json.text("implementation").orElse("component");
+      return switch (written) {
+        case "component" -> ComponentImplementation.COMPONENT;
+        case "node" -> ComponentImplementation.NODE;
+        default -> {
+          json.find(
+              "modeler.component.implementation",
+              "'" + written + "' is not an implementation; write 'component' or 'node'.",
+              json.at("implementation"));
+          yield ComponentImplementation.COMPONENT;
+        }
+      };
+    }
+  }
+}

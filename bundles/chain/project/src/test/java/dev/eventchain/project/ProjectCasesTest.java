@@ -1,0 +1,93 @@
+package dev.eventchain.project;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+
+import dev.eventchain.description.EventChainReader;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.fixtures.ExpectedFile;
+import dev.eventchain.jsonmodels.Modeled;
+import dev.eventchain.model.eventchain.EventChain;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.OptionalDouble;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * A folder a case; {@code expected.txt} holds what is found, and what is made if there is no error.
+ */
+class ProjectCasesTest {
+
+  private static final Path CASES = Path.of("src/test/resources/cases");
+
+  static Stream<String> cases() throws IOException {
+    return ExpectedFile.cases(CASES);
+  }
+
+  @ParameterizedTest
+  @MethodSource("cases")
+  void saysWhatIsExpected(String name) throws IOException {
+    Path folder = CASES.resolve(name);
+    String actual = outcome(name.substring(0, name.indexOf('/')), folder);
+    ExpectedFile.check(folder.resolve("expected.txt"), actual);
+  }
+
+  private static String outcome(String kind, Path folder) {
+    try {
+      return switch (kind) {
+        case "base" -> base(folder);
+        case "requirements" -> requirements(folder);
+        default -> throw new IllegalArgumentException(kind);
+      };
+    } catch (DiagnosticException e) {
+      assertEquals(DiagnosticException.Reason.INPUT, e.reason());
+      return render(e.diagnostics(), folder);
+    }
+  }
+
+  private static Modeled<EventChain> readChain(Path folder) {
+    return EventChainReader.read(
+        read(folder, "chain.json"),
+        "aeb",
+        Requirements.read(read(CASES, "requirements.md")).items(),
+        OptionalDouble.empty());
+  }
+
+  private static String base(Path folder) {
+    SoftwareBase base = SoftwareBase.read(folder);
+    String text = render(base.diagnostics(), folder);
+    for (SoftwareBase.Component component : base.components()) {
+      text += component.name() + " " + component.implementation() + "\n";
+    }
+    if (Files.exists(folder.resolve("chain.json"))) {
+      Modeled<EventChain> chain = readChain(folder);
+      text += render(chain.diagnostics(), folder);
+      text += "missing: " + base.missing(chain.root()).size() + "\n";
+      text += render(base.check(chain.root(), chain.origins()::locate), folder);
+    }
+    return text;
+  }
+
+  private static String requirements(Path folder) {
+    Requirements read = Requirements.read(read(folder, "requirements.md"));
+    return render(read.diagnostics(), folder)
+        + read.items().stream()
+            .map(item -> item.location().line() + " " + item.id() + " = " + item.text() + "\n")
+            .collect(Collectors.joining());
+  }
+
+  private static SourceText read(Path folder, String file) {
+    return SourceText.read(folder.resolve(file));
+  }
+
+  private static String render(List<Diagnostic> diagnostics, Path folder) {
+    return DiagnosticFormat.TEXT.render(diagnostics).replace(folder + "/", "");
+  }
+}

@@ -1,0 +1,95 @@
+package dev.eventchain.project;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.Suppressions;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.LocalDate;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class SuppressionFileTest {
+
+  private static final LocalDate TODAY = LocalDate.of(2026, 11, 21);
+
+  @TempDir Path folder;
+
+  @Test
+  void anEntrySuppressesWhatItDescribes() throws IOException {
+    Suppressions suppressions =
+        read(
+            """
+            # What we live with.
+            - id: ocl.violated
+              rule: Book::HasPages
+              element: Library/books[*]
+              reason: Counted next year.
+              expires: 2027-03-31
+            """);
+    Diagnostic meant =
+        Diagnostic.error("ocl.violated", "m", SourceLocation.NONE.withElement("Library/books[1]"))
+            .withRule("Book::HasPages");
+    Suppressions.Parted parted =
+        suppressions.part(List.of(meant, meant.withRule("Book::HasTitle")));
+    assertEquals(1, parted.remaining().size());
+    Suppressions.Entry by = parted.suppressed().get(0).by();
+    assertEquals("Counted next year.", by.reason());
+    assertEquals(LocalDate.of(2027, 3, 31), by.expires());
+    assertEquals(2, by.location().line());
+  }
+
+  @Test
+  void aFileOfCommentsSuppressesNothing() throws IOException {
+    assertEquals(List.of(), read("# nothing yet\n").warnings(List.of(), Coverage.NONE, true));
+  }
+
+  @ParameterizedTest(name = "{index}: {1} {2}")
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "- id: a.b;  expires: 2027-03-31|1:3|'reason' is missing",
+        "- id: a.b;  reason: ' ';  expires: 2027-03-31|2:11|'reason' is empty",
+        "- id: a.b;  reason: r|1:3|'expires' is missing",
+        "- reason: r;  expires: 2027-03-31|1:3|'id' is missing",
+        "- id: a.b;  reason: r;  expires: 2027-02-30|3:12|not a date",
+        "- id: a.b;  reason: r;  expires: soon|3:12|not a date",
+        "- id: a.b;  reason: r;  expires: ~|3:12|'expires' must be a string, but there is nothing",
+        "- id: a.b;  reason: r;  expires: 2027|3:12|'expires' must be a string, not a number 2027",
+        "- id: a.b;  rul: x;  reason: r;  expires: 2027-03-31|2:3|no key 'rul'",
+        "- id: a.b;  id: a.c;  reason: r;  expires: 2027-03-31|2:3|is duplicated",
+        "- id: ocl.nothing-evaluated;  reason: r;  expires: 2027-03-31|1:7|cannot be suppressed",
+        "- id: xmi.syntax;  reason: r;  expires: 2027-03-31|1:7|cannot be suppressed",
+        "- a|1:3|must be a mapping",
+        "id: a.b|1:1|must hold a list",
+        "- [|2:1|not valid YAML",
+        "- id: a.b;  reason: r;  expires: 2027-03-31;---;- id: c.d|4:1|second document",
+      })
+  void whatIsNotUnderstoodIsNamedWithItsPlace(String text, String place, String problem) {
+    DiagnosticException refused =
+        assertThrows(DiagnosticException.class, () -> read(text.replace(';', '\n') + "\n"));
+    assertEquals(DiagnosticException.Reason.INPUT, refused.reason());
+    String all =
+        refused.diagnostics().stream()
+            .map(found -> found.id() + " " + found.location() + " " + found.message())
+            .collect(Collectors.joining("\n"));
+    assertEquals(1, refused.diagnostics().size(), all);
+    assertEquals(true, all.startsWith("suppression.invalid "), all);
+    assertEquals(true, all.contains(":" + place + " "), all);
+    assertEquals(true, all.contains(problem), all);
+  }
+
+  private Suppressions read(String text) throws IOException {
+    return SuppressionFile.read(Files.writeString(folder.resolve("s.yaml"), text), TODAY);
+  }
+}

@@ -1,0 +1,22 @@
+package dev.eventchain.cli;
+
+import picocli.CommandLine.Option;
+
+/** How the answers of language models are had. */
+final class LlmOptions {
+
+  @Option(
+      names = "--llm",
+      paramLabel = "SOURCE",
+      description =
+          "Where answers come from: 'replay' takes the project's recordings; 'live' asks the"
+              + " services of the models that eventchain.yaml names; 'SERVICE/MODEL' this model for"
+              + " every task; 'auto' recordings first; 'command:PROGRAM' a program that gets the"
+              + " prompt on standard input; 'handoff:FOLDER' writes each prompt that has no"
+              + " recorded answer to a file, ends with exit code 4, and continues when called again"
+              + " once the answer's file is there. Default: as eventchain.yaml says.")
+  String llm;
+
+  @Option(names = "--record", description = "Keep new answers as recordings of the project.")
+  boolean record;
+}

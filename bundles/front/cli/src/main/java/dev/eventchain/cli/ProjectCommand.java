@@ -1,0 +1,300 @@
+package dev.eventchain.cli;
+
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.diagnostics.Report;
+import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.pipeline.Outcome;
+import dev.eventchain.pipeline.Pipeline;
+import dev.eventchain.pipeline.Project;
+import dev.eventchain.pipeline.ReportFile;
+import dev.eventchain.pipeline.RunOptions;
+import dev.eventchain.pipeline.RunResult;
+import dev.eventchain.pipeline.Stage;
+import dev.eventchain.project.ProjectFolder;
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.concurrent.Callable;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+
+/** What all commands that read models or a project share: they end with a report. */
+abstract class ProjectCommand implements Callable<Integer> {
+
+  /** How many findings of one rule a person reads before asking for a file. */
+  private static final int MOST_OF_ONE_RULE = 100;
+
+  private final Console console;
+
+  @Option(
+      names = {"-o", "--output"},
+      paramLabel = "FOLDER",
+      description = "Where to write (default: DIR/out).")
+  private Path output;
+
+  @Mixin private ReportOptions reporting;
+
+  @Option(
+      names = "--overwrite",
+      description = "Replace files in the output folder that were edited by hand.")
+  private boolean overwrite;
+
+  @Option(
+      names = "--time-limit",
+      paramLabel = "SECONDS",
+      defaultValue = "30",
+      description =
+          "The processor time that a constraint, or the patterns of a data type, may take on the"
+              + " whole model (default: ${DEFAULT-VALUE}); all of them may take four times as"
+              + " much.")
+  private int timeLimit;
+
+  @Spec private CommandSpec spec;
+
+  ProjectCommand(Console console) {
+    this.console = console;
+  }
+
+  /**
+   * Does the work of the command.
+   *
+   * @throws ParameterException if it was used wrongly
+   */
+  abstract Outcome work();
+
+  @Override
+  public final Integer call() {
+    long start = System.nanoTime();
+    reporting.check();
+    if (output != null && output.toString().isEmpty()) {
+      throw wrongUsage("the name of the output folder is empty: -o FOLDER");
+    }
+    if (timeLimit < 1) {
+      throw wrongUsage("the time limit must be a number of seconds: --time-limit 60");
+    }
+    Outcome outcome = outcome();
+    double seconds = (System.nanoTime() - start) / 1e9;
+    try {
+      return report(outcome, seconds);
+    } catch (OutOfMemoryError e) {
+      // Reports that say that all is well must not stand next to those that could not be made.
+      return report(Outcome.of(e), seconds);
+    }
+  }
+
+  /** Reports must hold every failure, so none gets past this. */
+  private Outcome outcome() {
+    try {
+      return work();
+    } catch (ParameterException e) {
+      throw e;
+    } catch (RuntimeException | Error e) {
+      return Outcome.of(e);
+    }
+  }
+
+  /** Whether standard output is for what the command makes, so that findings go elsewhere. */
+  boolean printsResult() {
+    return false;
+  }
+
+  /** Prints text that is not a finding. */
+  final void print(String text) {
+    PrintWriter writer = printsResult() ? console.out() : console.err();
+    writer.print(text);
+    if (!printsResult() && !text.isEmpty() && !text.endsWith("\n")) {
+      writer.println(); // findings follow
+    }
+    writer.flush();
+  }
+
+  private PrintWriter findings() {
+    return printsResult() ? console.err() : console.out();
+  }
+
+  final Path output() {
+    return output;
+  }
+
+  /** The processor time that a constraint may take on the whole model. */
+  final Duration timeLimit() {
+    return Duration.ofSeconds(timeLimit);
+  }
+
+  final boolean overwrite() {
+    return overwrite;
+  }
+
+  final ParameterException wrongUsage(String message) {
+    return new ParameterException(spec.commandLine(), message);
+  }
+
+  /** The findings that do not count where there is no project. */
+  final Suppressions suppressions() {
+    return reporting.suppressions(Optional.empty(), console.today());
+  }
+
+  /** The findings of a project that do not count. */
+  final Suppressions suppressions(Project project) {
+    return reporting.suppressions(project.suppressions(), console.today());
+  }
+
+  /** How findings are written to standard output. */
+  final DiagnosticFormat format() {
+    return reporting.format;
+  }
+
+  /** Where the results of a project are. */
+  final Path outputOf(Project project) {
+    return output == null ? project.defaultOutput() : output;
+  }
+
+  /** Runs stages of a project. */
+  final Outcome execute(
+      Project project,
+      Stage first,
+      Stage last,
+      boolean again,
+      LlmOptions llm,
+      ScenarioOptions scenarios) {
+    return execute(project, outputOf(project), first, last, again, llm, scenarios);
+  }
+
+  /** As above, with the results in a folder that the command does not name. */
+  final Outcome execute(
+      Project project,
+      Path results,
+      Stage first,
+      Stage last,
+      boolean again,
+      LlmOptions llm,
+      ScenarioOptions scenarios) {
+    RunOptions options =
+        new RunOptions(
+            results,
+            first,
+            last,
+            again,
+            Optional.ofNullable(llm.llm),
+            llm.record,
+            overwrite,
+            scenarios.scenarios,
+            driver(scenarios),
+            scenarios.mcap,
+            Optional.ofNullable(scenarios.compare),
+            Optional.ofNullable(scenarios.faults),
+            suppressions(project),
+            timeLimit());
+    return Outcome.of(
+        Pipeline.run(project, options, new ProgressLines(console.err(), console.terminal())));
+  }
+
+  private RunOptions.Driver driver(ScenarioOptions scenarios) {
+    try {
+      return scenarios.driver();
+    } catch (IllegalArgumentException e) {
+      throw wrongUsage(e.getMessage());
+    }
+  }
+
+  /** As above, from a project's folder, for a run that may be to reach a verdict. */
+  final Outcome execute(
+      Path folder,
+      Stage first,
+      Stage last,
+      boolean again,
+      LlmOptions llm,
+      ScenarioOptions scenarios) {
+    try {
+      return execute(Project.open(folder), first, last, again, llm, scenarios);
+    } catch (DiagnosticException e) {
+      // The project or its suppressions cannot be read, so it is unknown what a verdict would be
+      // about.
+      if (last.compareTo(Stage.SIMULATE) >= 0) {
+        Pipeline.withdrawVerdict(
+            output == null ? new ProjectFolder(folder).defaultOutput() : output);
+      }
+      throw e;
+    }
+  }
+
+  private int report(Outcome outcome, double seconds) {
+    Report report = outcome.report(Main.version());
+    List<Diagnostic> unwritten =
+        reporting.targets.stream()
+            .flatMap(target -> ReportFile.write(report, target.format(), target.file()).stream())
+            .toList();
+    Outcome last = outcome.unreported(unwritten);
+    if (reporting.format == DiagnosticFormat.TEXT) {
+      printText(last);
+    } else {
+      findings().print(reporting.format.render(last.report(Main.version())));
+    }
+    console.out().flush();
+    if (outcome.failed() || !unwritten.isEmpty()) {
+      List<Diagnostic> shown = outcome.failed() ? last.diagnostics() : unwritten;
+      console.err().print(DiagnosticFormat.TEXT.render(shown));
+    }
+    if (!last.written().isEmpty()) {
+      console.err().println(last.written());
+    }
+    if (!last.coverage().equals(Coverage.NONE)) {
+      console
+          .err()
+          .printf(Locale.ROOT, "%s; %.2f s%n", last.report(Main.version()).summary(), seconds);
+    }
+    console.err().flush();
+    return last.exitCode();
+  }
+
+  private void printText(Outcome outcome) {
+    if (!outcome.failed()) {
+      int most = reporting.all ? Integer.MAX_VALUE : MOST_OF_ONE_RULE;
+      findings().print(DiagnosticFormat.textExcerpt(outcome.report(Main.version()), most));
+    }
+    outcome.run().ifPresent(this::printVerdict);
+  }
+
+  private void printVerdict(RunResult result) {
+    for (RunResult.ScenarioLine line : result.scenarios()) {
+      console.out().printf(Locale.ROOT, "%-6s  %-28s %s%n", word(line), line.name(), line.text());
+    }
+    for (RunResult.FaultLine line : result.faults()) {
+      console.out().printf(Locale.ROOT, "%-6s  %-28s %s%n", word(line), line.name(), line.text());
+    }
+    boolean judged =
+        result.verdict() != RunResult.Verdict.INCOMPLETE
+            || result.failure().isPresent()
+            || Diagnostic.anyError(result.diagnostics());
+    boolean summarized = !judged && !result.coverage().equals(Coverage.NONE);
+    if (!summarized || !result.scenarios().isEmpty()) {
+      console.out().println((judged ? result.verdict() + ": " : "") + result.summary());
+    }
+    result.report().ifPresent(report -> console.out().println("Report: " + report));
+    result.recordings().forEach(file -> console.out().println("Recording: " + file));
+  }
+
+  private static String word(RunResult.ScenarioLine line) {
+    return word(line.tested(), line.passed());
+  }
+
+  private static String word(RunResult.FaultLine line) {
+    return word(line.tested(), line.passed());
+  }
+
+  private static String word(boolean tested, boolean passed) {
+    if (!tested) {
+      return "-";
+    }
+    return passed ? "passed" : "FAILED";
+  }
+}

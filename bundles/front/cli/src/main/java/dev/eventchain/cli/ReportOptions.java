@@ -1,0 +1,113 @@
+package dev.eventchain.cli;
+
+import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.pipeline.Today;
+import dev.eventchain.project.SuppressionFile;
+import java.nio.file.Path;
+import java.time.LocalDate;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
+import picocli.CommandLine.TypeConversionException;
+
+/** What is reported, how and where to. */
+final class ReportOptions {
+
+  @Option(
+      names = "--format",
+      paramLabel = "FORMAT",
+      defaultValue = "text",
+      description = "How findings are written to standard output: ${COMPLETION-CANDIDATES}.")
+  DiagnosticFormat format;
+
+  @Option(
+      names = "--report",
+      paramLabel = "FORMAT=FILE",
+      converter = TargetConverter.class,
+      description =
+          "Also write the findings to a file, for example sarif=out/findings.sarif; "
+              + "may be repeated. Missing folders are created. It is written even when "
+              + "the command fails.")
+  List<Target> targets = List.of();
+
+  @Option(
+      names = "--all",
+      description = "Print all findings as text, not only the first 100 of each rule.")
+  boolean all;
+
+  @Option(
+      names = "--suppressions",
+      paramLabel = "FILE",
+      description =
+          "Findings that do not count, each with a reason and an expiry date (default: "
+              + "DIR/eventchain-suppressions.yaml, if there is one).")
+  private Path suppressions;
+
+  @Option(
+      names = "--date",
+      paramLabel = "DAY",
+      description =
+          "The date for which suppressions are evaluated, such as 2027-03-31 (default: "
+              + "SOURCE_DATE_EPOCH, else today).")
+  private LocalDate date;
+
+  @Spec(Spec.Target.MIXEE)
+  private CommandSpec spec;
+
+  /** A file that a report goes to. */
+  record Target(DiagnosticFormat format, Path file) {}
+
+  /** Reads {@code FORMAT=FILE}. */
+  static final class TargetConverter implements ITypeConverter<Target> {
+    @Override
+    public Target convert(String value) {
+      int equals = value.indexOf('=');
+      String name = value.substring(0, Math.max(equals, 0));
+      for (DiagnosticFormat format : DiagnosticFormat.values()) {
+        if (format.toString().equalsIgnoreCase(name) && equals + 1 < value.length()) {
+          return new Target(format, Path.of(value.substring(equals + 1)));
+        }
+      }
+      throw new TypeConversionException(
+          "'"
+              + value
+              + "' is not FORMAT=FILE with one of the formats "
+              + List.of(DiagnosticFormat.values()));
+    }
+  }
+
+  /** Refuses what one option alone cannot know to be wrong. */
+  void check() {
+    Set<Path> files = new HashSet<>();
+    for (Target target : targets) {
+      if (!files.add(target.file.toAbsolutePath().normalize())) {
+        throw new ParameterException(
+            spec.commandLine(), "two reports would go to the same file: " + target.file);
+      }
+    }
+  }
+
+  /**
+   * The findings that do not count.
+   *
+   * @param standard the file to read unless the command line names another
+   */
+  Suppressions suppressions(Optional<Path> standard, Today today) {
+    Optional<Path> file = Optional.ofNullable(suppressions).or(() -> standard);
+    if (file.isEmpty()) {
+      return Suppressions.NONE;
+    }
+    try {
+      return SuppressionFile.read(file.get(), date == null ? today.date() : date);
+    } catch (IllegalArgumentException e) {
+      throw new ParameterException(spec.commandLine(), e.getMessage(), e);
+    }
+  }
+}

@@ -1,0 +1,93 @@
+package dev.eventchain.cli;
+
+import dev.eventchain.pipeline.RunOptions;
+import java.nio.file.Path;
+import java.util.List;
+import picocli.CommandLine.Option;
+
+/** What is simulated, and what is kept of it. */
+final class ScenarioOptions {
+
+  @Option(
+      names = "--scenario",
+      paramLabel = "NAME",
+      description = "Simulate this scenario only; may be repeated.")
+  List<String> scenarios = List.of();
+
+  @Option(
+      names = "--driver",
+      paramLabel = "DRIVER",
+      description =
+          "How the nodes run: 'lockstep' (the default), all in one process, or 'dds', each in a"
+              + " process of its own, with Cyclone DDS between them as between nodes of ROS 2, on"
+              + " the loopback interface. In simulated time the results are the same.")
+  private Transport driver = Transport.LOCKSTEP;
+
+  @Option(
+      names = "--real-time",
+      description =
+          "With --driver dds, let nodes run in wall-clock time: execution times are real, and a"
+              + " scenario takes as long as it takes. If this machine cannot keep up with the"
+              + " world, a scenario is not judged.")
+  private boolean realTime;
+
+  @Option(
+      names = "--attach",
+      description =
+          "With --driver dds, start no nodes, but drive those that were started elsewhere, in ROS 2"
+              + " or without, in the domain of ROS_DOMAIN_ID, in wall-clock time. CYCLONEDDS_URI"
+              + " and ROS_LOCALHOST_ONLY apply. What happens inside such nodes is not measured.")
+  boolean attach;
+
+  private enum Transport {
+    LOCKSTEP,
+    DDS
+  }
+
+  /**
+   * How the nodes run.
+   *
+   * @throws IllegalArgumentException if the options contradict each other
+   */
+  RunOptions.Driver driver() {
+    if (attach && driver != Transport.DDS) {
+      throw new IllegalArgumentException("--attach needs --driver dds");
+    }
+    if (realTime && driver != Transport.DDS) {
+      throw new IllegalArgumentException("--real-time needs --driver dds");
+    }
+    if (attach) {
+      return RunOptions.Driver.DDS_ATTACHED;
+    }
+    return driver == Transport.LOCKSTEP
+        ? RunOptions.Driver.LOCKSTEP
+        : realTime ? RunOptions.Driver.DDS_IN_REAL_TIME : RunOptions.Driver.DDS;
+  }
+
+  @Option(
+      names = "--mcap",
+      description =
+          "Also record every message of each scenario, and where everything is on the road, in"
+              + " OUTPUT/mcap/NAME.mcap, for Foxglove, 'ros2 bag' and rosbags: about 1 MB for each"
+              + " simulated second with a lidar. Scenarios are simulated even if nothing has"
+              + " changed.")
+  boolean mcap;
+
+  @Option(
+      names = "--faults",
+      paramLabel = "FILE",
+      description =
+          "Also simulate scenarios with the faults that this file describes (YAML; its schema is"
+              + " that of 'bench --faults-schema'): a node that dies, messages that get lost, a"
+              + " clock that jumps. Each fault gets a run of its own, in addition to the scenario"
+              + " without it.")
+  Path faults;
+
+  @Option(
+      names = "--compare",
+      paramLabel = "FILE",
+      description =
+          "Show next to each scenario in the report what another run measured: its "
+              + "measurements.json, or the folder of its results.")
+  Path compare;
+}

@@ -1,0 +1,47 @@
+package dev.eventchain.eclipse;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.xmi.XmiStore;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.description.EventChainReader;
+import dev.eventchain.jsonmodels.Modeled;
+import dev.eventchain.project.Requirements;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.OptionalDouble;
+
+/**
+ * The description of an event chain, JSON as language models write it and people do, as a model.
+ *
+ * @param model the bytes of the {@code .xmi} file
+ * @param diagnostics what is wrong with the description and did not prevent a model: warnings
+ */
+public record ChainImport(byte[] model, List<Diagnostic> diagnostics) {
+
+  /**
+   * Reads a description.
+   *
+   * @param description the JSON file
+   * @param name the name of the chain
+   * @param requirements the Markdown file with the requirements that it may name; need not exist
+   * @param frequency Hz, for components whose description gives none; empty leaves it unset
+   * @throws DiagnosticException INPUT if a file cannot be read, FINDINGS if the description has
+   *     errors
+   */
+  public static ChainImport read(
+      Path description, String name, Path requirements, OptionalDouble frequency) {
+    Requirements written =
+        Files.isRegularFile(requirements)
+            ? Requirements.read(SourceText.read(requirements))
+            : new Requirements(List.of(), List.of());
+    Modeled<EventChain> read =
+        EventChainReader.read(SourceText.read(description), name, written.items(), frequency);
+    if (Diagnostic.anyError(read.diagnostics())) {
+      throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, read.diagnostics());
+    }
+    return new ChainImport(XmiStore.toBytes(read.root()), read.diagnostics());
+  }
+}

@@ -1,0 +1,104 @@
+package dev.eventchain.eclipse;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.check.ChainChecks;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.eclipse.core.resources.IFile;
+import org.eclipse.core.resources.ResourcesPlugin;
+import org.eclipse.core.runtime.IPath;
+import org.eclipse.emf.common.util.BasicDiagnostic;
+import org.eclipse.emf.common.util.DiagnosticChain;
+import org.eclipse.emf.common.util.URI;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.resource.Resource;
+import org.eclipse.emf.ecore.util.EObjectValidator;
+import org.eclipse.emf.ecore.util.EcoreUtil;
+
+/**
+ * Our checks as EMF's validation knows them, so that Validate in any editor of EMF finds what the
+ * builder finds: the rules of the project that the model is in, or the standard ones. What the
+ * metamodel itself demands may be said twice, in EMF's words and in ours.
+ */
+public final class ChainValidator extends EObjectValidator {
+
+  /** The key under which a validation remembers that the chain was checked. */
+  private static final Object DONE = ChainValidator.class;
+
+  @Override
+  public boolean validate(
+      EClass type, EObject element, DiagnosticChain diagnostics, Map<Object, Object> context) {
+    boolean good = super.validate(type, element, diagnostics, context);
+    if (diagnostics == null || context == null || context.put(DONE, element) != null) {
+      return good; // part of a validation that has been through here with its first element
+    }
+    return EcoreUtil.getRootContainer(element) instanceof EventChain chain
+        ? check(chain, element, diagnostics) && good
+        : good;
+  }
+
+  /** Checks the whole chain, and says what is about the element and what it contains. */
+  private static boolean check(EventChain chain, EObject element, DiagnosticChain diagnostics) {
+    ChainFindings findings;
+    try {
+      findings = ChainFindings.of(chain, checks(chain.eResource()));
+    } catch (DiagnosticException e) {
+      e.diagnostics().forEach(each -> diagnostics.add(diagnostic(each, element)));
+      return false;
+    } catch (RuntimeException | StackOverflowError e) {
+      diagnostics.add(diagnostic(CheckUnit.failed(e), element));
+      return false;
+    }
+    boolean good = true;
+    for (ChainFindings.Found each : findings.found()) {
+      EObject about = each.element().orElse(chain);
+      if (EcoreUtil.isAncestor(element, about)) {
+        BasicDiagnostic diagnostic = diagnostic(each.diagnostic(), about);
+        diagnostics.add(diagnostic);
+        good &= diagnostic.getSeverity() < BasicDiagnostic.ERROR;
+      }
+    }
+    return good;
+  }
+
+  private static BasicDiagnostic diagnostic(Diagnostic finding, EObject about) {
+    int severity =
+        switch (finding.severity()) {
+          case ERROR -> BasicDiagnostic.ERROR;
+          case WARNING -> BasicDiagnostic.WARNING;
+          case INFO -> BasicDiagnostic.INFO;
+        };
+    String hint = finding.hint().isEmpty() ? "" : " " + finding.hint();
+    return new BasicDiagnostic(
+        severity, EventchainCore.ID, 0, finding.message() + hint, new Object[] {about});
+  }
+
+  private static ChainChecks checks(Resource resource) {
+    return fileOf(resource)
+        .map(EventchainFolders::checksFor)
+        .orElseGet(() -> ChainChecks.alone(Preferences.timeLimit()));
+  }
+
+  private static Optional<IFile> fileOf(Resource resource) {
+    URI uri = resource == null ? null : resource.getURI();
+    if (uri == null) {
+      return Optional.empty();
+    } else if (uri.isPlatformResource()) {
+      IPath path = IPath.fromPortableString(uri.toPlatformString(true));
+      return path.segmentCount() < 2
+          ? Optional.empty()
+          : Optional.of(ResourcesPlugin.getWorkspace().getRoot().getFile(path));
+    } else if (uri.isFile()) {
+      java.net.URI location = Path.of(uri.toFileString()).toUri();
+      return List.of(ResourcesPlugin.getWorkspace().getRoot().findFilesForLocationURI(location))
+          .stream()
+          .findFirst();
+    }
+    return Optional.empty();
+  }
+}

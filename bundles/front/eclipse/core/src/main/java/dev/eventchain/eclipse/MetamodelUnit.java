@@ -1,0 +1,33 @@
+package dev.eventchain.eclipse;
+
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.check.Validation;
+import java.nio.file.Path;
+import java.util.List;
+import org.eclipse.core.resources.IFile;
+import org.eclipse.core.resources.IResource;
+
+/**
+ * An Ecore metamodel, which has to be sound before models and rules can be about it.
+ *
+ * @param all the metamodels of the project, which must not contradict each other
+ */
+record MetamodelUnit(IFile file, Path path, List<Path> all) implements CheckUnit {
+
+  @Override
+  public IResource subject() {
+    return file;
+  }
+
+  /** Metamodels may refer to each other. */
+  @Override
+  public boolean dependsOn(IFile changed) {
+    return "ecore".equals(changed.getFileExtension());
+  }
+
+  @Override
+  public Validation check() {
+    Metamodels.loadLast(path, all);
+    return new Validation(new Coverage(List.of(path.toString()), 0, List.of()), List.of());
+  }
+}

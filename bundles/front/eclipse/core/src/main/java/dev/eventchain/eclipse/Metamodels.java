@@ -1,0 +1,83 @@
+package dev.eventchain.eclipse;
+
+import dev.eventchain.model.EventChainMetamodel;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.xmi.XmiStore;
+import dev.eventchain.model.eventchain.EventchainPackage;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.BiConsumer;
+import org.eclipse.emf.ecore.EPackage;
+
+/** The metamodels that rules and templates of a project may be about. */
+final class Metamodels {
+
+  private Metamodels() {}
+
+  /**
+   * Those of files, and those of event chains and of message definitions unless a file has their
+   * namespace. A file that is not a valid metamodel is left out: it has findings of its own.
+   */
+  static List<EPackage> of(List<Path> ecores) {
+    List<EPackage> packages = new ArrayList<>();
+    load(ecores, (file, loaded) -> packages.addAll(loaded));
+    for (EPackage ours : List.of(EventchainPackage.eINSTANCE, EventChainMetamodel.messages())) {
+      if (packages.stream().noneMatch(each -> ours.getNsURI().equals(each.getNsURI()))) {
+        packages.add(ours);
+      }
+    }
+    return packages;
+  }
+
+  /** The files that are sound metamodels, which do not contradict each other. */
+  static List<Path> sound(List<Path> ecores) {
+    List<Path> sound = new ArrayList<>();
+    load(ecores, (file, loaded) -> sound.add(file));
+    return sound;
+  }
+
+  /**
+   * Loads a metamodel after all others, so that what contradicts them is found at each of them.
+   *
+   * @throws DiagnosticException INPUT with what is wrong with it
+   */
+  static void loadLast(Path ecore, List<Path> all) {
+    List<Path> others = all.stream().filter(each -> !each.equals(ecore)).toList();
+    load(all, others, (file, loaded) -> {}).loadMetamodel(ecore);
+  }
+
+  private static void load(List<Path> ecores, BiConsumer<Path, List<EPackage>> sound) {
+    load(ecores, ecores, sound);
+  }
+
+  private static XmiStore load(
+      List<Path> places, List<Path> ecores, BiConsumer<Path, List<EPackage>> sound) {
+    List<Path> folders = places.stream().map(Path::getParent).distinct().toList();
+    XmiStore store = EventChainMetamodel.store(folders);
+    for (Path ecore : ecores) {
+      try {
+        sound.accept(ecore, store.loadMetamodel(ecore));
+      } catch (DiagnosticException e) {
+        continue; // why not is said by its MetamodelUnit, which loads it by itself
+      }
+    }
+    return store;
+  }
+
+  /** The file names' endings that models of these metamodels have by EMF's custom. */
+  static Set<String> extensions(List<Path> ecores) {
+    Set<String> extensions = new HashSet<>();
+    load(
+        ecores,
+        (file, loaded) ->
+            loaded.forEach(
+                each -> {
+                  extensions.add(each.getName());
+                  extensions.add(String.valueOf(each.getNsPrefix()));
+                }));
+    return extensions;
+  }
+}

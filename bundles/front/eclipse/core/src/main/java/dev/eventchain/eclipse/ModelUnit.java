@@ -1,0 +1,94 @@
+package dev.eventchain.eclipse;
+
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.check.ModelValidation;
+import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.check.Validation;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.eclipse.core.resources.IFile;
+import org.eclipse.core.resources.IResource;
+
+/**
+ * A model that stands for itself.
+ *
+ * @param metamodels those of the Eclipse project, which it is checked with if it is not an event
+ *     chain
+ * @param rules the documents that are evaluated on it, too, if it is in no folder of ours
+ */
+record ModelUnit(IFile file, Path path, List<Path> metamodels, List<Path> rules)
+    implements CheckUnit {
+
+  /** The beginning of our namespaces: a model of another version is an event chain all the same. */
+  private static final String OURS = "http://eventchain.dev/";
+
+  private static final Set<String> RELEVANT = Set.of("xmi", "eventchain", "ecore", "ocl");
+
+  @Override
+  public IResource subject() {
+    return file;
+  }
+
+  /** Models may refer to others, and are what metamodels and rules say. */
+  @Override
+  public boolean dependsOn(IFile changed) {
+    String extension = String.valueOf(changed.getFileExtension());
+    return extension.equals(file.getFileExtension()) || RELEVANT.contains(extension);
+  }
+
+  @Override
+  public Validation check() {
+    try {
+      return validateChain();
+    } catch (DiagnosticException e) {
+      if (!isOfAnotherMetamodel(e)) {
+        throw e;
+      }
+    }
+    List<Path> sound = Metamodels.sound(metamodels);
+    return sound.isEmpty()
+        ? new Validation(Coverage.NONE, List.of(unchecked()))
+        : validate(sound, rules);
+  }
+
+  /** An event chain with the rules and messages of the folder it is in, if it is in one of ours. */
+  private Validation validateChain() {
+    Optional<ProjectFolder> folder =
+        EventchainFolders.around(file).flatMap(CheckedFiles::pathOf).map(ProjectFolder::new);
+    List<Path> documents =
+        folder.map(ProjectFolder::ownConstraints).orElseGet(() -> aboutChains(rules));
+    List<Path> messages = folder.map(ProjectFolder::messageFolders).orElse(List.of());
+    return ModelValidation.validate(
+        List.of(), Map.of(), documents, List.of(path), messages, Preferences.timeLimit());
+  }
+
+  /** The documents that are about event chains; the others are about other metamodels. */
+  private static List<Path> aboutChains(List<Path> documents) {
+    return documents.stream().filter(RulesUnit::isAboutChains).toList();
+  }
+
+  private Validation validate(List<Path> ecores, List<Path> documents) {
+    return ModelValidation.validate(
+        ecores, Map.of(), documents, List.of(path), List.of(), Preferences.timeLimit());
+  }
+
+  private static boolean isOfAnotherMetamodel(DiagnosticException e) {
+    return e.diagnostics().stream()
+        .allMatch(
+            each -> each.id().equals("xmi.package.unknown") && !each.message().contains(OURS));
+  }
+
+  private Diagnostic unchecked() {
+    return Diagnostic.info(
+            "eclipse.model.unchecked",
+            "The model was not checked: it is not an event chain, and its metamodel was not found.",
+            SourceLocation.of(path))
+        .withHint("Put the metamodel, an .ecore file, into the same project.");
+  }
+}

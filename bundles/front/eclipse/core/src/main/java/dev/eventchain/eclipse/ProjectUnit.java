@@ -1,0 +1,75 @@
+package dev.eventchain.eclipse;
+
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.check.ProjectValidation;
+import dev.eventchain.project.SuppressionFile;
+import dev.eventchain.check.Validation;
+import java.nio.file.Path;
+import java.time.LocalDate;
+import java.time.ZoneId;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import org.eclipse.core.resources.IContainer;
+import org.eclipse.core.resources.IFile;
+import org.eclipse.core.resources.IResource;
+import org.eclipse.core.runtime.IPath;
+
+/**
+ * A folder with an {@code eventchain.yaml}: what {@code eventchain validate} finds about it.
+ *
+ * @param validation is kept from build to build, since it reads only what has changed
+ */
+record ProjectUnit(IContainer folder, Path path, ProjectValidation validation)
+    implements CheckUnit {
+
+  /** Of the results only these are checked; all else there is made of them. */
+  private static final Set<String> CHECKED_RESULTS =
+      Set.of(ProjectFolder.MODEL, ProjectFolder.DESCRIPTION, ProjectFolder.GENERATED);
+
+  @Override
+  public IResource subject() {
+    return folder.getFile(IPath.fromOSString(CheckedFiles.CONFIGURATION));
+  }
+
+  @Override
+  public boolean dependsOn(IFile file) {
+    if (!folder.getFullPath().isPrefixOf(file.getFullPath())) {
+      return "ocl".equals(file.getFileExtension()); // documents may import some from elsewhere
+    }
+    IPath name = file.getFullPath().makeRelativeTo(folder.getFullPath());
+    return name.segment(0).equals(CheckedFiles.OUTPUT)
+        ? name.segmentCount() == 2 && CHECKED_RESULTS.contains(name.lastSegment())
+        : !name.segment(0).startsWith(".");
+  }
+
+  /** Whether a model is the one that people edit in this folder. */
+  boolean hasChain(IFile model) {
+    return new ProjectFolder(path).editedModel().equals(CheckedFiles.pathOf(model));
+  }
+
+  /** Whether a document is this folder's own. */
+  boolean hasRules(IFile document) {
+    return document.equals(folder.getFile(IPath.fromOSString("constraints.ocl")));
+  }
+
+  @Override
+  public Validation check() {
+    ProjectFolder project = new ProjectFolder(path);
+    Suppressions suppressions =
+        project
+            .suppressions()
+            .map(file -> SuppressionFile.read(file, LocalDate.now(ZoneId.systemDefault())))
+            .orElse(Suppressions.NONE);
+    Validation all = validation.validate();
+    if (all.coverage().equals(Coverage.NONE)) {
+      return all; // why nothing was checked cannot be suppressed
+    }
+    List<Diagnostic> found = new ArrayList<>(suppressions.part(all.diagnostics()).remaining());
+    found.addAll(suppressions.warnings(all.diagnostics(), all.coverage(), false));
+    return new Validation(all.coverage(), found);
+  }
+}

@@ -1,0 +1,41 @@
+package dev.eventchain.eclipse;
+
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.m2t.TemplateModule;
+import dev.eventchain.templates.ShippedTemplates;
+import dev.eventchain.check.Validation;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Set;
+import org.eclipse.core.resources.IFile;
+import org.eclipse.core.resources.IResource;
+import org.eclipse.emf.ecore.EPackage;
+
+/** A template with the modules that it imports: whether it compiles. */
+record TemplateUnit(IFile file, Path path, List<Path> metamodels) implements CheckUnit {
+
+  private static final Set<String> RELEVANT = Set.of("mtl", "ecore");
+
+  @Override
+  public IResource subject() {
+    return file;
+  }
+
+  /** Templates import others, and are about metamodels. */
+  @Override
+  public boolean dependsOn(IFile changed) {
+    return RELEVANT.contains(String.valueOf(changed.getFileExtension()));
+  }
+
+  @Override
+  public Validation check() {
+    List<EPackage> packages = Metamodels.of(metamodels);
+    // Templates of a project may import those that ship; others have nothing but their folder.
+    TemplateModule module =
+        EventchainFolders.around(file).isPresent()
+            ? TemplateModule.compile(
+                path, ShippedTemplates.modules(ShippedTemplates.DEFAULT), packages)
+            : TemplateModule.compile(path, packages);
+    return new Validation(new Coverage(List.of(path.toString()), 0, List.of()), module.warnings());
+  }
+}

@@ -1,0 +1,62 @@
+package dev.eventchain.eclipse.ui.editor;
+
+import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.model.eventchain.EventChain;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.Collectors;
+
+/** What was found about a chain, by its elements. */
+final class ShownFindings implements TreeLabels.Findings {
+
+  private List<ElementFinding> all = List.of();
+  private final Map<Object, Severity> worst = new HashMap<>();
+
+  /** Takes the findings of a check in place of those of the one before. */
+  void set(EventChain chain, List<ElementFinding> findings) {
+    all = List.copyOf(findings);
+    worst.clear();
+    fill(chain);
+  }
+
+  private Severity fill(Object element) {
+    Severity most =
+        about(element).stream().map(ElementFinding::severity).min(Severity::compareTo).orElse(null);
+    for (Object child : TreeContent.children(element)) {
+      most = worse(most, fill(child));
+    }
+    if (most != null) {
+      worst.put(element, most);
+    }
+    return most;
+  }
+
+  private static Severity worse(Severity first, Severity second) {
+    if (first == null || second == null) {
+      return first == null ? second : first;
+    }
+    return first.compareTo(second) <= 0 ? first : second;
+  }
+
+  List<ElementFinding> all() {
+    return all;
+  }
+
+  /** The findings about an element itself. */
+  List<ElementFinding> about(Object element) {
+    return all.stream().filter(finding -> finding.element() == element).toList();
+  }
+
+  @Override
+  public Severity worst(Object element) {
+    return worst.get(element);
+  }
+
+  @Override
+  public String text(Object element) {
+    String text =
+        about(element).stream().map(ElementFinding::text).collect(Collectors.joining("\n"));
+    return text.isEmpty() ? null : text;
+  }
+}

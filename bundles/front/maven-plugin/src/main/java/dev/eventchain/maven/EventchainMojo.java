@@ -1,0 +1,202 @@
+package dev.eventchain.maven;
+
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.diagnostics.Report;
+import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.pipeline.ExitCode;
+import dev.eventchain.pipeline.Outcome;
+import dev.eventchain.pipeline.ReportFile;
+import dev.eventchain.pipeline.Today;
+import dev.eventchain.project.SuppressionFile;
+import java.io.File;
+import java.nio.file.Path;
+import java.time.Clock;
+import java.time.Duration;
+import java.time.LocalDate;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import java.util.stream.Stream;
+import org.apache.maven.plugin.AbstractMojo;
+import org.apache.maven.plugin.MojoExecution;
+import org.apache.maven.plugin.MojoExecutionException;
+import org.apache.maven.plugin.MojoFailureException;
+import org.apache.maven.plugins.annotations.Parameter;
+import org.apache.maven.project.MavenProject;
+
+/** What all goals share: they end with reports, and with findings that may fail the build. */
+abstract class EventchainMojo extends AbstractMojo {
+
+  /** Skips the goal. */
+  @Parameter(property = "eventchain.skip", defaultValue = "false")
+  private boolean skip;
+
+  /** The lowest severity of a finding that fails the build: {@code error} or {@code warning}. */
+  @Parameter(property = "eventchain.failOn", defaultValue = "error")
+  private String failOn;
+
+  /**
+   * Findings that do not count, each with a reason and an expiry date. Without it, {@code
+   * eventchain-suppressions.yaml} in the folder of the event chain, or else in that of the module,
+   * if there is one.
+   */
+  @Parameter(property = "eventchain.suppressions")
+  private File suppressions;
+
+  /**
+   * The processor time in seconds that a constraint, or the patterns of a data type, may take on
+   * the whole model.
+   */
+  @Parameter(property = "eventchain.timeLimit", defaultValue = "30")
+  private int timeLimit;
+
+  /** Where reports go: {@code GOAL.sarif} and {@code TEST-GOAL.xml}. */
+  @Parameter(defaultValue = "${project.build.directory}/eventchain")
+  private File reportsDirectory;
+
+  @Parameter(defaultValue = "${project.basedir}", readonly = true, required = true)
+  private File basedir;
+
+  @Parameter(defaultValue = "${project}", readonly = true, required = true)
+  private MavenProject project;
+
+  @Parameter(defaultValue = "${mojoExecution}", readonly = true, required = true)
+  private MojoExecution execution;
+
+  /** The date for which suppressions are evaluated. */
+  private LocalDate today;
+
+  /** Does the work of the goal. */
+  abstract Outcome work();
+
+  @Override
+  public final void execute() throws MojoExecutionException, MojoFailureException {
+    if (skip) {
+      getLog().info("Skipped.");
+      return;
+    }
+    check();
+    Severity limit = limit();
+    Outcome outcome = guarded(this::workAsConfigured);
+    outcome = outcome.unreported(writeReports(outcome));
+    new FindingLines(getLog()).print(outcome.diagnostics());
+    Report report = outcome.report(version());
+    if (!outcome.written().isEmpty()) {
+      getLog().info(outcome.written());
+    }
+    getLog().info(report.summary());
+    judge(outcome, limit, report.summary());
+  }
+
+  private Outcome workAsConfigured() {
+    List<Diagnostic> misunderstood = PomParameters.check(project, execution);
+    return misunderstood.isEmpty() ? work() : Outcome.of(Coverage.NONE, misunderstood, List.of());
+  }
+
+  /** A failure is a finding, so that what else was found is reported, too. */
+  static Outcome guarded(Supplier<Outcome> work) {
+    try {
+      return work.get();
+    } catch (RuntimeException | Error e) {
+      return Outcome.of(e);
+    }
+  }
+
+  /** Refuses what is wrong before anything is read: it is no defect. */
+  private void check() throws MojoFailureException {
+    if (timeLimit < 1) {
+      throw new MojoFailureException("timeLimit must be a number of seconds, at least 1.");
+    }
+    try {
+      today = Today.of(System.getenv(), Clock.systemUTC()).date();
+    } catch (IllegalArgumentException e) {
+      throw new MojoFailureException(e.getMessage(), e);
+    }
+  }
+
+  private Severity limit() throws MojoFailureException {
+    return Stream.of(Severity.ERROR, Severity.WARNING)
+        .filter(severity -> severity.toString().equalsIgnoreCase(failOn))
+        .findFirst()
+        .orElseThrow(
+            () ->
+                new MojoFailureException(
+                    "failOn is '" + failOn + "'; it may be 'error' or 'warning'."));
+  }
+
+  private List<Diagnostic> writeReports(Outcome outcome) {
+    Report report = outcome.report(version());
+    Path folder = Places.shown(reportsDirectory);
+    return Stream.of(
+            ReportFile.write(report, DiagnosticFormat.SARIF, folder.resolve(name() + ".sarif")),
+            ReportFile.write(
+                report, DiagnosticFormat.JUNIT, folder.resolve("TEST-" + name() + ".xml")))
+        .flatMap(Optional::stream)
+        .toList();
+  }
+
+  /** The goal, with the execution's id if it has one of its own. */
+  final String name() {
+    String id = execution.getExecutionId();
+    String goal = execution.getGoal();
+    return id.matches("default(-.*)?") ? goal : goal + "-" + id;
+  }
+
+  private String version() {
+    return execution.getMojoDescriptor().getPluginDescriptor().getVersion();
+  }
+
+  private void judge(Outcome outcome, Severity limit, String summary)
+      throws MojoExecutionException, MojoFailureException {
+    Optional<Diagnostic> first =
+        outcome.diagnostics().stream()
+            .filter(finding -> finding.severity().compareTo(limit) <= 0)
+            .min((one, other) -> one.severity().compareTo(other.severity()));
+    if (outcome.exitCode() == ExitCode.FINE && first.isEmpty()) {
+      return;
+    }
+    String message =
+        first.map(FindingLines::line).orElse("The goal failed")
+            + "; "
+            + summary
+            + "; see "
+            + Places.shown(reportsDirectory).resolve(name() + ".sarif");
+    if (outcome.exitCode() == ExitCode.UNAVAILABLE) {
+      throw new MojoExecutionException(message);
+    }
+    throw new MojoFailureException(message);
+  }
+
+  final MavenProject project() {
+    return project;
+  }
+
+  /** The module's folder. */
+  final File basedir() {
+    return basedir;
+  }
+
+  final File reportsDirectory() {
+    return reportsDirectory;
+  }
+
+  final Duration timeLimit() {
+    return Duration.ofSeconds(timeLimit);
+  }
+
+  /**
+   * The findings that do not count.
+   *
+   * @param standard the file to read unless the pom names another
+   */
+  final Suppressions suppressions(Optional<Path> standard) {
+    return Optional.ofNullable(suppressions)
+        .map(Places::shown)
+        .or(() -> standard)
+        .map(file -> SuppressionFile.read(file, today))
+        .orElse(Suppressions.NONE);
+  }
+}

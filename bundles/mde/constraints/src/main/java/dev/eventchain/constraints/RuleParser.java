@@ -1,0 +1,254 @@
+package dev.eventchain.constraints;
+
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceRange;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.ocl.Definitions;
+import dev.eventchain.ocl.Expression;
+import dev.eventchain.ocl.ExpressionLanguage;
+import dev.eventchain.ocl.Names;
+import dev.eventchain.ocl.OclAnnotations;
+import dev.eventchain.ocl.Scope;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeSet;
+import java.util.function.Function;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EStructuralFeature;
+
+/** Parses rule documents: first all definitions, then the invariants, which may use any of them. */
+final class RuleParser {
+
+  private final ExpressionLanguage language;
+  private final List<Diagnostic> problems = new ArrayList<>();
+  private final List<OclConstraint> constraints = new ArrayList<>();
+  private final Map<String, ResolvedClause> names = new HashMap<>();
+  private final Map<String, RuleComments> commentsOf = new HashMap<>();
+  private final Map<EClassifier, Integer> unnamed = new HashMap<>();
+
+  private final Contexts contexts;
+  private final Definitions definitions;
+  private final List<MemberContext> members = new ArrayList<>();
+
+  RuleParser(ExpressionLanguage language) {
+    this.language = language;
+    this.contexts = new Contexts(language.packages(), problems);
+    this.definitions = new Definitions(language, problems);
+  }
+
+  /**
+   * Parses documents, and what the metamodels hold themselves.
+   *
+   * @param places where elements of the metamodels are
+   */
+  OclRules parse(List<SourceText> documents, Function<EObject, SourceLocation> places) {
+    return parse(documents, MetamodelRules.read(language, places, problems));
+  }
+
+  OclRules parse(List<SourceText> documents) {
+    return parse(documents, List.of());
+  }
+
+  /**
+   * Reads all documents before any invariant: what they compute may use what they define, and what
+   * the metamodels state may read it.
+   */
+  private OclRules parse(List<SourceText> documents, List<ResolvedClause> embedded) {
+    List<String> names = documents.stream().map(SourceText::name).toList();
+    List<ResolvedClause> clauses = new ArrayList<>();
+    List<Diagnostic> empty = new ArrayList<>();
+    for (SourceText document : documents) {
+      SourceLocation place = SourceLocation.of(document.name());
+      clauses.addAll(DiagnosticException.at(place, () -> read(document, names, empty)));
+    }
+    if (empty.size() < documents.size()) {
+      problems.addAll(empty);
+    }
+    definitions.addAll(
+        clauses.stream()
+            .filter(each -> each.clause().definition())
+            .map(each -> each.definition(language))
+            .toList());
+    members.forEach(this::implement);
+    embedded.forEach(this::addAtItsPlace);
+    clauses.stream().filter(each -> !each.clause().definition()).forEach(this::addAtItsPlace);
+    definitions.forgetUnusable();
+    return new OclRules(constraints, List.copyOf(new TreeSet<>(problems)), names);
+  }
+
+  private List<ResolvedClause> read(
+      SourceText document, List<String> documents, List<Diagnostic> empty) {
+    int before = problems.size();
+    RuleDocument parsed = RuleDocument.read(document, problems);
+    boolean imports = parsed.imports().stream().anyMatch(e -> DocumentImports.names(e, documents));
+    if (parsed.isEmpty() && !imports && problems.size() == before) {
+      empty.add(empty(document));
+    }
+    if (parsed.unchecked() > 0) {
+      problems.add(unchecked(parsed.unchecked(), SourceLocation.of(document.name())));
+    }
+    return resolve(parsed, documents);
+  }
+
+  /** The clauses whose classes are known; members that the document computes are kept. */
+  private List<ResolvedClause> resolve(RuleDocument document, List<String> documents) {
+    members.addAll(document.members());
+    document.imports().forEach(each -> contexts.check(each, documents));
+    List<ResolvedClause> clauses = new ArrayList<>();
+    for (RuleDocument.Clause clause : document.clauses()) {
+      Optional<ResolvedClause> resolved = contexts.resolve(clause);
+      resolved.ifPresent(clauses::add);
+      if (resolved.isEmpty() && clause.definition()) {
+        definitions.addHomeless(clause.text());
+      }
+    }
+    return clauses;
+  }
+
+  private void implement(MemberContext member) {
+    contexts
+        .resolve(member)
+        .ifPresent(
+            element -> language.implement(element, member.parameters(), member.text(), problems));
+  }
+
+  /** Says that there are conditions that nothing checks. */
+  static Diagnostic unchecked(int conditions, SourceLocation place) {
+    return Diagnostic.info(
+        "ocl.condition.unchecked",
+        Coverage.counted(conditions, "condition")
+            + " of operations and initial values not checked: no program runs here.",
+        place);
+  }
+
+  /** If all documents are empty, nothing is evaluated, which is said then. */
+  private static Diagnostic empty(SourceText document) {
+    boolean blank = document.text().isBlank();
+    return Diagnostic.error(
+            "ocl.document.empty",
+            blank ? "The document is empty." : "The document contains only comments.",
+            SourceLocation.of(document.name()))
+        .withHint("Write invariants: context Class inv Name: ..., or leave it out.");
+  }
+
+  private void addAtItsPlace(ResolvedClause invariant) {
+    DiagnosticException.runAt(invariant.location(), () -> addInvariant(invariant));
+  }
+
+  private void addInvariant(ResolvedClause resolved) {
+    String name = nameOf(resolved);
+    if (!isNew(resolved, name)) {
+      return;
+    }
+    RuleComments comments = RuleComments.read(resolved.clause(), problems);
+    commentsOf.put(qualified(resolved, name), comments);
+    Optional<MessageTemplate> message = message(resolved, comments);
+    Optional<Expression> condition = condition(resolved, name).filter(c -> isKnown(c, resolved));
+    if (condition.isPresent()
+        && definitions.isUsable(condition.get())
+        && message.stream()
+            .flatMap(each -> each.expressions().stream())
+            .allMatch(definitions::isUsable)) {
+      constraints.add(
+          new OclConstraint(
+              name,
+              resolved.context(),
+              condition.get(),
+              comments,
+              message.orElse(null),
+              resolved.location()));
+    }
+  }
+
+  private Optional<MessageTemplate> message(ResolvedClause resolved, RuleComments comments) {
+    SourceRange own = resolved.clause().message();
+    Scope scope = resolved.scope(language);
+    return own == null
+        ? MessageTemplate.parse(
+            comments.message(), comments.messageStart(), scope, language, problems)
+        : MessageTemplate.parse(own, scope, language, problems);
+  }
+
+  private Optional<Expression> condition(ResolvedClause resolved, String name) {
+    return language
+        .parse(resolved.clause().text(), resolved.scope(language), problems)
+        .filter(expression -> isBoolean(expression, name, resolved));
+  }
+
+  /** Whether each feature that an invariant reads is stored, or computed by an expression. */
+  private boolean isKnown(Expression condition, ResolvedClause resolved) {
+    Optional<EStructuralFeature> missing =
+        condition.navigations().stream()
+            .map(Expression.Navigation::feature)
+            .filter(OclAnnotations::isComputedInJava)
+            .findFirst();
+    missing.ifPresent(
+        feature ->
+            problems.add(
+                Diagnostic.error(
+                        "ocl.java.missing",
+                        "This reads '%s' of %s, which only Java code computes."
+                            .formatted(feature.getName(), Names.of(feature.getEContainingClass())),
+                        resolved.location())
+                    .withHint("Give the feature a derivation in OCL, or do without it.")));
+    return missing.isEmpty();
+  }
+
+  private String nameOf(ResolvedClause resolved) {
+    String given = resolved.clause().name();
+    return given.isEmpty() ? "inv" + unnamed.merge(resolved.context(), 1, Integer::sum) : given;
+  }
+
+  /** Whether a name is new; the same words in another document are no fault, but count once. */
+  private boolean isNew(ResolvedClause resolved, String name) {
+    ResolvedClause first = names.putIfAbsent(qualified(resolved, name), resolved);
+    if (first == null) {
+      return true;
+    }
+    if (resolved.repeats(first)) {
+      commentsOf.get(qualified(resolved, name)).addRepeated(resolved.clause());
+    } else {
+      String context = resolved.context().getName();
+      problems.add(
+          Diagnostic.error(
+                  "ocl.duplicate",
+                  "The invariant '" + name + "' of " + context + " is declared twice.",
+                  resolved.location())
+              .withHint("Give one of them another name.")
+              .withRelated(first.location()));
+    }
+    return false;
+  }
+
+  private static String qualified(ResolvedClause resolved, String name) {
+    return Names.qualified(resolved.context()) + "::" + name;
+  }
+
+  private boolean isBoolean(Expression expression, String name, ResolvedClause resolved) {
+    if (expression.type() == language.type("Boolean")) {
+      return true;
+    }
+    boolean collection = language.elementType(expression.type()).isPresent();
+    problems.add(
+        Diagnostic.error(
+                "ocl.not-boolean",
+                "The invariant '"
+                    + name
+                    + "' is of type "
+                    + Names.of(expression.type())
+                    + ", not Boolean.",
+                resolved.location())
+            .withHint(
+                collection
+                    ? "State the condition on the elements, with ->forAll(...) or ->exists(...)."
+                    : "Compare it with something."));
+    return false;
+  }
+}

@@ -1,0 +1,41 @@
+package dev.eventchain.jsonmodels;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.Document;
+import dev.eventchain.documents.DocumentFormat;
+import dev.eventchain.documents.FindingIds;
+import java.util.ArrayList;
+import java.util.List;
+
+/** The JSON that models are made of: descriptions of chains and signals, and instance models. */
+public final class JsonDocument {
+
+  private static final FindingIds IDS =
+      new FindingIds(
+          "modeler.json.syntax",
+          "modeler.json.syntax",
+          "modeler.value.type",
+          "modeler.feature.missing",
+          "modeler.feature.unknown",
+          "modeler.value.range");
+
+  private JsonDocument() {}
+
+  /**
+   * Reads a document: strict JSON, no property twice, nothing after its end, no control characters
+   * in texts, at most 200 levels and 16 Mi characters.
+   *
+   * @throws DiagnosticException INPUT, {@code modeler.json.syntax} or {@code modeler.value.type},
+   *     if it is not such a document
+   */
+  public static Document parse(SourceText source) {
+    List<Diagnostic> findings = new ArrayList<>();
+    Document document = Document.parse(source, DocumentFormat.JSON, IDS, findings::add);
+    if (!findings.isEmpty()) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, findings);
+    }
+    return document;
+  }
+}

@@ -1,0 +1,232 @@
+package dev.eventchain.xmi;
+
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.SourceLocation;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Function;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EReference;
+import org.eclipse.emf.ecore.EStructuralFeature;
+import org.eclipse.emf.ecore.resource.Resource;
+import org.eclipse.emf.ecore.util.EcoreUtil;
+
+/**
+ * Whether models are instances of their metamodels: what EMF's own validator checks of any object.
+ * The findings are {@code ecore.required} and {@code ecore.bound} for multiplicities, {@code
+ * ecore.opposite}, {@code ecore.unique}, {@code ecore.value} for what a data type does not allow
+ * (and {@code ecore.limit} where its patterns take too long to find that out), {@code ecore.key}
+ * and {@code ecore.map}. Ids and references that lead nowhere are found when files are read.
+ */
+public final class EcoreChecks {
+
+  private static final List<String> IDS =
+      List.of(
+          "ecore.required",
+          "ecore.bound",
+          "ecore.opposite",
+          "ecore.unique",
+          "ecore.value",
+          "ecore.key",
+          "ecore.map");
+
+  private static final Duration TIME_LIMIT = Duration.ofSeconds(30);
+
+  private final Function<EObject, SourceLocation> locator;
+  private final Map<EClass, EcorePlan> plans = new HashMap<>();
+  private final Map<String, Long> evaluations = new LinkedHashMap<>();
+  private final List<Diagnostic> found = new ArrayList<>();
+  private final ValueChecks values;
+
+  private EcoreChecks(Function<EObject, SourceLocation> locator, Duration timeLimit) {
+    this.locator = locator;
+    this.values = new ValueChecks(locator, timeLimit);
+    IDS.forEach(id -> evaluations.put(id, 0L));
+  }
+
+  /** As {@link #of(List, Duration)} with 30 seconds for each type. */
+  public static EcoreChecks of(List<LoadedModel> models) {
+    return of(models, TIME_LIMIT);
+  }
+
+  /**
+   * Checks models that were loaded together.
+   *
+   * @param models at least one, all of one {@link XmiStore#loadAll}
+   * @param timeLimit the processor time that the patterns of a data type may take on all of them;
+   *     those of all types may take four times as much
+   */
+  public static EcoreChecks of(List<LoadedModel> models, Duration timeLimit) {
+    EcoreChecks checks = new EcoreChecks(models.get(0).origins()::locate, timeLimit);
+    for (LoadedModel model : models) {
+      XmiResource file = (XmiResource) model.resource();
+      DiagnosticException.runAt(file.place(), () -> checks.check(file));
+    }
+    ProjectResources resources = (ProjectResources) models.get(0).resource().getResourceSet();
+    checks.found.addAll(new Faults(resources).find());
+    return checks.end();
+  }
+
+  /**
+   * Checks a model in memory, which no file need hold. EMF keeps both ends of its references and
+   * each of its unique values by itself; only files can say otherwise.
+   *
+   * @param locator where its elements are
+   * @param timeLimit as in {@link #of(List, Duration)}
+   */
+  public static EcoreChecks of(
+      EObject root, Function<EObject, SourceLocation> locator, Duration timeLimit) {
+    EcoreChecks checks = new EcoreChecks(locator, timeLimit);
+    checks.check(root);
+    EcoreUtil.getAllProperContents(root, false)
+        .forEachRemaining(element -> checks.check((EObject) element));
+    return checks.end();
+  }
+
+  private EcoreChecks end() {
+    found.addAll(values.findings());
+    count("ecore.value", values.evaluations());
+    found.sort(null);
+    return this;
+  }
+
+  /** What was found, in the order of files and lines. */
+  public List<Diagnostic> diagnostics() {
+    return List.copyOf(found);
+  }
+
+  /** How often each check had something to look at; names neither files nor elements. */
+  public Coverage coverage() {
+    List<Coverage.Check> checks = new ArrayList<>();
+    evaluations.forEach(
+        (id, times) ->
+            checks.add(
+                new Coverage.Check(
+                    Coverage.Kind.METAMODEL,
+                    id,
+                    "",
+                    Severity.ERROR,
+                    SourceLocation.NONE,
+                    "",
+                    times)));
+    return new Coverage(List.of(), 0, checks);
+  }
+
+  private void check(XmiResource file) {
+    EcoreUtil.getAllProperContents((Resource) file, false)
+        .forEachRemaining(element -> check((EObject) element));
+  }
+
+  private void check(EObject element) {
+    EcorePlan plan = plans.computeIfAbsent(element.eClass(), EcorePlan::of);
+    plan.required().forEach(feature -> checkRequired(element, feature));
+    plan.bounded().forEach(feature -> checkBound(element, feature));
+    plan.values().forEach(attribute -> values.check(element, attribute));
+    plan.keyed().forEach(reference -> checkKeys(element, reference));
+    plan.maps().forEach(reference -> checkMap(element, reference));
+    count("ecore.unique", plan.unique().size());
+    count("ecore.opposite", plan.paired().size());
+  }
+
+  private void count(String id, long times) {
+    evaluations.merge(id, times, Long::sum);
+  }
+
+  private void report(String id, EObject element, String message, String hint) {
+    found.add(Diagnostic.error(id, message, locator.apply(element)).withHint(hint));
+  }
+
+  /** As EMF: a default value is a value, unless the feature can be told to have none. */
+  private void checkRequired(EObject element, EStructuralFeature feature) {
+    count("ecore.required", 1);
+    if (feature.isMany()) {
+      int size = ((List<?>) element.eGet(feature, false)).size();
+      if (size < feature.getLowerBound()) {
+        report(
+            "ecore.required",
+            element,
+            "`%s` has %s, but needs %d."
+                .formatted(
+                    feature.getName(), Coverage.counted(size, "value"), feature.getLowerBound()),
+            "Add what is missing, or lower the feature's lowerBound.");
+      }
+    } else if (feature.isUnsettable()
+        ? !element.eIsSet(feature)
+        : element.eGet(feature, false) == null) {
+      report(
+          "ecore.required",
+          element,
+          isContainer(feature)
+              ? "The element is not part of a `%s`, but must be."
+                  .formatted(feature.getEType().getName())
+              : "`%s` has no value, but needs one.".formatted(feature.getName()),
+          "Add what is missing, or declare the feature with lowerBound=\"0\".");
+    }
+  }
+
+  private static boolean isContainer(EStructuralFeature feature) {
+    return feature instanceof EReference reference && reference.isContainer();
+  }
+
+  private void checkBound(EObject element, EStructuralFeature feature) {
+    count("ecore.bound", 1);
+    int size = ((List<?>) element.eGet(feature, false)).size();
+    if (size > feature.getUpperBound()) {
+      report(
+          "ecore.bound",
+          element,
+          "`%s` has %s, but holds at most %d."
+              .formatted(
+                  feature.getName(), Coverage.counted(size, "value"), feature.getUpperBound()),
+          "Remove some, or raise the feature's upperBound.");
+    }
+  }
+
+  private void checkKeys(EObject element, EReference reference) {
+    Map<List<Object>, EObject> known = new HashMap<>();
+    for (Object value : (List<?>) element.eGet(reference, true)) {
+      EObject target = (EObject) value;
+      List<Object> key = new ArrayList<>();
+      reference.getEKeys().forEach(attribute -> key.add(target.eGet(attribute)));
+      count("ecore.key", 1);
+      EObject first = known.putIfAbsent(key, target);
+      if (first != null && first != target) {
+        found.add(
+            Diagnostic.error(
+                    "ecore.key",
+                    "Two elements of `%s` have the same key %s."
+                        .formatted(reference.getName(), key),
+                    locator.apply(target))
+                .withRelated(locator.apply(first))
+                .withHint("Give one of them another key: the metamodel tells them apart by it."));
+      }
+    }
+  }
+
+  private void checkMap(EObject element, EReference reference) {
+    Map<Object, EObject> known = new HashMap<>();
+    for (Object value : (List<?>) element.eGet(reference, true)) {
+      EObject entry = (EObject) value;
+      Object key = entry.eGet(entry.eClass().getEStructuralFeature("key"));
+      count("ecore.map", 1);
+      EObject first = known.putIfAbsent(key, entry);
+      if (first != null) {
+        found.add(
+            Diagnostic.error(
+                    "ecore.map",
+                    "The map `%s` has the key `%s` twice.".formatted(reference.getName(), key),
+                    locator.apply(entry))
+                .withRelated(locator.apply(first))
+                .withHint("Keep one of the entries: a map has one value for each key."));
+      }
+    }
+  }
+}

@@ -1,0 +1,105 @@
+package dev.eventchain.xmi;
+
+import dev.eventchain.diagnostics.NearestName;
+import java.util.Collection;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Set;
+import java.util.regex.Pattern;
+import org.eclipse.emf.common.notify.impl.AdapterImpl;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.xml.namespace.XMLNamespacePackage;
+import org.eclipse.emf.ecore.xml.type.XMLTypePackage;
+
+/** What to do about a namespace that no loaded metamodel has. */
+final class Namespaces {
+
+  /** A version as people write it into a namespace: {@code 1.0}, {@code v2}, {@code 2024}. */
+  private static final Pattern VERSION = Pattern.compile("[vV]?[0-9]+([._-][0-9]+)*");
+
+  private static final String LOAD = "Name its metamodel with --metamodel FILE.ecore.";
+
+  /**
+   * The namespaces of UML2. Of its classes Maven Central has those of 2010 only, for models of its
+   * version 3; and without them features that UML derives, such as {@code ownedElement}, would be
+   * empty without a word.
+   */
+  private static final String UML2 = "http://www.eclipse.org/uml2/";
+
+  private static final String UML2_HINT =
+      "It is a UML2 model, which this program cannot read: the derived features of UML need UML2's"
+          + " own classes. In Eclipse, export it as Ecore, or copy what you need into a model of"
+          + " another metamodel.";
+
+  /** The key of the metamodel of models without namespace. */
+  static final String NONE = "";
+
+  /** What is registered for its data types only, which no model is an instance of. */
+  private static final Set<String> OF_TYPES =
+      Set.of(NONE, XMLTypePackage.eNS_URI, XMLNamespacePackage.eNS_URI);
+
+  /** Marks a package that had no nsURI of its own. */
+  private static final class Nameless extends AdapterImpl {}
+
+  private Namespaces() {}
+
+  /**
+   * Gives packages without nsURI one: the name of their file, and below a package its nsURI and
+   * their name. The first of a file also stands for models without namespace, as EMF writes them.
+   */
+  static void complete(EPackage ePackage, String file, EPackage.Registry registry) {
+    if (isMissing(ePackage)) {
+      ePackage.setNsURI(file);
+      ePackage.eAdapters().add(new Nameless());
+      registry.putIfAbsent(NONE, ePackage);
+    }
+    for (EPackage inner : ePackage.getESubpackages()) {
+      complete(inner, ePackage.getNsURI() + "/" + inner.getName(), registry);
+    }
+  }
+
+  /**
+   * The classes that a name without namespace may mean: EMF writes no namespace for the classes of
+   * any package without nsURI, wherever it lies.
+   */
+  static List<EClass> withoutNamespace(String name, EPackage.Registry registry) {
+    return registry.values().stream()
+        .filter(EPackage.class::isInstance)
+        .map(EPackage.class::cast)
+        .distinct()
+        .filter(each -> each.eAdapters().stream().anyMatch(Nameless.class::isInstance))
+        .sorted(Comparator.comparing(EPackage::getNsURI))
+        .map(each -> each.getEClassifier(name))
+        .filter(EClass.class::isInstance)
+        .map(EClass.class::cast)
+        .toList();
+  }
+
+  private static boolean isMissing(EPackage ePackage) {
+    return ePackage.getNsURI() == null || ePackage.getNsURI().isBlank();
+  }
+
+  /** Names the loaded version of the same metamodel, else the nearest namespace. */
+  static String hint(String unknown, Collection<String> registered) {
+    if (unknown.startsWith(UML2)) {
+      return UML2_HINT;
+    }
+    List<String> known = registered.stream().filter(uri -> !OF_TYPES.contains(uri)).toList();
+    String name = withoutVersion(unknown);
+    List<String> versions =
+        known.stream().filter(uri -> withoutVersion(uri).equals(name)).sorted().toList();
+    if (!versions.isEmpty()) {
+      return "The file was written for another version: `%s` is loaded. %s"
+          .formatted(
+              String.join("`, `", versions),
+              "Migrate the file, or name its own metamodel with --metamodel FILE.ecore.");
+    }
+    String nearest = NearestName.hint(unknown, known);
+    return nearest.isEmpty() ? LOAD : nearest + " " + LOAD;
+  }
+
+  private static String withoutVersion(String uri) {
+    return VERSION.matcher(uri).replaceAll("#");
+  }
+}

@@ -1,0 +1,114 @@
+package dev.eventchain.xmi;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import org.eclipse.emf.common.util.URI;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EcorePackage;
+import org.eclipse.emf.ecore.resource.Resource;
+import org.eclipse.emf.ecore.resource.impl.ResourceSetImpl;
+import org.eclipse.emf.ecore.xml.namespace.XMLNamespacePackage;
+import org.eclipse.emf.ecore.xml.type.XMLTypePackage;
+
+/** The files of one project that are loaded together; it contains no file outside the project. */
+final class ProjectResources extends ResourceSetImpl {
+
+  private final ProjectFiles files;
+  private final Origins origins = new Origins();
+
+  /** The places of files in the file system, which takes long to ask. */
+  private final Map<URI, Path> realPaths = new HashMap<>();
+
+  ProjectResources(ProjectFiles files, EPackage.Registry registry) {
+    this.files = files;
+    setPackageRegistry(registry);
+  }
+
+  Origins origins() {
+    return origins;
+  }
+
+  List<XmiResource> loaded() {
+    return getResources().stream()
+        .filter(XmiResource.class::isInstance)
+        .map(XmiResource.class::cast)
+        .toList();
+  }
+
+  /** What is wrong with all files that were loaded, in the order of files and lines. */
+  List<Diagnostic> problems() {
+    return loaded().stream()
+        .flatMap(file -> file.problems().found().stream())
+        .distinct()
+        .sorted()
+        .toList();
+  }
+
+  /** The resource of a file or a metamodel; null if there is none that may be read. */
+  @Override
+  public Resource getResource(URI uri, boolean loadOnDemand) {
+    if (files.isKnownMetamodel(uri)) {
+      return getPackageRegistry().getEPackage(uri.toString()).eResource();
+    }
+    Optional<XmiResource> loaded = find(uri);
+    if (loaded.isPresent()) {
+      return loaded.get();
+    }
+    boolean readable = files.isInside(uri) && Files.exists(Path.of(uri.toFileString()));
+    if (!loadOnDemand || !readable) {
+      return null;
+    }
+    return loadFile(uri);
+  }
+
+  /** The resource of a file that is to be read, wherever it lies. */
+  XmiResource fileOf(URI uri) {
+    return find(uri).orElseGet(() -> loadFile(uri));
+  }
+
+  /** A file is one by whichever name: through links, and by URIs that are written otherwise. */
+  private Optional<XmiResource> find(URI uri) {
+    for (XmiResource file : loaded()) {
+      if (file.getURI().equals(uri)) {
+        return Optional.of(file);
+      }
+    }
+    Path real = realPaths.computeIfAbsent(uri, ProjectResources::realPath);
+    return loaded().stream().filter(file -> realPaths.get(file.getURI()).equals(real)).findFirst();
+  }
+
+  /** No file has the empty path. */
+  private static Path realPath(URI uri) {
+    try {
+      return uri.isFile() ? ProjectFiles.realPath(Path.of(uri.toFileString())) : Path.of("");
+    } catch (InvalidPathException e) {
+      return Path.of("");
+    }
+  }
+
+  /** Forgets the files that were loaded from a position on. */
+  void forgetFrom(int position) {
+    getResources().subList(position, getResources().size()).clear();
+  }
+
+  private XmiResource loadFile(URI uri) {
+    realPaths.computeIfAbsent(uri, ProjectResources::realPath);
+    XmiResource resource = new XmiResource(uri, files, getPackageRegistry(), origins);
+    getResources().add(resource);
+    resource.load(Map.of());
+    return resource;
+  }
+
+  /** A registry of our own, with the metamodels that are always there. */
+  static void registerStandard(EPackage.Registry registry) {
+    registry.put(EcorePackage.eNS_URI, EcorePackage.eINSTANCE);
+    registry.put(XMLTypePackage.eNS_URI, XMLTypePackage.eINSTANCE);
+    registry.put(XMLNamespacePackage.eNS_URI, XMLNamespacePackage.eINSTANCE);
+  }
+}

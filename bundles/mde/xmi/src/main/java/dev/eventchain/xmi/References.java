@@ -1,0 +1,210 @@
+package dev.eventchain.xmi;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Iterator;
+import java.util.List;
+import org.eclipse.emf.common.util.URI;
+import org.eclipse.emf.ecore.EAttribute;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EReference;
+import org.eclipse.emf.ecore.InternalEObject;
+import org.eclipse.emf.ecore.resource.Resource;
+import org.eclipse.emf.ecore.util.EcoreUtil;
+import org.eclipse.emf.ecore.util.FeatureMap;
+import org.eclipse.emf.ecore.util.FeatureMapUtil;
+import org.eclipse.emf.ecore.util.InternalEList;
+
+/** Resolves the references between the files of a project, and finds those that lead nowhere. */
+final class References {
+
+  private final ProjectResources resources;
+
+  References(ProjectResources resources) {
+    this.resources = resources;
+  }
+
+  /** Resolves all references; files that they lead to are loaded and treated likewise. */
+  void resolve() {
+    for (int i = 0; i < resources.getResources().size(); i++) {
+      if (resources.getResources().get(i) instanceof XmiResource file) {
+        DiagnosticException.runAt(file.place(), () -> resolve(file));
+      }
+    }
+  }
+
+  private void resolve(XmiResource file) {
+    List<EObject> elements = new ArrayList<>();
+    Iterator<EObject> all = EcoreUtil.getAllProperContents((Resource) file, false);
+    all.forEachRemaining(elements::add);
+    for (EObject element : elements) {
+      for (EReference reference : element.eClass().getEAllReferences()) {
+        if (holdsValues(reference) && element.eIsSet(reference)) {
+          resolve(file, element, reference);
+        }
+      }
+      for (EAttribute attribute : element.eClass().getEAllAttributes()) {
+        if (FeatureMapUtil.isFeatureMap(attribute) && !attribute.isDerived()) {
+          resolve(file, (FeatureMap.Internal) element.eGet(attribute, false), element);
+        }
+      }
+      InternalEObject container = ((InternalEObject) element).eInternalContainer();
+      if (container != null && container.eIsProxy()) {
+        resolveContainer(file, element, container);
+      }
+    }
+  }
+
+  /** Containers are resolved by themselves, and what has no place of its own stands elsewhere. */
+  private static boolean holdsValues(EReference reference) {
+    boolean computed = reference.isVolatile() || !reference.isChangeable();
+    return !reference.isContainer() && !(reference.isDerived() && computed);
+  }
+
+  private void resolve(XmiResource file, FeatureMap.Internal map, EObject element) {
+    for (int i = 0; i < map.size(); i++) {
+      FeatureMap.Entry entry = map.basicList().get(i);
+      if (entry.getEStructuralFeature() instanceof EReference reference
+          && entry.getValue() instanceof InternalEObject proxy
+          && proxy.eIsProxy()) {
+        EObject target = targetOf(file, reference, proxy);
+        if (target != null && mayHold(file, element, reference, proxy, target)) {
+          map.setUnique(i, FeatureMapUtil.createEntry(reference, target));
+        }
+      }
+    }
+  }
+
+  /** The child names its parent in another file. */
+  private void resolveContainer(XmiResource file, EObject element, InternalEObject proxy) {
+    EReference reference = element.eContainmentFeature().getEOpposite();
+    EObject target = targetOf(file, reference, proxy);
+    if (target != null && new Containers(element).closeCircleBelow(target)) {
+      file.problems().addCircle(file.offsetOfProxy(proxy));
+    }
+  }
+
+  private static String shown(XmiResource file, InternalEObject proxy) {
+    return proxy.eProxyURI().deresolve(file.getURI()).toString();
+  }
+
+  private void refuseSecondContainer(XmiResource file, InternalEObject proxy, EObject target) {
+    file.problems()
+        .add(
+            "xmi.containment.twice",
+            "`%s` is already part of %s."
+                .formatted(shown(file, proxy), ModelPath.of(target.eContainer())),
+            file.offsetOfProxy(proxy),
+            "Keep it in one place, and refer to it from the other.");
+  }
+
+  private static List<?> basic(List<?> values) {
+    return values instanceof InternalEList<?> internal
+        ? new ArrayList<>(internal.basicList())
+        : new ArrayList<>(values);
+  }
+
+  private void resolve(XmiResource file, EObject element, EReference reference) {
+    Object value = element.eGet(reference, false);
+    List<?> values = reference.isMany() ? basic((List<?>) value) : List.of(value);
+    for (Object target : values) {
+      if (target instanceof InternalEObject proxy && proxy.eIsProxy()) {
+        resolveProxy(file, element, reference, proxy);
+      } else if (target instanceof EObject object && !reference.getEType().isInstance(object)) {
+        reportWrongType(file, element, reference, object);
+      }
+    }
+  }
+
+  private void resolveProxy(
+      XmiResource file, EObject element, EReference reference, InternalEObject proxy) {
+    EObject target = targetOf(file, reference, proxy);
+    if (target == null) {
+      return;
+    }
+    if (!mayHold(file, element, reference, proxy, target)) {
+      return;
+    }
+    if (reference.isMany() && reference.isUnique() && holds(element, reference, target)) {
+      if (!Statements.hasWrittenOpposite(reference)) { // else what the file says is compared
+        int tag = file.offsetOf(element, 0);
+        String name = ModelPath.of(target);
+        file.statements().addFault(Faults.duplicate(file, element, tag, reference, name));
+      }
+      EcoreUtil.remove(element, reference, proxy);
+    } else {
+      EcoreUtil.replace(element, reference, proxy, target);
+    }
+  }
+
+  /** Whether an element can have another one as its part, if the reference makes it one. */
+  private boolean mayHold(
+      XmiResource file,
+      EObject element,
+      EReference reference,
+      InternalEObject proxy,
+      EObject target) {
+    if (!reference.isContainment()) {
+      return true;
+    }
+    if (new Containers(element).closeCircleBelow(target)) {
+      file.problems().addCircle(file.offsetOfProxy(proxy));
+      return false;
+    }
+    if (target.eContainer() != null && target.eContainer() != element) {
+      refuseSecondContainer(file, proxy, target);
+      return false;
+    }
+    return true;
+  }
+
+  private static boolean holds(EObject element, EReference reference, EObject target) {
+    return ((InternalEList<?>) element.eGet(reference, false)).basicContains(target);
+  }
+
+  /** What a reference leads to; null, and a finding, if that is nothing that it may lead to. */
+  private EObject targetOf(XmiResource file, EReference reference, InternalEObject proxy) {
+    String problem = "names no element";
+    EObject target = null;
+    try {
+      target = resources.getEObject(proxy.eProxyURI(), true);
+    } catch (RuntimeException e) {
+      // A fragment that is not a path.
+      problem = "cannot be followed (" + e.getMessage() + ")";
+    }
+    if (target != null && reference.getEType().isInstance(target)) {
+      return target;
+    }
+    if (target != null) {
+      problem =
+          "names a " + target.eClass().getName() + ", not a " + reference.getEType().getName();
+    } else if (isMissing(proxy.eProxyURI())) {
+      problem = "names a file that does not exist";
+    }
+    file.problems()
+        .add(
+            "xmi.reference.unresolved",
+            "`%s` %s.".formatted(shown(file, proxy), problem),
+            file.offsetOfProxy(proxy),
+            "");
+    return null;
+  }
+
+  private static boolean isMissing(URI target) {
+    return target.isFile() && Files.notExists(Path.of(target.toFileString()));
+  }
+
+  private void reportWrongType(
+      XmiResource file, EObject element, EReference reference, EObject target) {
+    String message =
+        "A %s is not a valid value for feature `%s` of type `%s`."
+            .formatted(
+                target.eClass().getName(), reference.getName(), reference.getEType().getName());
+    file.problems()
+        .found()
+        .add(Diagnostic.error("xmi.value.illegal", message, resources.origins().locate(element)));
+  }
+}

@@ -1,0 +1,274 @@
+package dev.eventchain.xmi;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceText;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EDataType;
+import org.eclipse.emf.ecore.EEnum;
+import org.eclipse.emf.ecore.EEnumLiteral;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EStructuralFeature;
+import org.eclipse.emf.ecore.xmi.ClassNotFoundException;
+import org.eclipse.emf.ecore.xmi.FeatureNotFoundException;
+import org.eclipse.emf.ecore.xmi.IllegalValueException;
+import org.eclipse.emf.ecore.xmi.PackageNotFoundException;
+import org.eclipse.emf.ecore.xmi.UnresolvedReferenceException;
+import org.eclipse.emf.ecore.xmi.XMIException;
+import org.xml.sax.SAXParseException;
+
+/** Turns what EMF finds wrong in one XMI file into findings that point to the text. */
+final class XmiProblems {
+
+  private final SourceText text;
+  private final EPackage.Registry registry;
+  private final List<Diagnostic> found = new ArrayList<>();
+
+  XmiProblems(SourceText text, EPackage.Registry registry) {
+    this.text = text;
+    this.registry = registry;
+  }
+
+  List<Diagnostic> found() {
+    return found;
+  }
+
+  SourceText text() {
+    return text;
+  }
+
+  void add(String id, String message, int offset, String hint) {
+    found.add(Diagnostic.error(id, message, text.at(offset)).withHint(hint));
+  }
+
+  /** Adds what EMF reports about the element whose start tag is at an offset. */
+  void add(XMIException problem, int tag) {
+    if (problem instanceof FeatureNotFoundException feature) {
+      addUnknownFeature(feature, tag);
+    } else if (problem instanceof ClassNotFoundException type) {
+      addUnknownClass(type, tag);
+    } else if (problem instanceof PackageNotFoundException missing) {
+      addUnknownPackage(missing, tag);
+    } else if (problem instanceof IllegalValueException value) {
+      addIllegalValue(value, tag);
+    } else if (problem instanceof UnresolvedReferenceException reference) {
+      add(
+          "xmi.reference.unresolved",
+          "`" + reference.getReference() + "` names no element of this file.",
+          valueIn(attributeIn(tag, reference.getFeature().getName()), reference.getReference()),
+          "");
+    } else {
+      add("xmi.syntax", message(problem), tag, "");
+    }
+  }
+
+  /** Adds what stopped the parser. */
+  void add(IOException stopped) {
+    if (!(stopped.getCause() instanceof SAXParseException syntax)) {
+      add("xmi.syntax", "The file is not valid XMI: " + stopped.getMessage(), 0, "");
+      return;
+    }
+    int end = text.offset(syntax.getLineNumber(), syntax.getColumnNumber());
+    int doctype = text.text().indexOf("<!DOCTYPE");
+    if (doctype >= 0 && doctype <= end) {
+      add(
+          "xmi.doctype",
+          "The file has a document type declaration, which could pull in other files.",
+          doctype,
+          "Remove the declaration and write the text in place of its entities.");
+    } else {
+      add("xmi.syntax", String.valueOf(syntax.getMessage()), end, "");
+    }
+  }
+
+  /** The offset of the {@code <} of the tag that ends at a position. */
+  int tagEndingAt(int line, int column) {
+    int end = text.offset(Math.max(1, line), Math.max(1, column));
+    return Math.max(0, text.text().lastIndexOf('<', Math.max(0, end - 1)));
+  }
+
+  /** Adds that a feature of the element at an offset has a type that no text may become. */
+  void refuseType(EStructuralFeature feature, int tag) {
+    add(
+        "xmi.datatype.refused",
+        "Values of `%s` would run code of the Java class `%s`."
+            .formatted(feature.getName(), ((EDataType) feature.getEType()).getInstanceClassName()),
+        attributeIn(tag, feature.getName()),
+        "Leave the feature out.");
+  }
+
+  /** Adds that a text is not a finite number. */
+  void refuseNumber(EStructuralFeature feature, String value, int tag) {
+    add(
+        "xmi.number.nonfinite",
+        "`%s` is not a finite number, which feature `%s` needs."
+            .formatted(value, feature.getName()),
+        attributeIn(tag, feature.getName()),
+        "Write a number, or leave the feature out.");
+  }
+
+  /** Adds that a file gives a value to a feature that is computed from others. */
+  void refuseComputed(EStructuralFeature feature, int tag) {
+    add(
+        "xmi.feature.computed",
+        "Feature `%s` is volatile: its value is computed and cannot be set."
+            .formatted(feature.getName()),
+        attributeIn(tag, feature.getName()),
+        "Leave it out, or declare the feature with volatile=\"false\".");
+  }
+
+  /** Adds that a feature for one value gets another one from the element at an offset. */
+  void addSecondValue(EStructuralFeature feature, int tag) {
+    add(
+        "xmi.value.twice",
+        "Feature `%s` holds one value, but the file gives it another one here."
+            .formatted(feature.getName()),
+        attributeIn(tag, feature.getName()),
+        "Keep one of them, or declare the feature with upperBound=\"-1\".");
+  }
+
+  /** That two elements have one id, which leaves a model that can be checked all the same. */
+  Diagnostic duplicate(String id, int tag, int first) {
+    return Diagnostic.error(
+            "xmi.id.duplicate",
+            "The id `" + id + "` belongs to two elements.",
+            text.at(valueIn(tag, "\"" + id + "\"")))
+        .withRelated(text.at(first))
+        .withHint("Give one of them another id: references could mean either.");
+  }
+
+  /** Adds that a reference would make an element a part of itself. */
+  void addCircle(int offset) {
+    add(
+        "xmi.containment.circle",
+        "With this reference an element would contain itself.",
+        offset,
+        "Remove the reference.");
+  }
+
+  private void addUnknownFeature(FeatureNotFoundException problem, int tag) {
+    if (problem.getObject() == null) {
+      add("xmi.feature.unknown", "There is an element where only text is allowed.", tag, "");
+      return;
+    }
+    EClass type = problem.getObject().eClass();
+    List<String> known = type.getEAllStructuralFeatures().stream().map(f -> f.getName()).toList();
+    add(
+        "xmi.feature.unknown",
+        "Class `" + type.getName() + "` has no feature `" + problem.getName() + "`.",
+        attributeIn(tag, problem.getName()),
+        NearestName.hint(problem.getName(), known));
+  }
+
+  private void addUnknownClass(ClassNotFoundException problem, int tag) {
+    if (problem.getFactory() == null) {
+      return; // The missing package is reported already.
+    }
+    EPackage ePackage = problem.getFactory().getEPackage();
+    String name = "`" + problem.getName() + "`";
+    int place = attributeIn(tag, "type");
+    List<EClass> meant =
+        ePackage == registry.getEPackage(Namespaces.NONE)
+            ? Namespaces.withoutNamespace(problem.getName(), registry)
+            : List.of();
+    boolean isAbstract = meant.size() == 1 && meant.get(0).isAbstract();
+    if (meant.size() > 1) {
+      addAmbiguousClass(name, meant, place);
+    } else if (isAbstract || ePackage.getEClassifier(problem.getName()) instanceof EClass) {
+      add("xmi.class.abstract", "Class " + name + " is abstract.", place, "Use a concrete class.");
+    } else {
+      add(
+          "xmi.class.unknown",
+          "Metamodel `" + ePackage.getName() + "` has no class " + name + ".",
+          place,
+          NearestName.hint(problem.getName(), concreteClasses(ePackage)));
+    }
+  }
+
+  private static List<String> concreteClasses(EPackage ePackage) {
+    return ePackage.getEClassifiers().stream()
+        .filter(c -> c instanceof EClass eClass && !eClass.isAbstract())
+        .map(EClassifier::getName)
+        .toList();
+  }
+
+  private void addAmbiguousClass(String name, List<EClass> meant, int place) {
+    List<String> owners = meant.stream().map(each -> each.getEPackage().getNsURI()).toList();
+    add(
+        "xmi.class.unknown",
+        "Several packages without nsURI have a class " + name + ".",
+        place,
+        "Write its namespace: one of `%s`.".formatted(String.join("`, `", owners)));
+  }
+
+  private void addUnknownPackage(PackageNotFoundException problem, int tag) {
+    if (problem.uri() == null || problem.uri().isEmpty()) {
+      add("xmi.package.unknown", "The element belongs to no namespace.", tag, "");
+      return;
+    }
+    add(
+        "xmi.package.unknown",
+        "No metamodel with the namespace `" + problem.uri() + "` is loaded.",
+        tag,
+        Namespaces.hint(problem.uri(), registry.keySet()));
+  }
+
+  private void addIllegalValue(IllegalValueException problem, int tag) {
+    EStructuralFeature feature = problem.getFeature();
+    Object value = problem.getValue();
+    String shown =
+        value instanceof EObject object ? "A " + object.eClass().getName() : "`" + value + "`";
+    String type = feature.getEType().getName();
+    List<String> literals =
+        feature.getEType() instanceof EEnum eEnum
+            ? eEnum.getELiterals().stream().map(EEnumLiteral::getLiteral).toList()
+            : List.of();
+    add(
+        "xmi.value.illegal",
+        shown
+            + " is not a valid value for feature `"
+            + feature.getName()
+            + "` of type `"
+            + type
+            + "`.",
+        attributeIn(tag, feature.getName()),
+        NearestName.hint(String.valueOf(value), literals));
+  }
+
+  /** The offset of an attribute in the tag at an offset, prefixed or not; else that of the tag. */
+  int attributeIn(int tag, String name) {
+    int end = text.text().indexOf('>', tag);
+    Matcher attribute =
+        Pattern.compile("\\s(?:[\\w.-]+:)?" + Pattern.quote(name) + "\\s*=")
+            .matcher(text.text())
+            .region(tag, end < 0 ? text.text().length() : end);
+    return attribute.find() ? attribute.start() + 1 : tag;
+  }
+
+  /** The offset of a value in the tag at an offset or after it; else that offset. */
+  int valueIn(int tag, String value) {
+    int end = text.text().indexOf('>', tag);
+    // Without an end the search would go through the rest of the file, for each reference again.
+    int last = (end < 0 ? text.text().length() : end) - value.length();
+    for (int found = tag; found <= last; found++) {
+      if (text.text().startsWith(value, found)) {
+        return found;
+      }
+    }
+    return tag;
+  }
+
+  /** What the cause says, without the position that EMF appends to it. */
+  private static String message(XMIException problem) {
+    Throwable cause = problem.getCause();
+    String message = cause == null ? problem.getMessage() : cause.getMessage();
+    return message == null ? String.valueOf(cause) : message;
+  }
+}

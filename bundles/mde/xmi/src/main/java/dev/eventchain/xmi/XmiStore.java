@@ -1,0 +1,233 @@
+package dev.eventchain.xmi;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import org.eclipse.emf.common.util.URI;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.impl.EPackageRegistryImpl;
+
+/**
+ * Reads and writes the XMI files of one project, for models of any Ecore metamodel.
+ *
+ * <p>Files are read as data: no document type, no entity, no schema location and no Java class that
+ * a file names is followed, and references between files only inside the project's folder, or into
+ * a project of Eclipse that they name ({@code platform:/resource/NAME/}) and that lies above or
+ * next to a folder that the file is in. Not meant for several threads.
+ */
+public final class XmiStore {
+
+  private final EPackage.Registry registry = new EPackageRegistryImpl();
+  private final ProjectFiles files;
+
+  /** All metamodels live together: a class is one object, whichever file leads to it. */
+  private final ProjectResources metamodels;
+
+  /**
+   * A store for the files below a folder. Ecore is registered.
+   *
+   * @param projectRoot the folder that references must not leave
+   */
+  public XmiStore(Path projectRoot) {
+    this(List.of(projectRoot));
+  }
+
+  /**
+   * As {@link #XmiStore(Path)} for files below several folders, which may refer to each other.
+   *
+   * @param folders under the names by which findings name their files; the first that holds a file
+   *     names it
+   */
+  public XmiStore(Collection<Path> folders) {
+    this(folders, Map.of());
+  }
+
+  /**
+   * As {@link #XmiStore(Collection)}, where references may also begin as people agreed that they
+   * do, such as {@code platform:/resource/}.
+   *
+   * @param map the folders that such beginnings stand for, which references may lead into like into
+   *     the others
+   */
+  public XmiStore(Collection<Path> folders, Map<String, Path> map) {
+    this(folders, map, List.of());
+  }
+
+  /**
+   * As {@link #XmiStore(Collection, Map)} for models that may be of known metamodels without naming
+   * a file. One that is loaded with the same nsURI takes the place of a known one.
+   */
+  public XmiStore(Collection<Path> folders, Map<String, Path> map, Collection<EPackage> known) {
+    ProjectResources.registerStandard(registry);
+    known.forEach(each -> registry.put(each.getNsURI(), each));
+    List<Path> all = new ArrayList<>(folders);
+    all.addAll(map.values());
+    files = new ProjectFiles(all, new MappedUris(map), registry);
+    metamodels = new ProjectResources(files, registry);
+  }
+
+  /**
+   * Reads a metamodel and registers it, its subpackages and those of the {@code .ecore} files it
+   * refers to. It may take the place of a known metamodel, but two files must not have one nsURI. A
+   * package without nsURI gets the name of its file, and a subpackage a path below its package;
+   * models of such a metamodel have that namespace or none.
+   *
+   * @return the packages at the top of the file, at least one
+   * @throws DiagnosticException (INPUT) with everything that is wrong with it
+   */
+  public List<EPackage> loadMetamodel(Path ecore) {
+    int before = metamodels.getResources().size();
+    try {
+      return register(read(ecore, metamodels), before);
+    } catch (DiagnosticException e) {
+      metamodels.forgetFrom(before);
+      throw e;
+    }
+  }
+
+  /** Where an element of a metamodel that was loaded here was written. */
+  public SourceLocation locateInMetamodel(EObject element) {
+    return metamodels.origins().locate(element);
+  }
+
+  /** Checks and registers what was loaded from a position on. */
+  private List<EPackage> register(XmiResource file, int before) {
+    List<EPackage> packages = new ArrayList<>();
+    List<Diagnostic> problems = new ArrayList<>();
+    for (XmiResource each : metamodels.loaded()) {
+      List<EPackage> own = packagesIn(each);
+      if (metamodels.getResources().indexOf(each) >= before) {
+        DiagnosticException.runAt(each.place(), () -> complete(own, each, problems));
+        each.statements().faults().stream()
+            .filter(fault -> fault.id().equals("xmi.id.duplicate"))
+            .forEach(problems::add);
+      }
+      packages.addAll(own);
+    }
+    problems.addAll(new NamespaceOwners(metamodels.origins()).check(packages));
+    List<EPackage> top = packages.stream().filter(p -> p.eResource() == file).toList();
+    if (top.isEmpty()) {
+      problems.add(
+          Diagnostic.error(
+              "xmi.metamodel.unsound",
+              "The file contains no EPackage.",
+              metamodels.origins().locate(file.getContents().get(0))));
+    }
+    refuse(problems.stream().sorted().toList());
+    packages.forEach(this::register);
+    return top;
+  }
+
+  private static List<EPackage> packagesIn(XmiResource file) {
+    return file.getContents().stream()
+        .filter(EPackage.class::isInstance)
+        .map(EPackage.class::cast)
+        .toList();
+  }
+
+  private void complete(List<EPackage> packages, XmiResource file, List<Diagnostic> problems) {
+    for (EPackage ePackage : packages) {
+      Namespaces.complete(ePackage, file.getURI().lastSegment(), registry);
+      JavaNames.forget(ePackage);
+      problems.addAll(new MetamodelChecks(metamodels.origins()).check(ePackage));
+    }
+  }
+
+  private void register(EPackage ePackage) {
+    registry.put(ePackage.getNsURI(), ePackage);
+    ePackage.getESubpackages().forEach(this::register);
+  }
+
+  /**
+   * Reads a model and the files of the project that it refers to.
+   *
+   * @throws DiagnosticException (INPUT) with everything that is wrong with these files, and all
+   *     that they say and the model does not hold
+   */
+  public LoadedModel load(Path model) {
+    ProjectResources resources = new ProjectResources(files, registry);
+    XmiResource read = read(model, resources);
+    refuse(new Faults(resources).find());
+    return new LoadedModel(read, resources.origins());
+  }
+
+  /**
+   * Reads models that may refer to each other, and the files of the project that they refer to. An
+   * element is one object, whichever file leads to it. What the files say and the models do not
+   * hold, such as one end of a reference with two, is found by {@link EcoreChecks}.
+   *
+   * @param models the files, in an order; a file that is named again is left out
+   * @return a model for each file, which share their origins and one resource set
+   * @throws DiagnosticException (INPUT) with everything that is wrong with these files
+   */
+  public List<LoadedModel> loadAll(List<Path> models) {
+    ProjectResources resources = new ProjectResources(files, registry);
+    List<XmiResource> read =
+        models.stream().map(model -> resources.fileOf(uriOf(model))).distinct().toList();
+    resolve(resources);
+    return read.stream().map(file -> new LoadedModel(file, resources.origins())).toList();
+  }
+
+  /**
+   * Models that were loaded together, and those in the files that they refer to, which were not
+   * named. Metamodels that they refer to do not count.
+   *
+   * @param models at least one, all of one {@link #loadAll}
+   */
+  public static List<LoadedModel> withReferred(List<LoadedModel> models) {
+    List<LoadedModel> all = new ArrayList<>(models);
+    ProjectResources resources = (ProjectResources) models.get(0).resource().getResourceSet();
+    for (XmiResource file : resources.loaded()) {
+      boolean named = models.stream().anyMatch(model -> model.resource() == file);
+      List<EObject> roots = file.getContents(); // none if all became parts of other files' elements
+      if (!named && !roots.isEmpty() && !(roots.get(0) instanceof EPackage)) {
+        all.add(new LoadedModel(file, resources.origins()));
+      }
+    }
+    return all;
+  }
+
+  private static XmiResource read(Path path, ProjectResources resources) {
+    XmiResource file = resources.fileOf(uriOf(path));
+    resolve(resources);
+    return file;
+  }
+
+  private static void resolve(ProjectResources resources) {
+    new References(resources).resolve();
+    refuse(resources.problems());
+  }
+
+  private static URI uriOf(Path path) {
+    return URI.createFileURI(path.toAbsolutePath().normalize().toString());
+  }
+
+  private static void refuse(List<Diagnostic> problems) {
+    if (!problems.isEmpty()) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
+    }
+  }
+
+  /**
+   * A model as XMI: UTF-8, LF, the same bytes for the same model. Reading these bytes and writing
+   * them again gives the same bytes. The model is left as it is.
+   *
+   * @param root the root of a containment tree, in a resource or not
+   * @throws DiagnosticException (FINDINGS, {@code xmi.unwritable}) for a text with characters that
+   *     XML cannot hold, or a reference to an element that belongs to no model
+   */
+  public static byte[] toBytes(EObject root) {
+    return toBytes(List.of(root));
+  }
+
+  /** As {@link #toBytes(EObject)} for a model with several roots. */
+  public static byte[] toBytes(List<? extends EObject> roots) {
+    return XmiWriter.write(roots);
+  }
+}

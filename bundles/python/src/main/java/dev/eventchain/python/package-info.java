@@ -1,2 +1,0 @@
-/** The Python environment, and the confined process in which foreign Python runs. */
-package dev.eventchain.python;

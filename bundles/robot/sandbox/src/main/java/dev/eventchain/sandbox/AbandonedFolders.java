@@ -1,0 +1,136 @@
+package dev.eventchain.sandbox;
+
+import java.io.IOException;
+import java.nio.channels.FileChannel;
+import java.nio.file.DirectoryIteratorException;
+import java.nio.file.DirectoryStream;
+import java.nio.file.FileVisitResult;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.nio.file.SimpleFileVisitor;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.BasicFileAttributes;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.nio.file.attribute.UserPrincipal;
+import java.time.Duration;
+import java.time.Instant;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+
+/** Work folders of processes that ended without deleting them. */
+final class AbandonedFolders {
+
+  static final String PREFIX = "eventchain-work-";
+  static final String LOCK = "lock";
+
+  /** A folder without a lock is about to get it, unless it is this old. */
+  private static final Duration BEING_MADE = Duration.ofMinutes(5);
+
+  private static final Set<Path> SWEPT = ConcurrentHashMap.newKeySet();
+
+  private AbandonedFolders() {}
+
+  /** Deletes what nobody holds below a place; once for each place in a process. */
+  static void sweepOnce(Path place, Set<Path> ours) {
+    if (SWEPT.add(place.toAbsolutePath())) {
+      sweep(place, ours);
+    }
+  }
+
+  /**
+   * Deletes what nobody holds below a place.
+   *
+   * @param ours the folders of this process: to open and close their locks would give them up
+   */
+  static void sweep(Path place, Set<Path> ours) {
+    try (DirectoryStream<Path> found = Files.newDirectoryStream(place, PREFIX + "*")) {
+      UserPrincipal me = Files.getOwner(Path.of("/proc/self"));
+      for (Path folder : found) {
+        if (!ours.contains(folder)
+            && Files.isDirectory(folder, LinkOption.NOFOLLOW_LINKS)
+            && Files.getOwner(folder, LinkOption.NOFOLLOW_LINKS).equals(me)) {
+          deleteIfAbandoned(folder);
+        }
+      }
+    } catch (IOException | DirectoryIteratorException e) {
+      // What cannot be looked at is not ours to delete.
+    }
+  }
+
+  private static void deleteIfAbandoned(Path folder) throws IOException {
+    Path lock = folder.resolve(LOCK);
+    if (!Files.isRegularFile(lock, LinkOption.NOFOLLOW_LINKS)) {
+      Instant changed = Files.getLastModifiedTime(folder, LinkOption.NOFOLLOW_LINKS).toInstant();
+      if (changed.isBefore(Instant.now().minus(BEING_MADE))) {
+        delete(folder);
+      }
+      return;
+    }
+    try (FileChannel channel =
+        FileChannel.open(lock, StandardOpenOption.WRITE, LinkOption.NOFOLLOW_LINKS)) {
+      if (channel.tryLock() != null) {
+        delete(folder);
+      }
+    } catch (IOException e) {
+      // It went while we looked, or this file system has no locks.
+    }
+  }
+
+  /** Deletes a folder with all that is in it and can be deleted; links are not followed. */
+  static void delete(Path folder) {
+    try {
+      Files.walkFileTree(folder, new Deletion());
+    } catch (IOException e) {
+      // The rest stays until the next sweep.
+    }
+  }
+
+  private static final class Deletion extends SimpleFileVisitor<Path> {
+
+    @Override
+    public FileVisitResult visitFile(Path file, BasicFileAttributes attributes) {
+      return remove(file);
+    }
+
+    /** A folder that its owner may not list comes here first. */
+    @Override
+    public FileVisitResult visitFileFailed(Path file, IOException problem) throws IOException {
+      if (Files.isDirectory(file, LinkOption.NOFOLLOW_LINKS) && open(file)) {
+        Files.walkFileTree(file, this);
+      }
+      return FileVisitResult.CONTINUE;
+    }
+
+    @Override
+    public FileVisitResult preVisitDirectory(Path folder, BasicFileAttributes attributes) {
+      boolean unused = Files.isWritable(folder) || open(folder);
+      return FileVisitResult.CONTINUE;
+    }
+
+    @Override
+    public FileVisitResult postVisitDirectory(Path folder, IOException problem) {
+      return remove(folder);
+    }
+
+    /** Makes a folder such that it can be emptied; whether that changed anything. */
+    private static boolean open(Path folder) {
+      try {
+        var all = PosixFilePermissions.fromString("rwx------");
+        return !Files.getPosixFilePermissions(folder).equals(all)
+            && Files.setPosixFilePermissions(folder, all) != null;
+      } catch (IOException e) {
+        return false;
+      }
+    }
+
+    private static FileVisitResult remove(Path path) {
+      try {
+        Files.deleteIfExists(path);
+      } catch (IOException e) {
+        // What is left keeps the folders around it, which the next sweep finds.
+      }
+      return FileVisitResult.CONTINUE;
+    }
+  }
+}

@@ -1,0 +1,21 @@
+package dev.eventchain.sandbox;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+
+/**
+ * One call of {@code execute}.
+ *
+ * @param name how findings name it, such as {@code stopped vehicle ahead}
+ * @param arguments the inputs by name: {@link Boolean}, {@link Number}, {@link String}, lists and
+ *     string-keyed maps of these; {@code byte[]}, {@code int[]}, {@code float[]} and {@code
+ *     double[]} become the arrays that fields of ROS messages hold
+ */
+public record ComponentCall(String name, Map<String, Object> arguments) {
+
+  /** Copies the arguments. */
+  public ComponentCall {
+    arguments = Collections.unmodifiableMap(new LinkedHashMap<>(arguments));
+  }
+}

@@ -1,0 +1,205 @@
+package dev.eventchain.sandbox;
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.core.json.JsonWriteFeature;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceText;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.Base64;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * Checks that a Python file is a component: a class whose {@code execute} takes the inputs by name
+ * and returns a dict with exactly the outputs. The file is read first; only if nothing is wrong
+ * then, it is imported and called, in a {@link ConfinedProcess} separate from the one that checks.
+ *
+ * <p>Findings, each an error with the place in the file: {@code component.syntax}, {@code
+ * component.class.missing}, {@code component.constructor.signature}, {@code
+ * component.execute.signature}, {@code component.import.forbidden}, {@code
+ * component.import.effect}, {@code component.call.forbidden}; and from running it {@code
+ * component.raised}, {@code component.timeout}, {@code component.ended}, {@code
+ * component.result.type}, {@code component.result.keys}, {@code component.result.nan}, {@code
+ * component.state.shared}.
+ */
+public final class ComponentProbe {
+
+  private static final ObjectMapper JSON =
+      JsonMapper.builder().disable(JsonWriteFeature.WRITE_NAN_AS_STRINGS).build();
+  private static final Duration WALL_TIME = Duration.ofSeconds(60);
+  private static final Duration LONGEST = Duration.ofMinutes(10);
+  private static final int MEMORY_MIB = 512;
+  private static final int MAXIMAL_OUTPUT = 16 << 20;
+
+  private final PythonEnvironment environment;
+  private final Duration timeLimit;
+  private final Duration wallTime;
+  private final Confinement confinement;
+  private final boolean existing;
+
+  /**
+   * Checks components on this Python: two seconds of processor time for the import and for each
+   * call, and a minute on the clock, since a component that waits uses none.
+   */
+  public ComponentProbe(PythonEnvironment environment) {
+    this(environment, Duration.ofSeconds(2), WALL_TIME, Confinement.detect(), false);
+  }
+
+  ComponentProbe(
+      PythonEnvironment environment,
+      Duration timeLimit,
+      Duration wallTime,
+      Confinement confinement) {
+    this(environment, timeLimit, wallTime, confinement, false);
+  }
+
+  private ComponentProbe(
+      PythonEnvironment environment,
+      Duration timeLimit,
+      Duration wallTime,
+      Confinement confinement,
+      boolean existing) {
+    this.environment = environment;
+    this.timeLimit = timeLimit;
+    this.wallTime = wallTime;
+    this.confinement = confinement;
+    this.existing = existing;
+  }
+
+  /** The same with another limit of processor time for the import and for each call. */
+  public ComponentProbe withTimeLimit(Duration newTimeLimit) {
+    return new ComponentProbe(environment, newTimeLimit, wallTime, confinement, existing);
+  }
+
+  /**
+   * The same for components that people wrote: they may import and call what generated ones must
+   * not, and import what lies next to them.
+   */
+  public ComponentProbe ofExisting() {
+    return new ComponentProbe(environment, timeLimit, wallTime, confinement, true);
+  }
+
+  /**
+   * Checks a file.
+   *
+   * @param calls made one after the other on one component, so that state shows
+   * @return what is wrong, by place in the file; empty if nothing is
+   * @throws dev.eventchain.diagnostics.DiagnosticException the file is missing or no UTF-8 text, or
+   *     there is no Python
+   */
+  public List<Diagnostic> check(
+      Path file, ComponentSignature signature, List<ComponentCall> calls) {
+    return run(file, signature, calls, List.of()).diagnostics(SourceText.read(file));
+  }
+
+  /**
+   * Makes sequences of calls, each on a new component of the file.
+   *
+   * @return what came of each sequence, in their order; one result with a problem and nothing else
+   *     if reading the file finds something wrong, or the calls were not all made
+   * @throws dev.eventchain.diagnostics.DiagnosticException as {@link #check} does
+   */
+  public List<CallResults> call(
+      Path file, ComponentSignature signature, List<List<ComponentCall>> sequences) {
+    return run(file, signature, List.of(), sequences)
+        .results(SourceText.read(file), sequences.size());
+  }
+
+  private ProbeReport run(
+      Path file,
+      ComponentSignature signature,
+      List<ComponentCall> calls,
+      List<List<ComponentCall>> sequences) {
+    Path absolute = file.toAbsolutePath().normalize();
+    SourceText.read(absolute); // says what is wrong with a file that cannot be read
+    int count = calls.size() + sequences.stream().mapToInt(each -> each.size() + 1).sum();
+    try (WorkFolder folder = WorkFolder.create()) {
+      return run(absolute, request(absolute, signature, calls, sequences), count, folder.path());
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private ProbeReport run(Path file, byte[] request, int calls, Path workFolder)
+      throws IOException {
+    Path sources = PythonSources.unpack(getClass().getClassLoader(), "dev/eventchain/sandbox");
+    Duration processorTime = timeLimit.multipliedBy(2L * calls + 3).plusSeconds(2);
+    try (ConfinedProcess process =
+        ConfinedProcess.on(environment)
+            .script(sources.resolve("component_probe.py"))
+            .components(0)
+            .readable(existing ? file.getParent() : file)
+            .workFolder(workFolder)
+            .limits(new ConfinedProcess.Limits(LONGEST, processorTime, MEMORY_MIB))
+            .confinement(confinement)
+            .start()) {
+      try (OutputStream input = process.stdin()) {
+        input.write(request);
+      } catch (IOException e) {
+        // It ended before it read: how it ended says why.
+      }
+      byte[] output = process.stdout().readNBytes(MAXIMAL_OUTPUT);
+      if (output.length == MAXIMAL_OUTPUT) {
+        process.kill(ConfinedProcess.Cause.CLOSED);
+      }
+      ConfinedProcess.Termination end = process.await();
+      return new ProbeReport(
+          new String(output, StandardCharsets.UTF_8), end, process.standardError());
+    }
+  }
+
+  private byte[] request(
+      Path file,
+      ComponentSignature signature,
+      List<ComponentCall> calls,
+      List<List<ComponentCall>> sequences)
+      throws IOException {
+    ObjectNode request = JSON.createObjectNode();
+    request.put("file", file.toString());
+    request.put("class", signature.className());
+    request.put("existing", existing);
+    request.set("inputs", JSON.valueToTree(signature.inputs()));
+    request.set("outputs", JSON.valueToTree(signature.outputs()));
+    request.set("types", JSON.valueToTree(signature.outputTypes()));
+    request.put("processorSeconds", timeLimit.toMillis() / 1000.0);
+    request.put("wallSeconds", wallTime.toMillis() / 1000.0);
+    addCalls(request.putArray("calls"), calls);
+    ArrayNode lists = request.putArray("sequences");
+    sequences.forEach(sequence -> addCalls(lists.addArray(), sequence));
+    return JSON.writer()
+        .without(JsonGenerator.Feature.AUTO_CLOSE_TARGET)
+        .writeValueAsBytes(request);
+  }
+
+  private static void addCalls(ArrayNode list, List<ComponentCall> calls) {
+    for (ComponentCall call : calls) {
+      ObjectNode entry = list.addObject().put("name", call.name());
+      ObjectNode arguments = entry.putObject("arguments");
+      call.arguments()
+          .forEach((name, value) -> arguments.set(name, JSON.valueToTree(encode(value))));
+    }
+  }
+
+  /** Arrays as {@code decode} of component_probe.py reads them. */
+  private static Object encode(Object value) {
+    if (value instanceof byte[] bytes) {
+      return Map.of("$bytes", Base64.getEncoder().encodeToString(bytes));
+    }
+    if (value instanceof float[]) {
+      return Map.of("$array", "f", "values", value);
+    }
+    if (value instanceof double[]) {
+      return Map.of("$array", "d", "values", value);
+    }
+    return value instanceof int[] ? Map.of("$array", "i", "values", value) : value;
+  }
+}

@@ -1,0 +1,2 @@
+/** The Python environment, and the confined process in which foreign Python runs. */
+package dev.eventchain.sandbox;

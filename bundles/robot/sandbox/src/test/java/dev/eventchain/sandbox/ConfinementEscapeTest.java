@@ -1,0 +1,185 @@
+package dev.eventchain.sandbox;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertFalse;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * Each file of {@code escapes} tries one thing; it got out if it says ESCAPED or changed the folder
+ * that it is given.
+ */
+class ConfinementEscapeTest {
+
+  private static final Path ESCAPES = Path.of("src/test/resources/escapes");
+  private static final Path BOMBS = Path.of("src/test/resources/bombs");
+
+  /** The time on the clock is for the slowest of machines: an attempt ends by itself. */
+  private static final ConfinedProcess.Limits LIMITS =
+      new ConfinedProcess.Limits(Duration.ofMinutes(5), Duration.ofSeconds(10), 512);
+
+  /**
+   * What holds the process: both ways whole, and what is left of each when audit hooks fall or the
+   * kernel helps not.
+   */
+  private enum Layer {
+    BUBBLEWRAP,
+    BUBBLEWRAP_WITHOUT_HOOKS,
+    AUDIT_HOOKS,
+    KERNEL_WITHOUT_HOOKS,
+    AUDIT_HOOKS_ALONE
+  }
+
+  @TempDir Path folder;
+
+  static Stream<Arguments> escapes() throws IOException {
+    return combine(ESCAPES, layers());
+  }
+
+  static Stream<Arguments> bombs() throws IOException {
+    return combine(BOMBS, layers());
+  }
+
+  private static List<Layer> layers() {
+    return TestEnvironment.confinements().contains(Confinement.BUBBLEWRAP)
+        ? List.of(Layer.values())
+        : List.of(Layer.AUDIT_HOOKS, Layer.KERNEL_WITHOUT_HOOKS, Layer.AUDIT_HOOKS_ALONE);
+  }
+
+  private static Stream<Arguments> combine(Path programs, List<Layer> layers) throws IOException {
+    List<Arguments> cases = new ArrayList<>();
+    try (Stream<Path> files = Files.list(programs)) {
+      for (Path program : files.sorted().toList()) {
+        String source = Files.readString(program);
+        for (Layer layer : layers) {
+          if (!source.contains("# escapes from: " + layer.name().toLowerCase(Locale.ROOT))) {
+            cases.add(Arguments.of(program.getFileName().toString(), layer));
+          }
+        }
+      }
+    }
+    return cases.stream();
+  }
+
+  @ParameterizedTest(name = "{0} in {1}")
+  @MethodSource("escapes")
+  void attemptIsRefused(String program, Layer layer) throws IOException {
+    Path outside = outside();
+    Map<String, String> before = state(outside);
+    String output;
+    try (ConfinedProcess process =
+        builder(ESCAPES.resolve(program), layer)
+            .arguments(outside.toString())
+            .limits(LIMITS)
+            .start()) {
+      output = new String(process.stdout().readAllBytes(), StandardCharsets.UTF_8);
+      assertEquals(ConfinedProcess.Cause.EXITED, process.await().cause());
+      assertFalse(output.contains("ESCAPED"), output);
+      assertTrue(started(process), process.standardError());
+    }
+    assertEquals(before, state(outside));
+  }
+
+  /** An attempt that failed in the harness, before it began, would prove nothing. */
+  private static boolean started(ConfinedProcess process) {
+    String error = process.standardError();
+    return error.isEmpty() || error.contains("resources/escapes/");
+  }
+
+  static Stream<Path> controls() throws IOException {
+    List<Path> programs = new ArrayList<>();
+    try (Stream<Path> files = Files.list(ESCAPES)) {
+      for (Path program : files.sorted().toList()) {
+        if (!Files.readString(program).contains("# control: none")) {
+          programs.add(program);
+        }
+      }
+    }
+    return programs.stream();
+  }
+
+  /** What does nothing in the open would prove nothing in confinement. */
+  @ParameterizedTest
+  @MethodSource("controls")
+  void attemptSucceedsWithoutConfinement(Path program) throws Exception {
+    Path outside = outside();
+    Map<String, String> before = state(outside);
+    Path copy = Files.copy(program, folder.resolve("program.py"));
+    ProcessBuilder builder =
+        new ProcessBuilder(
+            TestEnvironment.PYTHON.executable().toString(), copy.toString(), outside.toString());
+    builder.directory(Files.createDirectory(folder.resolve("work")).toFile());
+    builder.environment().put("EVENTCHAIN_SECRET", "1");
+    builder.redirectErrorStream(true);
+    Process process = builder.start();
+    String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    process.waitFor();
+    assertTrue(output.contains("ESCAPED") || !before.equals(state(outside)), output);
+  }
+
+  @ParameterizedTest(name = "{0} in {1}")
+  @MethodSource("bombs")
+  void bombIsEnded(String program, Layer layer) throws IOException {
+    ConfinedProcess.Limits limits =
+        new ConfinedProcess.Limits(Duration.ofMillis(800), Duration.ofSeconds(60), 256);
+    boolean floods = program.equals("endless_output.py");
+    try (ConfinedProcess process = builder(BOMBS.resolve(program), layer).limits(limits).start()) {
+      ConfinedProcess.Termination end = process.await();
+      if (!floods || end.cause() != ConfinedProcess.Cause.OUTPUT) {
+        assertEquals(ConfinedProcess.Cause.WALL_TIME, end.cause(), process.standardError());
+      }
+      assertTrue(process.standardError().length() < 70_000);
+    }
+  }
+
+  private ConfinedProcess.Builder builder(Path program, Layer layer) throws IOException {
+    ConfinedProcess.Builder builder =
+        ConfinedProcess.on(TestEnvironment.PYTHON)
+            .script(program)
+            .workFolder(Files.createDirectory(folder.resolve("work")))
+            .confinement(
+                layer.name().startsWith("BUBBLEWRAP")
+                    ? Confinement.BUBBLEWRAP
+                    : Confinement.AUDIT_HOOKS);
+    if (layer.name().endsWith("WITHOUT_HOOKS")) {
+      builder.withoutHooks();
+    }
+    return layer == Layer.AUDIT_HOOKS_ALONE ? builder.withoutKernel() : builder;
+  }
+
+  private Path outside() throws IOException {
+    Path outside = Files.createDirectory(folder.resolve("outside"));
+    Files.writeString(outside.resolve("canary.txt"), "alive");
+    return outside;
+  }
+
+  private static Map<String, String> state(Path outside) throws IOException {
+    Map<String, String> state = new java.util.TreeMap<>();
+    try (Stream<Path> files = Files.list(outside)) {
+      for (Path file : files.toList()) {
+        String mode = PosixFilePermissions.toString(Files.getPosixFilePermissions(file));
+        String content =
+            Files.isRegularFile(file)
+                ? Files.readString(file, StandardCharsets.ISO_8859_1)
+                : "no regular file";
+        state.put(file.getFileName().toString(), mode + " " + content);
+      }
+    }
+    return state;
+  }
+}

@@ -1,0 +1,109 @@
+package dev.eventchain.simulation;
+
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.dds.DdsLibrary;
+import dev.eventchain.dds.DdsParticipant;
+import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.sandbox.ConfinedProcess;
+import dev.eventchain.sandbox.Confinement;
+import dev.eventchain.sandbox.PythonEnvironment;
+import dev.eventchain.sandbox.WorkFolder;
+import dev.eventchain.simulation.SimulationRequest.Driver;
+import java.util.ArrayList;
+import java.util.List;
+
+/** A confined process for each node of a chain, and the world, in a DDS domain of their own. */
+final class DdsHosts implements NodeHosts {
+
+  private static final String HOST = "eventchain_ros2.node_host";
+  private static final String PREPARATION = "eventchain_ros2.preparation";
+
+  private final HostProgram program;
+  private final DdsDomain domain = DdsDomain.find();
+  private final List<NodeProcess> nodes = new ArrayList<>();
+  private final DdsParticipant participant;
+  private final DdsSession session;
+
+  /**
+   * Starts the processes.
+   *
+   * @param python with Cyclone DDS
+   * @param turn which of several such groups this is
+   */
+  DdsHosts(
+      SimulationRequest request,
+      NodeSetup setup,
+      PythonEnvironment python,
+      Confinement confinement,
+      int turn) {
+    this.program = new HostProgram(request, python, confinement);
+    UserFiles files = new UserFiles(request.packageFolder());
+    participant = enter();
+    try {
+      participant.announce("eventchain_world");
+      for (SoftwareNode node : setup.nodes()) {
+        nodes.add(start(node.getName(), turn * setup.nodes().size() + nodes.size(), files));
+      }
+      session =
+          request.driver() == Driver.DDS_IN_REAL_TIME
+              ? new RealTimeSession(nodes, participant, setup.catalog(), files, request.limits())
+              : new SimulatedTimeSession(
+                  nodes, participant, setup.catalog(), files, request.limits());
+    } catch (RuntimeException | Error e) {
+      closeAll();
+      throw e;
+    }
+  }
+
+  private DdsParticipant enter() {
+    try {
+      DdsLibrary library = DdsLibrary.load(program.python().cycloneDds());
+      return DdsParticipant.loopback(library, domain.number(), domain.tag());
+    } catch (RuntimeException | Error e) {
+      domain.release();
+      throw e;
+    }
+  }
+
+  private NodeProcess start(String name, int turn, UserFiles files) {
+    WorkFolder workFolder = WorkFolder.create();
+    try {
+      ConfinedProcess process =
+          program.process(HOST, turn, workFolder).preparation(PREPARATION, preparation()).start();
+      return new NodeProcess(name, process, workFolder, files);
+    } catch (RuntimeException | Error e) {
+      workFolder.close();
+      throw e;
+    }
+  }
+
+  private ObjectNode preparation() {
+    ObjectNode json = JsonNodeFactory.instance.objectNode();
+    json.put("domain", domain.number());
+    json.put("configuration", DdsParticipant.loopbackConfiguration(domain.tag()));
+    var messages = json.putArray("messages");
+    program
+        .request()
+        .messageFolders()
+        .forEach(folder -> messages.add(folder.toAbsolutePath().normalize().toString()));
+    return json;
+  }
+
+  @Override
+  public NodeSession session() {
+    return session;
+  }
+
+  @Override
+  public void close() {
+    closeAll();
+  }
+
+  /** The nodes first: whoever waits for them is told so. */
+  private void closeAll() {
+    nodes.forEach(NodeProcess::close);
+    participant.close();
+    domain.release();
+  }
+}

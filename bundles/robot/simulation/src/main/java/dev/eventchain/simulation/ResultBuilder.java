@@ -1,0 +1,225 @@
+package dev.eventchain.simulation;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Printable;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.simulation.RunLog.Activation;
+import dev.eventchain.simulation.ScenarioRunner.Run;
+import java.nio.charset.StandardCharsets;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.stream.DoubleStream;
+import java.util.stream.Stream;
+import java.util.zip.CRC32;
+
+/** Judges what happened, and makes figures of it. */
+final class ResultBuilder {
+
+  private static final double MILLISECOND = 1e6;
+
+  private final NodeSetup setup;
+  private final List<Run> runs;
+  private final List<FaultRun> faultRuns;
+
+  ResultBuilder(NodeSetup setup, List<Run> runs, List<FaultRun> faultRuns) {
+    this.setup = setup;
+    this.runs = runs;
+    this.faultRuns = faultRuns;
+  }
+
+  SimulationResult build(String confinement, int processes, double wallSeconds) {
+    List<Diagnostic> silent = silent();
+    boolean worked = silent.stream().allMatch(setup::isAccepted);
+    ScenarioJudge judge = new ScenarioJudge(setup);
+    List<ScenarioVerdict> verdicts =
+        runs.stream().map(run -> judge.verdict(run, worked(run, silent))).toList();
+    Measurements measurements = measurements(verdicts);
+    SimulationResult.Host host =
+        new SimulationResult.Host(
+            setup.driverWords(),
+            setup.isAttached(),
+            confinement,
+            runs.get(0).ready().path("python").asText(),
+            processes,
+            runs.stream().mapToDouble(run -> World.seconds(run.trace().end().time())).sum(),
+            wallSeconds,
+            runs.stream().mapToDouble(run -> World.seconds(run.hostNanos())).sum());
+    List<Diagnostic> found =
+        Stream.of(silent, attached(), ignored(), tooOld(), fromBehind(), wire(), warnings())
+            .flatMap(List::stream)
+            .toList();
+    return new SimulationResult(verdicts, measurements, found, faults(worked), host);
+  }
+
+  private List<FaultVerdict> faults(boolean worked) {
+    FaultJudge judge = new FaultJudge(setup, worked);
+    return faultRuns.stream().map(run -> judge.verdict(run, without(run.fault()))).toList();
+  }
+
+  /** The run of a fault's scenario without it. */
+  private Run without(Fault fault) {
+    return runs.stream()
+        .filter(run -> run.scenario().name().equals(fault.scenario().name()))
+        .findFirst()
+        .orElseThrow(() -> new IllegalStateException("a fault in another scenario"));
+  }
+
+  /** Components that did not work, as far as they can be seen. */
+  private List<Diagnostic> silent() {
+    return setup.isAttached()
+        ? AttachedFindings.neverHeard(runs, setup)
+        : Silence.in(runs.stream().map(Run::log).toList(), setup);
+  }
+
+  private List<Diagnostic> silentIn(Run run) {
+    return setup.isAttached() ? AttachedFindings.silentIn(run, setup) : List.of();
+  }
+
+  private boolean worked(Run run, List<Diagnostic> silent) {
+    return Stream.of(silent, silentIn(run)).flatMap(List::stream).allMatch(setup::isAccepted);
+  }
+
+  /** Nothing is measured of nodes that others run. */
+  private Measurements measurements(List<ScenarioVerdict> verdicts) {
+    if (setup.isAttached()) {
+      return new Measurements(
+          runId(verdicts, List.of()), "", "", List.of(), MessageFlows.of(runs, setup));
+    }
+    List<Measurements.Node> nodes = setup.nodes().stream().map(this::measure).toList();
+    return new Measurements(
+        runId(verdicts, nodes),
+        setup.reader(setup.entry()),
+        setup.writer(setup.exit()),
+        nodes,
+        MessageFlows.of(runs, setup));
+  }
+
+  /** What has to be known of nodes that others run. */
+  private List<Diagnostic> attached() {
+    return setup.isAttached()
+        ? Stream.concat(
+                runs.stream().flatMap(run -> silentIn(run).stream()),
+                AttachedFindings.about(runs, setup).stream())
+            .toList()
+        : List.of();
+  }
+
+  private Measurements.Node measure(SoftwareNode node) {
+    DoubleStream.Builder periods = DoubleStream.builder();
+    DoubleStream.Builder executionTimes = DoubleStream.builder();
+    DoubleStream.Builder hostTimes = DoubleStream.builder();
+    int activations = 0;
+    for (Run run : runs) {
+      Activation previous = null;
+      for (Activation activation : run.log().nodes().getOrDefault(node.getName(), List.of())) {
+        activations++;
+        executionTimes.add((activation.end() - activation.start()) / MILLISECOND);
+        hostTimes.add(activation.host() / MILLISECOND);
+        if (previous != null) {
+          periods.add((activation.start() - previous.start()) / MILLISECOND);
+        }
+        previous = activation;
+      }
+    }
+    double[] found = periods.build().toArray();
+    double nominal = NodeSetup.period(node);
+    double[] jitter =
+        nominal > 0
+            ? DoubleStream.of(found).map(period -> Math.abs(period - nominal)).toArray()
+            : new double[0];
+    return new Measurements.Node(
+        node.getName(),
+        activations,
+        Measurements.Statistics.of(found),
+        Measurements.Statistics.of(jitter),
+        Measurements.Statistics.of(executionTimes.build().toArray()),
+        Measurements.Statistics.of(hostTimes.build().toArray()));
+  }
+
+  /** What the software told the vehicle and the simulated one does not do was not tested. */
+  private List<Diagnostic> ignored() {
+    return runs.stream()
+        .filter(run -> !run.trace().ignored().isEmpty())
+        .limit(1)
+        .map(
+            run ->
+                Diagnostic.error(
+                        "simulation.command.ignored",
+                        "Scenario %s: the software commanded %s, which the simulated vehicle does not support."
+                            .formatted(run.scenario().name(), run.trace().ignored()),
+                        SourceLocation.NONE.withElement(onlyCommander()))
+                    .withHint(
+                        "Test what needs it with a vehicle that supports it, or do not command"
+                            + " it."))
+        .toList();
+  }
+
+  /** Who commands the vehicle, if it is by one topic only. */
+  private String onlyCommander() {
+    return setup.commands().size() == 1 ? setup.writer(setup.exit()) : "";
+  }
+
+  /** No impact of the ego's; it is said whatever the criteria of the scenario are. */
+  private List<Diagnostic> fromBehind() {
+    return runs.stream()
+        .flatMap(run -> run.trace().fromBehind().stream().map(each -> fromBehind(run, each)))
+        .toList();
+  }
+
+  private static Diagnostic fromBehind(Run run, Contact contact) {
+    return Diagnostic.warning(
+            "simulation.ego.hit-from-behind",
+            Criterion.format(
+                "Scenario %s: %s at %.1f km/h after %.2f s.",
+                run.scenario().name(),
+                contact.words(),
+                contact.speed() * 3.6,
+                World.seconds(contact.time())),
+            run.scenario().location())
+        .withHint(
+            "Find out whether the vehicle braked more than it had to, or else let the other vehicle"
+                + " keep more distance: no criterion counts it as an impact.");
+  }
+
+  private List<Diagnostic> wire() {
+    return runs.stream()
+        .flatMap(run -> WireFindings.of(run.scenario(), run.lost(), run.notices()).stream())
+        .toList();
+  }
+
+  private List<Diagnostic> tooOld() {
+    return InputAges.in(runs, setup);
+  }
+
+  /** Connections that the nodes wanted but that were not made: the same in every scenario. */
+  private List<Diagnostic> warnings() {
+    Map<String, Diagnostic> warnings = new LinkedHashMap<>();
+    for (Run run : runs) {
+      for (JsonNode warning : run.ready().path("warnings")) {
+        String id = warning.path("id").asText();
+        String message = Printable.line(warning.path("message").asText());
+        SourceLocation topic = SourceLocation.NONE.withElement(warning.path("topic").asText());
+        warnings.putIfAbsent(id + message, Diagnostic.warning(id, message, topic));
+      }
+    }
+    return Stream.concat(setup.leftOut().stream(), warnings.values().stream()).toList();
+  }
+
+  /** A digest of everything that was measured in simulated time. */
+  private static String runId(List<ScenarioVerdict> verdicts, List<Measurements.Node> nodes) {
+    CRC32 digest = new CRC32();
+    for (ScenarioVerdict verdict : verdicts) {
+      String text = verdict.scenario() + verdict.passed() + verdict.latency() + verdict.series();
+      text += verdict.flow();
+      digest.update(text.getBytes(StandardCharsets.UTF_8));
+    }
+    for (Measurements.Node node : nodes) {
+      String text = node.name() + node.activations() + node.period() + node.executionTime();
+      digest.update(text.getBytes(StandardCharsets.UTF_8));
+    }
+    return String.format("simulation-%08x", digest.getValue());
+  }
+}

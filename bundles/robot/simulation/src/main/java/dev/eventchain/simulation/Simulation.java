@@ -1,0 +1,222 @@
+package dev.eventchain.simulation;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.sandbox.Confinement;
+import dev.eventchain.sandbox.PythonEnvironment;
+import dev.eventchain.simulation.ScenarioRunner.Run;
+import dev.eventchain.simulation.SimulationRequest.Driver;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
+
+/**
+ * Simulates the generated nodes of a chain in a closed loop with a vehicle on a road, in lock-step
+ * or on DDS in simulated time: the world waits for the nodes and the nodes for the world, so that
+ * the result depends on the nodes and the scenarios alone. In real time, nothing waits.
+ */
+public final class Simulation {
+
+  private final SimulationRequest request;
+  private final NodeSetup setup;
+  private final Consumer<String> progress;
+  private final PythonEnvironment python;
+  private final Confinement confinement = Confinement.detect();
+  private final AtomicInteger next = new AtomicInteger();
+  private final AtomicBoolean stopped = new AtomicBoolean();
+  private final List<NodeHosts> open = new ArrayList<>();
+  private final SortedMap<Integer, Run> runs = new TreeMap<>();
+  private final SortedMap<Integer, FaultRun> faultRuns = new TreeMap<>();
+  private final SortedMap<Integer, Throwable> failures = new TreeMap<>();
+
+  private Simulation(
+      SimulationRequest request, PythonEnvironment python, Consumer<String> progress) {
+    this.request = request;
+    this.setup = new NodeSetup(request);
+    this.python = python;
+    this.progress = progress;
+  }
+
+  /**
+   * Simulates all scenarios and judges them.
+   *
+   * @param python the Python that runs the nodes
+   * @param progress gets the name of each scenario when it has been simulated, and those of faults
+   *     with theirs, one at a time, from threads of the simulation; the order may differ from that
+   *     of the request
+   * @throws DiagnosticException (INPUT) if the messages of the vehicle are not defined ({@code
+   *     message.unknown}, {@code message.field.missing}), or the manifest is not that of the chain
+   *     ({@code simulation.manifest}), or there are faults that the driver cannot inject ({@code
+   *     fault.driver}); (FINDINGS) if the nodes cannot be driven through a scenario: one raises,
+   *     hangs, ends its process, or returns something else than its signature says ({@code
+   *     component.*}, {@code node.*}), or the process that runs the nodes hangs ({@code
+   *     simulation.step.timeout}), ends ({@code simulation.process.ended}), writes or publishes
+   *     without end ({@code simulation.limit}) or breaks the protocol ({@code
+   *     simulation.protocol}); on DDS also if a node is stopped, lost or vanishes ({@code
+   *     simulation.node.lost}), finds others not ({@code simulation.wire.unmatched}), or makes ends
+   *     while it runs ({@code node.endpoint.late}); (UNAVAILABLE) if the process cannot be started,
+   *     or no domain of DDS is free ({@code dds.domain.none})
+   * @throws InterruptedException if the calling thread was interrupted; the processes are ended
+   */
+  public static SimulationResult run(
+      SimulationRequest request, PythonEnvironment python, Consumer<String> progress)
+      throws InterruptedException {
+    return new Simulation(request, python, progress).run();
+  }
+
+  private SimulationResult run() throws InterruptedException {
+    long started = System.nanoTime();
+    refuseFaultsInRealTime();
+    int processes = processes();
+    List<Thread> workers = new ArrayList<>();
+    for (int i = 0; i < processes; i++) {
+      int turn = i;
+      Thread worker = new Thread(() -> work(turn), "simulation " + (i + 1));
+      workers.add(worker);
+      worker.start();
+    }
+    try {
+      for (Thread worker : workers) {
+        worker.join();
+      }
+    } catch (InterruptedException e) {
+      stop(workers);
+      throw e;
+    }
+    requireAll();
+    double wallSeconds = (System.nanoTime() - started) / 1e9;
+    return new ResultBuilder(setup, List.copyOf(runs.values()), List.copyOf(faultRuns.values()))
+        .build(describeConfinement(), processes, wallSeconds);
+  }
+
+  /** In real time two scenarios would take each other's time. */
+  private int processes() {
+    return isInRealTime() ? 1 : Math.min(request.processes(), runsInAll());
+  }
+
+  private boolean isInRealTime() {
+    return request.driver() != Driver.LOCKSTEP && request.driver() != Driver.DDS;
+  }
+
+  private String describeConfinement() {
+    return setup.isAttached() ? AttachedHosts.CONFINEMENT : confinement.describe();
+  }
+
+  private static void throwUnchecked(Throwable failure) {
+    if (failure instanceof Error error) {
+      throw error;
+    }
+    throw (RuntimeException) failure;
+  }
+
+  /** Ends the processes, so that the threads that wait for their answers end. */
+  private void stop(List<Thread> workers) throws InterruptedException {
+    stopped.set(true);
+    synchronized (open) {
+      open.forEach(NodeHosts::close);
+    }
+    for (Thread worker : workers) {
+      worker.join();
+    }
+  }
+
+  private void requireAll() {
+    if (!failures.isEmpty()) {
+      throwUnchecked(failures.get(failures.firstKey()));
+    }
+    if (runs.size() + faultRuns.size() != runsInAll()) {
+      throw new IllegalStateException("a scenario was not simulated");
+    }
+  }
+
+  private int runsInAll() {
+    return request.scenarios().size() + request.faults().faults().size();
+  }
+
+  private void refuseFaultsInRealTime() {
+    if (isInRealTime()) {
+      List<Diagnostic> refused =
+          request.faults().faults().stream().map(Simulation::inRealTime).distinct().toList();
+      if (!refused.isEmpty()) {
+        throw new DiagnosticException(DiagnosticException.Reason.INPUT, refused);
+      }
+    }
+  }
+
+  private static Diagnostic inRealTime(Fault fault) {
+    return Diagnostic.error(
+            "fault.driver",
+            "The fault '" + fault.name() + "' cannot be injected in real time.",
+            fault.location())
+        .withHint("Leave out --real-time and --attach: in simulated time, all faults can.");
+  }
+
+  /** Takes run after run until none is left, in new processes after one that did not survive. */
+  private void work(int turn) {
+    int[] taken = {-1};
+    try {
+      boolean more = true;
+      while (more) {
+        more = workInOneProcess(turn, taken);
+      }
+    } catch (RuntimeException | Error e) { // rethrown by run(): a thread must not end unnoticed
+      failed(taken[0], e);
+    }
+  }
+
+  /**
+   * Takes run after run.
+   *
+   * @param taken gets the number of each
+   * @return whether there may be more, but not for this process, which a fault has ended
+   */
+  private boolean workInOneProcess(int turn, int[] taken) {
+    try (NodeHosts process = start(turn)) {
+      synchronized (open) {
+        open.add(process);
+      }
+      ScenarioRunner runner = new ScenarioRunner(setup, process.session());
+      int scenarios = request.scenarios().size();
+      while (!stopped.get() && (taken[0] = next.getAndIncrement()) < runsInAll()) {
+        int number = taken[0];
+        if (number < scenarios) {
+          done(number, runner.run(request.scenarios().get(number)));
+        } else {
+          FaultRun run = runner.run(request.faults().faults().get(number - scenarios));
+          done(number, run);
+          if (run.ended().isPresent()) {
+            return !stopped.get() && next.get() < runsInAll();
+          }
+        }
+      }
+      return false;
+    }
+  }
+
+  private NodeHosts start(int turn) {
+    return switch (request.driver()) {
+      case LOCKSTEP -> new LockstepProcess(request, python, confinement, turn);
+      case DDS, DDS_IN_REAL_TIME -> new DdsHosts(request, setup, python, confinement, turn);
+      case DDS_ATTACHED -> new AttachedHosts(request, setup, python);
+    };
+  }
+
+  private synchronized void done(int scenario, Run run) {
+    runs.put(scenario, run);
+    progress.accept(run.scenario().name());
+  }
+
+  private synchronized void done(int number, FaultRun run) {
+    faultRuns.put(number, run);
+    progress.accept(run.fault().scenario().name() + " with " + run.fault().name());
+  }
+
+  private synchronized void failed(int scenario, Throwable failure) {
+    stopped.set(true);
+    failures.put(scenario, failure);
+  }
+}

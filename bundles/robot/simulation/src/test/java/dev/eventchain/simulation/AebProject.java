@@ -1,0 +1,195 @@
+package dev.eventchain.simulation;
+
+import static dev.eventchain.diagnostics.SourceLocation.NONE;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.m2t.TemplateModule;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.model.EventChainMetamodel;
+import dev.eventchain.model.Signal;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.EventchainPackage;
+import dev.eventchain.sandbox.PythonEnvironment;
+import dev.eventchain.xmi.XmiStore;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+import org.eclipse.emf.ecore.EPackage;
+
+/**
+ * The AEB example with nodes generated for it and hand-written components in the place of those
+ * that a language model writes, in a folder where tests can change components.
+ */
+final class AebProject {
+
+  private static final Path RESOURCES = Path.of("src/test/resources");
+  static final Path EXAMPLE = Path.of("../../../examples/aeb");
+  static final Bench BENCH =
+      Bench.read(
+          Optional.of(EXAMPLE.resolve(Bench.FILE)),
+          declared(),
+          MessageCatalog.of(List.of(messages())));
+
+  private static final Set<String> SCENARIOS =
+      Set.of(
+          "braking-vehicle",
+          "empty-road",
+          "next-lane",
+          "receding-vehicle",
+          "same-speed-vehicle",
+          "slow-approach",
+          "slower-vehicle",
+          "stopped-vehicle-20",
+          "stopped-vehicle-50",
+          "stopped-vehicle-60");
+
+  private final Path folder;
+  private final EventChain chain;
+
+  AebProject(Path folder) throws IOException {
+    this(folder, load(), Generated.FILES);
+  }
+
+  private AebProject(Path folder, EventChain chain, Map<String, byte[]> files) throws IOException {
+    this.folder = folder;
+    this.chain = chain;
+    for (Map.Entry<String, byte[]> file : files.entrySet()) {
+      Path target = folder.resolve(file.getKey());
+      Files.createDirectories(target.getParent());
+      Files.write(target, file.getValue());
+    }
+    copyComponents(RESOURCES.resolve("aeb/components"));
+    copyComponents(EXAMPLE.resolve("software-base/components"));
+  }
+
+  private static Path messages() {
+    return EXAMPLE.resolve("software-base/msg");
+  }
+
+  /** The topics that formulas of the example's scenarios read, with their units. */
+  private static List<Signal> declared() {
+    List<Signal> signals = new ArrayList<>();
+    SourceText text = SourceText.read(EXAMPLE.resolve("software-base/signals.json"));
+    try {
+      for (JsonNode topic : new ObjectMapper().readTree(text.text())) {
+        List<Signal.Field> fields = new ArrayList<>();
+        for (JsonNode field : topic.get("Message Definition")) {
+          String unit = field.path("Unit").asText("");
+          String type = field.get("Type").asText();
+          fields.add(new Signal.Field(field.get("Field").asText(), type, unit, NONE));
+        }
+        String direction = topic.get("direction").asText().toUpperCase(Locale.ROOT);
+        signals.add(
+            new Signal(
+                topic.get("Topic Name").asText(),
+                topic.get("Message Type").asText(),
+                Signal.Direction.valueOf(direction),
+                Optional.empty(),
+                fields,
+                NONE));
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    return signals;
+  }
+
+  /** The project with the nodes of another chain of the same components. */
+  static AebProject of(Path folder, Consumer<EventChain> change) throws IOException {
+    EventChain chain = load();
+    change.accept(chain);
+    return new AebProject(folder, chain, Generated.filesOf(chain));
+  }
+
+  private void copyComponents(Path from) throws IOException {
+    try (Stream<Path> files = Files.list(from)) {
+      for (Path file : files.filter(file -> file.toString().endsWith(".py")).toList()) {
+        String name = file.getFileName().toString();
+        Files.copy(file, component(name.substring(0, name.length() - ".py".length())));
+      }
+    }
+  }
+
+  private static EventChain load() {
+    XmiStore store = EventChainMetamodel.store(RESOURCES.resolve("aeb"));
+    return (EventChain)
+        store.load(RESOURCES.resolve("aeb/chain.xmi")).resource().getContents().get(0);
+  }
+
+  /** The nodes are generated once: a template is compiled in a second. */
+  private static final class Generated {
+    private static final TemplateModule MODULE =
+        TemplateModule.compile(
+            Path.of("../../../templates/ros2-python/main.mtl"),
+            List.of(EventchainPackage.eINSTANCE, messages()));
+    private static final Map<String, byte[]> FILES = filesOf(load());
+
+    /** The metamodel of message definitions, which the templates name. */
+    private static EPackage messages() {
+      Path folder = Path.of("../../../metamodel");
+      return EventChainMetamodel.store(folder)
+          .loadMetamodel(folder.resolve("messages.ecore"))
+          .get(0);
+    }
+
+    private static Map<String, byte[]> filesOf(EventChain chain) {
+      return MODULE.generate(List.of(chain), element -> SourceLocation.NONE).files();
+    }
+  }
+
+  /** The chain; tests may change it. */
+  EventChain chain() {
+    return chain;
+  }
+
+  /** Where the file of a component is. */
+  Path component(String name) {
+    return folder.resolve("aeb/aeb/components").resolve(name + ".py");
+  }
+
+  /** Replaces a component by another file of the test resources. */
+  AebProject with(String component, String file) throws IOException {
+    Files.writeString(component(component), Files.readString(RESOURCES.resolve(file)));
+    return this;
+  }
+
+  /** Some of the example's: enough for what is tested here, and not too many to be simulated. */
+  static List<Scenario> scenarios() {
+    return Scenario.readFolder(EXAMPLE.resolve("scenarios"), BENCH, warning -> {}).stream()
+        .filter(each -> SCENARIOS.contains(each.name()))
+        .toList();
+  }
+
+  static Scenario scenario(String name) {
+    return scenarios().stream().filter(s -> s.name().equals(name)).findFirst().orElseThrow();
+  }
+
+  SimulationRequest request(List<Scenario> scenarios) {
+    return SimulationRequest.of(
+        chain, folder.resolve("aeb"), manifest(), List.of(messages()), BENCH, scenarios);
+  }
+
+  NodeManifest manifest() {
+    return NodeManifest.read(SourceText.read(folder.resolve("aeb").resolve(NodeManifest.FILE)));
+  }
+
+  SimulationResult simulate(List<Scenario> scenarios) throws InterruptedException {
+    return simulate(request(scenarios));
+  }
+
+  static SimulationResult simulate(SimulationRequest request) throws InterruptedException {
+    return Simulation.run(request, PythonEnvironment.ensure(line -> {}), verdict -> {});
+  }
+}

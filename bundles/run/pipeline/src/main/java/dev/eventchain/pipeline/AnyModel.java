@@ -1,0 +1,179 @@
+package dev.eventchain.pipeline;
+
+import dev.eventchain.check.ModelValidation;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.m2t.GenerationContext;
+import dev.eventchain.m2t.GenerationContext.Trait;
+import dev.eventchain.m2t.GenerationResult;
+import dev.eventchain.m2t.TemplateModule;
+import dev.eventchain.output.OutputFolder;
+import dev.eventchain.output.OutputFolder.OnEdit;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import org.eclipse.emf.ecore.EPackage;
+
+/** Generation from models of any Ecore metamodel, without a project. */
+public final class AnyModel {
+
+  /**
+   * A template that is in no project, and what it needs.
+   *
+   * @param main the main module
+   * @param sources the source roots of its modules; folders that it is in need not be named
+   * @param services JARs and folders of classes whose methods the templates may call
+   * @param properties files of properties; where several have a key, the first one counts
+   */
+  public record Template(
+      Path main, List<Path> sources, List<Path> services, List<Path> properties) {
+
+    /** Keeps the lists from changing. */
+    public Template {
+      sources = List.copyOf(sources);
+      services = List.copyOf(services);
+      properties = List.copyOf(properties);
+    }
+  }
+
+  /**
+   * Where the text goes.
+   *
+   * @param folder where the files go; without one, a block that writes a file is an error, and what
+   *     others print is all there is
+   * @param overwrite whether files that a person has edited are replaced
+   * @param trace whether {@code trace.json} is written, too, which says where each line comes from
+   * @param producer what tells this generation from others into the same folder: files that it
+   *     wrote when it last ran, and no longer writes, are removed. Without it, they stay
+   */
+  public record Target(
+      Optional<Path> folder, boolean overwrite, boolean trace, Optional<String> producer) {}
+
+  private AnyModel() {}
+
+  /**
+   * Generates text from models.
+   *
+   * @param map the folders that beginnings of references stand for: {@code platform:/resource/}
+   * @param template with its modules, services and properties
+   * @param models the template runs on the elements of each of them, and sees those that they refer
+   *     to in other files
+   * @param target where the files go
+   * @param lenient whether what Acceleo continues after without failing is a warning
+   * @param suppressions what is wrong with the models and is not to count
+   * @param timeLimit the processor time that the patterns of a data type may take
+   * @return what was found, and nothing written if one of it is an error, other than that values
+   *     are undefined: also where a model is not an instance of its metamodel
+   * @throws DiagnosticException INPUT if a file cannot be read, or the output not written
+   */
+  public static WrittenFiles generate(
+      List<Path> metamodels,
+      Map<String, Path> map,
+      Template template,
+      List<Path> models,
+      Target target,
+      boolean lenient,
+      Suppressions suppressions,
+      Duration timeLimit) {
+    ModelValidation any = ModelValidation.read(metamodels, map, models, timeLimit);
+    Map<String, Map<String, String>> properties = PropertyFiles.read(template.properties());
+    try (JavaServices classes = JavaServices.of(template.services())) {
+      TemplateModule module =
+          TemplateModule.compile(
+              template.main(), template.sources(), templatePackages(any), classes.loader());
+      WrittenFiles files = new WrittenFiles(target.folder());
+      files.found(any.ecore().diagnostics());
+      if (!Diagnostic.anyError(suppressions.part(files.diagnostics()).remaining())) {
+        GenerationContext context =
+            GenerationContext.of(any::locate)
+                .withPropertyFiles(properties)
+                .with(traits(target, lenient));
+        if (target.folder().isEmpty()) {
+          files.found(generate(any, module, context, files).diagnostics());
+        } else {
+          write(any, module, context, files, target);
+        }
+      } else if (target.folder().isPresent()) {
+        files.wroteNothing();
+      }
+      return files;
+    }
+  }
+
+  /**
+   * Templates may be written for definitions of messages, too: without a project there are none.
+   */
+  private static List<EPackage> templatePackages(ModelValidation any) {
+    List<EPackage> all = new ArrayList<>(any.packages());
+    EPackage messages = MessageModel.metamodel();
+    if (all.stream().noneMatch(given -> messages.getNsURI().equals(given.getNsURI()))) {
+      all.add(messages);
+    }
+    return all;
+  }
+
+  private static Set<Trait> traits(Target target, boolean lenient) {
+    Set<Trait> traits = EnumSet.noneOf(Trait.class);
+    if (target.folder().isEmpty()) {
+      traits.add(Trait.PRINTED_ONLY);
+    }
+    if (target.trace()) {
+      traits.add(Trait.TRACED);
+    }
+    if (lenient) {
+      traits.add(Trait.LENIENT);
+    }
+    return traits;
+  }
+
+  private static GenerationResult generate(
+      ModelValidation any, TemplateModule module, GenerationContext context, WrittenFiles files) {
+    GenerationResult result = module.generate(any.roots(), context);
+    files.found(module.warnings());
+    files.print(result.printedText());
+    return result;
+  }
+
+  private static void write(
+      ModelValidation any,
+      TemplateModule module,
+      GenerationContext context,
+      WrittenFiles files,
+      Target target) {
+    try (OutputFolder output = OutputFolder.open(target.folder().orElseThrow())) {
+      GenerationResult result = generate(any, module, context.withEarlier(output::read), files);
+      boolean taken = target.trace() && result.files().containsKey(TraceFile.NAME);
+      if (taken || !result.isWhole()) {
+        files.found(result.diagnosticsIfUnwritten());
+        files.found(taken ? List.of(traceTaken()) : List.of());
+        files.wroteNothing();
+        return;
+      }
+      files.found(result.diagnostics());
+      files.write(output, result.files(), target.overwrite() ? OnEdit.OVERWRITE : OnEdit.KEEP);
+      Set<String> produced = new TreeSet<>(result.files().keySet());
+      if (target.trace()) {
+        byte[] content = TraceFile.content(result.trace(), "", List.of());
+        files.write(output, Map.of(TraceFile.NAME, content), OnEdit.OVERWRITE);
+        produced.add(TraceFile.NAME);
+      }
+      target.producer().map(name -> output.removeFormer(name, produced)).ifPresent(files::found);
+    }
+  }
+
+  private static Diagnostic traceTaken() {
+    return Diagnostic.error(
+            "m2t.file.duplicate",
+            "A template writes the file '" + TraceFile.NAME + "', which is the name of the trace.",
+            SourceLocation.of(TraceFile.NAME))
+        .withHint("Give the file another name, or leave out --trace.");
+  }
+}

@@ -1,0 +1,89 @@
+package dev.eventchain.pipeline;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.llm.ModelServices;
+import dev.eventchain.llm.ServiceProbe;
+import dev.eventchain.sandbox.PythonEnvironment;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Consumer;
+import java.util.function.UnaryOperator;
+
+/** Finds out whether this machine has what runs need. */
+public final class Doctor {
+
+  /**
+   * One thing that runs need.
+   *
+   * @param name what it is
+   * @param fine whether it is there
+   * @param needed whether the project's runs end without it
+   * @param words what was found, or what to do
+   */
+  public record Check(String name, boolean fine, boolean needed, String words) {}
+
+  private Doctor() {}
+
+  /**
+   * Looks at this machine, for a few seconds, or a minute where Python packages have to be fetched
+   * to see whether they can be. Nothing is installed.
+   *
+   * @param project whose models are to be asked; empty: all services that need no configuration
+   * @param environment the value of an environment variable, null if it is not set
+   * @param progress gets lines for people while Python is looked at
+   */
+  public static List<Check> look(
+      Optional<Project> project, UnaryOperator<String> environment, Consumer<String> progress) {
+    List<Check> checks = new ArrayList<>();
+    checks.add(new Check("Java", true, true, System.getProperty("java.runtime.version")));
+    checks.add(python(progress));
+    checks.add(cycloneDds(progress));
+    ModelServices services =
+        project.map(each -> each.configuration().services()).orElseGet(ModelServices::usual);
+    Set<String> wanted = new TreeSet<>();
+    project.ifPresent(each -> each.configuration().services(wanted::add));
+    boolean live = project.filter(each -> each.configuration().asksServices()).isPresent();
+    Set<String> names = wanted.isEmpty() ? services.names() : wanted;
+    for (ServiceProbe.State state : ServiceProbe.look(services, names, environment)) {
+      boolean needed = live && wanted.contains(state.name());
+      checks.add(new Check("service " + state.name(), state.isReady(), needed, words(state)));
+    }
+    return checks;
+  }
+
+  private static Check python(Consumer<String> progress) {
+    try {
+      return new Check("Python", true, true, PythonEnvironment.outlook(progress) + "; confined");
+    } catch (DiagnosticException e) {
+      return new Check("Python", false, true, words(e));
+    }
+  }
+
+  /** Only {@code --driver dds} needs it. */
+  private static Check cycloneDds(Consumer<String> progress) {
+    String name = "Cyclone DDS";
+    try {
+      String outlook = PythonEnvironment.outlookWithCycloneDds(progress);
+      return new Check(name, true, false, "for simulations with --driver dds: Python " + outlook);
+    } catch (DiagnosticException e) {
+      return new Check(name, false, false, words(e));
+    }
+  }
+
+  private static String words(DiagnosticException problem) {
+    Diagnostic first = problem.diagnostics().get(0);
+    return first.message() + " " + first.hint();
+  }
+
+  private static String words(ServiceProbe.State state) {
+    String place = state.url() + state.problem().map(why -> ": " + why).orElse(" answers");
+    return state
+        .key()
+        .map(key -> place + "; key " + key + (state.keyIsSet() ? " is set" : " is not set"))
+        .orElse(place);
+  }
+}

@@ -1,0 +1,73 @@
+package dev.eventchain.pipeline;
+
+import dev.eventchain.check.ChainModel;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.model.EventChainMetamodel;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.project.SoftwareBase;
+import dev.eventchain.simulation.Bench;
+import dev.eventchain.simulation.FaultPlan;
+import dev.eventchain.simulation.Scenario;
+import dev.eventchain.xmi.LoadedModel;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * What the simulated world provides and takes, and how a project is connected with it.
+ *
+ * @param text the listing, for people
+ * @param diagnostics what is not connected; nothing is said of a chain that there is not yet
+ */
+public record ProjectBench(String text, List<Diagnostic> diagnostics) {
+
+  /** Copies the list. */
+  public ProjectBench {
+    diagnostics = List.copyOf(diagnostics);
+  }
+
+  /**
+   * Describes the bench of a project.
+   *
+   * @param output the folder of the project's results, where its model may be
+   * @throws DiagnosticException INPUT if the bench, the software base or the model cannot be read
+   */
+  public static ProjectBench of(Project project, Path output) {
+    SoftwareBase base = SoftwareBase.read(project.softwareBase());
+    if (Diagnostic.anyError(base.diagnostics())) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, base.diagnostics());
+    }
+    Bench bench =
+        Bench.read(
+            project.bench(),
+            base.signals().orElse(List.of()),
+            MessageCatalog.of(project.messageFolders()));
+    List<Diagnostic> found = new ArrayList<>(base.diagnostics());
+    Optional<Path> file = project.model(output);
+    if (file.isEmpty()) {
+      return new ProjectBench(bench.listing(Optional.empty()), found);
+    }
+    LoadedModel model = EventChainMetamodel.store(file.get().resolveSibling("")).load(file.get());
+    EventChain chain = ChainModel.chainOf(model, file.get());
+    found.addAll(bench.check(chain, model.origins()::locate));
+    return new ProjectBench(bench.listing(Optional.of(chain)), found);
+  }
+
+  /** The JSON Schema of {@code bench.yaml}. */
+  public static String schema() {
+    return Bench.schema();
+  }
+
+  /** The JSON Schema of a scenario. */
+  public static String scenarioSchema() {
+    return Scenario.schema();
+  }
+
+  /** The JSON Schema of files with faults. */
+  public static String faultsSchema() {
+    return FaultPlan.schema();
+  }
+}
