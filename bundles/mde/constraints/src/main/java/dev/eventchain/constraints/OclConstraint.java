@@ -3,6 +3,7 @@ package dev.eventchain.constraints;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.ocl.Evaluation;
+import dev.eventchain.ocl.Evaluations;
 import dev.eventchain.ocl.Expression;
 import dev.eventchain.ocl.Invalid;
 import dev.eventchain.ocl.TimeBudget;
@@ -103,7 +104,7 @@ public final class OclConstraint {
    * @param budget what the time is taken from
    */
   public Verdict evaluate(EObject element, TimeBudget budget) {
-    Object value = evaluate(element, Evaluation.over(List.of(element)).withBudget(budget));
+    Object value = evaluate(element, Evaluations.over(List.of(element)).withBudget(budget));
     if (value instanceof Boolean holds) {
       return holds ? Verdict.TRUE : Verdict.FALSE;
     }

@@ -5,6 +5,7 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.ocl.DeepStack;
 import dev.eventchain.ocl.Evaluation;
+import dev.eventchain.ocl.Evaluations;
 import dev.eventchain.ocl.TimeBudget;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -103,7 +104,7 @@ public final class OclValidator {
    */
   public OclResult validate(
       Collection<? extends EObject> roots, Function<EObject, SourceLocation> locator) {
-    Evaluation evaluation = Evaluation.over(roots);
+    Evaluation evaluation = Evaluations.over(roots);
     int size = evaluation.elements().size();
     ModelElements elements = new ModelElements(evaluation);
     Findings findings = new Findings(locator);

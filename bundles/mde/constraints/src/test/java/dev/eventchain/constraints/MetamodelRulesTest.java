@@ -8,6 +8,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.fixtures.TestModels;
 import dev.eventchain.ocl.Evaluation;
+import dev.eventchain.ocl.Evaluations;
 import dev.eventchain.ocl.ExpressionLanguage;
 import dev.eventchain.ocl.Invalid;
 import dev.eventchain.ocl.Names;
@@ -304,7 +305,7 @@ class MetamodelRulesTest {
     annotate(total, "body", "price.nothing");
     EObject shop = models.load("model.xmi");
     ExpressionLanguage language = ExpressionLanguage.of(List.of(metamodel));
-    Evaluation run = Evaluation.over(List.of(shop));
+    Evaluation run = Evaluations.over(List.of(shop));
     run.bind("self", shop.eContents().get(0));
     Invalid invalid =
         (Invalid)

@@ -1,9 +1,9 @@
 package dev.eventchain.m2t;
 
 import dev.eventchain.ocl.Evaluation;
-import dev.eventchain.ocl.ExpressionLanguage;
 import dev.eventchain.ocl.Invalid;
 import dev.eventchain.ocl.OperationLibrary;
+import dev.eventchain.ocl.TypeSystem;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collection;
@@ -47,24 +47,18 @@ final class CallLibrary implements OperationLibrary {
 
   @Override
   public Optional<Operation> lookup(
-      ExpressionLanguage language,
-      EClassifier source,
-      String name,
-      List<EClassifier> argumentTypes) {
+      TypeSystem language, EClassifier source, String name, List<EClassifier> argumentTypes) {
     return operation(language, source, name, argumentTypes, false);
   }
 
   @Override
   public Optional<Operation> lookupLoosely(
-      ExpressionLanguage language,
-      EClassifier source,
-      String name,
-      List<EClassifier> argumentTypes) {
+      TypeSystem language, EClassifier source, String name, List<EClassifier> argumentTypes) {
     return operation(language, source, name, argumentTypes, true);
   }
 
   private Optional<Operation> operation(
-      ExpressionLanguage language,
+      TypeSystem language,
       EClassifier source,
       String name,
       List<EClassifier> argumentTypes,

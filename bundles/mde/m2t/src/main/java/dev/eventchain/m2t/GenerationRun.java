@@ -4,6 +4,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.m2t.GenerationContext.Trait;
 import dev.eventchain.ocl.Evaluation;
+import dev.eventchain.ocl.Evaluations;
 import dev.eventchain.ocl.Expression;
 import dev.eventchain.ocl.Invalid;
 import dev.eventchain.ocl.OperationLibrary;
@@ -57,7 +58,7 @@ final class GenerationRun {
   GenerationRun(
       Collection<? extends EObject> roots, GenerationContext context, boolean modelChanges) {
     this.modelChanges = modelChanges;
-    Evaluation fresh = Evaluation.over(roots).attach(this);
+    Evaluation fresh = Evaluations.over(roots).attach(this);
     this.evaluation = modelChanges ? fresh.withChangingModel() : fresh;
     this.context = context;
     this.calls = new CallStack(evaluation);

@@ -1,8 +1,8 @@
 package dev.eventchain.m2t;
 
 import dev.eventchain.ocl.Evaluation;
-import dev.eventchain.ocl.ExpressionLanguage;
 import dev.eventchain.ocl.OperationLibrary;
+import dev.eventchain.ocl.TypeSystem;
 import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -41,7 +41,7 @@ final class OperationTable implements OperationLibrary {
   }
 
   /** The types of a call, from which the type of its result follows. */
-  record Types(ExpressionLanguage language, EClassifier source, List<EClassifier> arguments) {
+  record Types(TypeSystem language, EClassifier source, List<EClassifier> arguments) {
     EClassifier text() {
       return language.type("String");
     }
@@ -81,7 +81,7 @@ final class OperationTable implements OperationLibrary {
   }
 
   /** What an operation may need besides its source and arguments. */
-  record Call(ExpressionLanguage language, Evaluation evaluation) {
+  record Call(TypeSystem language, Evaluation evaluation) {
     GenerationRun run() {
       return evaluation.attachment(GenerationRun.class);
     }
@@ -125,10 +125,7 @@ final class OperationTable implements OperationLibrary {
 
   @Override
   public Optional<Operation> lookup(
-      ExpressionLanguage language,
-      EClassifier source,
-      String name,
-      List<EClassifier> argumentTypes) {
+      TypeSystem language, EClassifier source, String name, List<EClassifier> argumentTypes) {
     if (source == null) {
       return Optional.empty();
     }
@@ -149,8 +146,7 @@ final class OperationTable implements OperationLibrary {
   }
 
   /** A call of an operation. */
-  record RowCall(Row row, ExpressionLanguage language, boolean isRepeatable)
-      implements Implementation {
+  record RowCall(Row row, TypeSystem language, boolean isRepeatable) implements Implementation {
     String name() {
       return row.name();
     }
@@ -188,7 +184,7 @@ final class OperationTable implements OperationLibrary {
   }
 
   private static boolean suits(
-      Row row, EClassifier source, List<EClassifier> argumentTypes, ExpressionLanguage language) {
+      Row row, EClassifier source, List<EClassifier> argumentTypes, TypeSystem language) {
     if (row.arguments().size() != argumentTypes.size() || !is(row.source(), source, language)) {
       return false;
     }
@@ -200,7 +196,7 @@ final class OperationTable implements OperationLibrary {
     return true;
   }
 
-  private static boolean is(Kind kind, EClassifier type, ExpressionLanguage language) {
+  private static boolean is(Kind kind, EClassifier type, TypeSystem language) {
     boolean collection = language.elementType(type).isPresent();
     boolean literal = language.referredType(type).isPresent();
     return switch (kind) {

@@ -1,8 +1,8 @@
 package dev.eventchain.m2t;
 
 import dev.eventchain.ocl.Evaluation;
-import dev.eventchain.ocl.ExpressionLanguage;
 import dev.eventchain.ocl.OperationLibrary;
+import dev.eventchain.ocl.TypeSystem;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
@@ -25,10 +25,7 @@ final class ServiceLibrary implements OperationLibrary {
 
   @Override
   public Optional<Operation> lookup(
-      ExpressionLanguage language,
-      EClassifier source,
-      String name,
-      List<EClassifier> argumentTypes) {
+      TypeSystem language, EClassifier source, String name, List<EClassifier> argumentTypes) {
     boolean suits =
         name.equals(NAME)
             && argumentTypes.size() == 3
@@ -40,7 +37,7 @@ final class ServiceLibrary implements OperationLibrary {
         : Optional.empty();
   }
 
-  private static boolean isText(EClassifier type, ExpressionLanguage language) {
+  private static boolean isText(EClassifier type, TypeSystem language) {
     return language.elementType(type).isEmpty() && language.conforms(type, language.type("String"));
   }
 

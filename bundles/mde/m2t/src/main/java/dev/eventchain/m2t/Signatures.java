@@ -1,6 +1,6 @@
 package dev.eventchain.m2t;
 
-import dev.eventchain.ocl.ExpressionLanguage;
+import dev.eventchain.ocl.TypeSystem;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -10,7 +10,7 @@ import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.ocl.types.AnyType;
 
 /** Which templates and queries a call may mean, by the types of its arguments. */
-record Signatures(ExpressionLanguage language) {
+record Signatures(TypeSystem language) {
 
   /**
    * Those whose parameters take arguments of these types, the most special first.

@@ -82,7 +82,12 @@ final class BodyLowering {
 
   void lower(OCLExpression<EClassifier> expression, Lowered result) {
     Node root = node(expression);
-    result.complete(root, slots, lowering.isRecursive());
+    result.complete(root, slots.stream().map(BodyLowering::given).toList(), lowering.isRecursive());
+  }
+
+  /** What stands for no source never has a value, so a deep stack need not be searched for it. */
+  private static String given(String variable) {
+    return Libraries.NO_SOURCE.equals(variable) ? null : variable;
   }
 
   private int newSlot(String freeVariable) {
@@ -184,7 +189,7 @@ final class BodyLowering {
     } else if (expression instanceof UnlimitedNaturalLiteralExp<?>) {
       return Unlimited.UNLIMITED;
     }
-    return expression instanceof NullLiteralExp<?> ? null : Node.INVALID;
+    return expression instanceof NullLiteralExp<?> ? null : Values.INVALID;
   }
 
   private Node variable(String name) {
@@ -239,12 +244,12 @@ final class BodyLowering {
     }
     CollectionKind kind =
         call.getType() instanceof CollectionType<?, ?> type ? type.getKind() : null;
-    CollectionKind declared = lowering.environment().kindOf(feature);
+    CollectionKind declared = lowering.model().kindOf(feature);
     boolean ofObject = feature.getEContainingClass() != null && kind == declared;
     if (ofObject && !(feature.getEType() instanceof VoidType<?>) && !isTuple(call.getSource())) {
       return NavigationNodes.Feature.of(source, feature, declared);
     }
-    return new NavigationNodes.Part(source, feature, kind, lowering.environment());
+    return new NavigationNodes.Part(source, feature, kind, lowering.model());
   }
 
   private Node definition(
@@ -254,7 +259,7 @@ final class BodyLowering {
       return new DefinitionNodes.Call(source, new Node[0], body);
     }
     all.add(new VirtualCall.Implementation((EClass) sourceType, body));
-    return new VirtualCall(source, new Node[0], all, (object, values) -> Node.INVALID);
+    return new VirtualCall(source, new Node[0], all, (object, values) -> Values.INVALID);
   }
 
   private static boolean isTuple(OCLExpression<EClassifier> expression) {
@@ -290,6 +295,6 @@ final class BodyLowering {
         parts.stream().map(TupleLiteralPart::getAttribute).toArray(EStructuralFeature[]::new);
     Node[] values = new Node[names.length];
     Arrays.setAll(values, i -> node(parts.get(i).getValue()));
-    return new ValueNodes.TupleLiteral(lowering.environment(), literal.getType(), names, values);
+    return new ValueNodes.TupleLiteral(lowering.model(), literal.getType(), names, values);
   }
 }

@@ -57,7 +57,7 @@ final class DefinitionNodes {
 
   /** The value of a definition, whose object and arguments are in its own frame. */
   static Object evaluate(Lowered definition, Frame called) {
-    Evaluation run = called.run;
+    Run run = called.run;
     run.step();
     run.enterDefinition();
     try {

@@ -34,9 +34,9 @@ final class ExactNumbers {
   private static Object integers(int code, Object first, Object second) {
     boolean byZero = Numbers.areLong(second, second) && ((Number) second).longValue() == 0;
     if (code == PredefinedType.DIVIDE) {
-      return byZero ? Node.INVALID : quotient(first, second);
+      return byZero ? Values.INVALID : quotient(first, second);
     } else if (byZero && (code == PredefinedType.DIV || code == PredefinedType.MOD)) {
-      return Node.INVALID;
+      return Values.INVALID;
     }
     if (Numbers.areLong(first, second)) {
       Object result = longs(code, ((Number) first).longValue(), ((Number) second).longValue());
@@ -82,7 +82,7 @@ final class ExactNumbers {
   private static Object decimals(int code, BigDecimal first, BigDecimal second) {
     if (code == PredefinedType.DIVIDE) {
       return second.signum() == 0
-          ? Node.INVALID
+          ? Values.INVALID
           : (Object) first.divide(second, PRECISE).doubleValue();
     } else if (!Numbers.isModest(first) || !Numbers.isModest(second)) {
       return reals(code, first.doubleValue(), second.doubleValue());
@@ -91,7 +91,7 @@ final class ExactNumbers {
       case PredefinedType.PLUS -> Numbers.real(first.add(second));
       case PredefinedType.MINUS -> Numbers.real(first.subtract(second));
       case PredefinedType.TIMES -> Numbers.real(first.multiply(second));
-      default -> Node.INVALID; // div and mod of reals
+      default -> Values.INVALID; // div and mod of reals
     };
   }
 
@@ -100,8 +100,8 @@ final class ExactNumbers {
       case PredefinedType.PLUS -> first + second;
       case PredefinedType.MINUS -> first - second;
       case PredefinedType.TIMES -> first * second;
-      case PredefinedType.DIVIDE -> second == 0.0 ? Node.INVALID : (Object) (first / second);
-      default -> Node.INVALID; // div and mod of reals
+      case PredefinedType.DIVIDE -> second == 0.0 ? Values.INVALID : (Object) (first / second);
+      default -> Values.INVALID; // div and mod of reals
     };
   }
 
@@ -149,7 +149,7 @@ final class ExactNumbers {
   /** Of two Integers that are as close, the larger one. */
   private static Object rounded(Object value, boolean nearest) {
     if (!Numbers.isFinite(value)) {
-      return Node.INVALID;
+      return Values.INVALID;
     }
     if (value instanceof Double real && Math.abs(real) < Integer.MAX_VALUE) {
       return Numbers.integer(nearest ? Math.round(real) : (long) Math.floor(real));

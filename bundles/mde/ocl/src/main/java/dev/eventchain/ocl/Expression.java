@@ -240,11 +240,13 @@ public final class Expression {
     return evaluate(run, receiver, false);
   }
 
-  private Object evaluate(Evaluation run, OperationLibrary.Implementation receiver, boolean read) {
+  private Object evaluate(
+      Evaluation evaluation, OperationLibrary.Implementation receiver, boolean read) {
+    Run run = (Run) evaluation;
     Lowered known = lowered;
     if (known != null && known.isQuick() && receiver == null) {
       Object value = known.quick(run, read);
-      if (value != Node.INVALID) {
+      if (value != Values.INVALID) {
         return value;
       }
     }
@@ -255,11 +257,11 @@ public final class Expression {
       Frame frame = code.frame(run);
       Object value;
       if (receiver != null) {
-        value = DefinitionNodes.evaluateCalls(code.root(), receiver, frame);
+        value = code.evaluateCalls(receiver, frame);
       } else {
-        value = read ? code.root().read(frame) : code.root().evaluate(frame);
+        value = read ? code.read(frame) : code.evaluate(frame);
       }
-      return value == Node.INVALID ? explain(frame) : value;
+      return value == Values.INVALID ? explain(frame) : value;
     } catch (Halted e) {
       return invalid(e.getMessage(), e.kind());
     } catch (StackOverflowError e) {
@@ -292,7 +294,9 @@ public final class Expression {
   public String whyFalse(Evaluation run) {
     SubExpressions known = subExpressions;
     if (known == null) {
-      known = new SubExpressions(language);
+      known =
+          new SubExpressions(
+              language.environment(), part -> new Expression(language, part)::evaluate);
       subExpressions = known;
     }
     return Explanation.whyFalse(ast, known, run);
@@ -309,7 +313,7 @@ public final class Expression {
     again.replay(frame.calls());
     frame.run.setOrigin(null);
     frame.run.takeFailure();
-    known.root().evaluate(again);
+    known.evaluate(again);
     InvalidOrigin origin = frame.run.origin();
     return origin == null ? invalid("it has no value", Invalid.Kind.OTHER) : origin.toInvalid();
   }

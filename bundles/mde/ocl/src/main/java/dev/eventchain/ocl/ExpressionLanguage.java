@@ -38,7 +38,7 @@ import org.eclipse.ocl.utilities.ExpressionInOCL;
  * for some differences (see {@code differences.md}), in particular: {@code closure} leaves its
  * source out. A quote in a string is written {@code \'}.
  */
-public final class ExpressionLanguage {
+public final class ExpressionLanguage implements TypeSystem {
 
   private static final String EXPRESSION_PREFIX = "inv:\n";
   private static final String ANY_BODY = " null";
@@ -64,9 +64,9 @@ public final class ExpressionLanguage {
     factory.computeBy(this::bodyOf);
     factory.libraries().belongTo(this);
     this.root = factory.root();
-    this.model = new ModelAccess(factory);
-    this.lowering = new Lowering(this, false);
-    this.tracing = new Lowering(this, true);
+    this.model = new ModelAccess(root);
+    this.lowering = new Lowering(root, model, false);
+    this.tracing = new Lowering(root, model, true);
   }
 
   /** Standard OCL over these packages. */
@@ -297,18 +297,14 @@ public final class ExpressionLanguage {
     return type;
   }
 
-  /**
-   * The type of a name that is known to be right.
-   *
-   * @throws IllegalArgumentException if it is not
-   */
+  @Override
   public EClassifier type(String name) {
     List<Diagnostic> problems = new ArrayList<>();
     return type(SourceText.of("", name).whole(), problems)
         .orElseThrow(() -> new IllegalArgumentException(name + ": " + problems));
   }
 
-  /** The type under which OCL knows a classifier: its own Integer for EInt, for instance. */
+  @Override
   public EClassifier type(EClassifier classifier) {
     return root.getUMLReflection().asOCLType(classifier);
   }
@@ -318,12 +314,12 @@ public final class ExpressionLanguage {
     return root.getUMLReflection().getOCLType(element);
   }
 
-  /** The type of sequences of this type of elements. */
+  @Override
   public EClassifier sequenceOf(EClassifier elementType) {
     return collectionOf(CollectionKind.SEQUENCE_LITERAL, elementType);
   }
 
-  /** A collection type of the same kind as another one, for other elements. */
+  @Override
   public EClassifier collectionLike(EClassifier collectionType, EClassifier elementType) {
     return collectionOf(((CollectionType<?, ?>) collectionType).getKind(), elementType);
   }
@@ -332,36 +328,36 @@ public final class ExpressionLanguage {
     return (EClassifier) root.getTypeResolver().resolveCollectionType(kind, type(elementType));
   }
 
-  /** The type of the elements of a collection type; empty for any other type. */
+  @Override
   public Optional<EClassifier> elementType(EClassifier type) {
     return type instanceof CollectionType<?, ?> collection
         ? Optional.of((EClassifier) collection.getElementType())
         : Optional.empty();
   }
 
-  /** The type that a type literal names, given the type of the literal; empty for other types. */
+  @Override
   public Optional<EClassifier> referredType(EClassifier type) {
     return type instanceof TypeType literal
         ? Optional.ofNullable(literal.getReferredType())
         : Optional.empty();
   }
 
-  /** Whether every value of a type can be where the other type is asked for. */
+  @Override
   public synchronized boolean conforms(EClassifier type, EClassifier required) {
     return TypeUtil.compatibleTypeMatch(root, type(type), type(required));
   }
 
-  /** Whether a value is an instance of a type. */
+  @Override
   public boolean isInstance(Object value, EClassifier type) {
     return model.isKindOf(value, type);
   }
 
-  /** The type of everything but collections. */
+  @Override
   public EClassifier any() {
     return root.getOCLStandardLibrary().getOclAny();
   }
 
-  /** The type of objects of any class. */
+  @Override
   public EClassifier anyObject() {
     return EcorePackage.Literals.EOBJECT;
   }
@@ -373,11 +369,6 @@ public final class ExpressionLanguage {
   /** The packages that expressions can name. */
   public PackageIndex packages() {
     return factory.packages();
-  }
-
-  /** Access to models, which does not depend on a run. */
-  ModelAccess model() {
-    return model;
   }
 
   /** Compiles an expression; not while another one is parsed, which may add definitions. */

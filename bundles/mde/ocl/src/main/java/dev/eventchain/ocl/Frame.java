@@ -8,7 +8,7 @@ final class Frame {
 
   private static final Object[] NO_SLOTS = {};
 
-  final Evaluation run;
+  final Run run;
   final Object[] slots;
 
   /** The frame of the expression; itself for an expression. */
@@ -20,7 +20,7 @@ final class Frame {
   private Map<Integer, InvalidOrigin> origins;
 
   /** For an expression. */
-  Frame(Evaluation run, int size) {
+  Frame(Run run, int size) {
     this.run = run;
     this.slots = size == 0 ? NO_SLOTS : new Object[size];
     this.outermost = this;

@@ -63,6 +63,6 @@ final class KeyIndex {
   static boolean isKey(Object value) {
     boolean simple = value == null || value instanceof String || value instanceof Integer;
     // What stands for invalid is an object, too.
-    return simple || (value != Node.INVALID && Values.isPlainObject(value));
+    return simple || (value != Values.INVALID && Values.isPlainObject(value));
   }
 }

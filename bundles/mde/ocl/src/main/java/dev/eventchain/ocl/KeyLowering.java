@@ -171,7 +171,7 @@ final class KeyLowering {
 
   /** The same of a definition; empty if there is none. One that classes override is none. */
   private Optional<Boolean> isFunction(CallExp<?> call, ETypedElement member) {
-    OCLExpression<EClassifier> definition = lowering.language().bodyOf(member);
+    OCLExpression<EClassifier> definition = lowering.environment().bodyOf(member);
     EClassifier type = (EClassifier) call.getSource().getType();
     return definition == null
         ? Optional.empty()

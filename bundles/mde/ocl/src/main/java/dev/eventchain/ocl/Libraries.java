@@ -22,7 +22,7 @@ final class Libraries {
       EClassifier source, String name, List<EClassifier> argumentTypes, boolean loosely) {}
 
   private final List<OperationLibrary> libraries;
-  private ExpressionLanguage language;
+  private TypeSystem typeSystem;
   private final Map<Call, Optional<LibraryOperation>> known = new HashMap<>();
   private final EClass owner = EcoreFactory.eINSTANCE.createEClass();
   private final EClass functions = EcoreFactory.eINSTANCE.createEClass();
@@ -34,9 +34,9 @@ final class Libraries {
     functions.setName(NO_SOURCE);
   }
 
-  /** Says whose libraries these are. */
-  void belongTo(ExpressionLanguage owner) {
-    language = owner;
+  /** Says which types the language has whose libraries these are. */
+  void belongTo(TypeSystem types) {
+    typeSystem = types;
   }
 
   /** The names of all operations, for hints. */
@@ -76,8 +76,8 @@ final class Libraries {
     for (OperationLibrary library : libraries) {
       Optional<OperationLibrary.Operation> found =
           call.loosely()
-              ? library.lookupLoosely(language, call.source(), call.name(), call.argumentTypes())
-              : library.lookup(language, call.source(), call.name(), call.argumentTypes());
+              ? library.lookupLoosely(typeSystem, call.source(), call.name(), call.argumentTypes())
+              : library.lookup(typeSystem, call.source(), call.name(), call.argumentTypes());
       if (found.isPresent()) {
         LibraryOperation operation = new LibraryOperation(call, found.get());
         owner.getEOperations().add(operation);

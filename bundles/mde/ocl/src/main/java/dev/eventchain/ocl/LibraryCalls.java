@@ -56,7 +56,7 @@ final class LibraryCalls {
       OperationLibrary.Implementation implementation,
       Object source,
       Object[] arguments,
-      Evaluation run) {
+      Run run) {
     Deque<Answer> known =
         answers == null ? null : answers.get(new Question(call, source, Arrays.asList(arguments)));
     if (known != null) {

@@ -12,9 +12,6 @@ final class Limits {
   static final int MOST_CHARACTERS = 16_000_000;
   static final int MOST_BITS = 100_000;
 
-  /** Regular expressions that never seem to end need a text of some length for that. */
-  private static final int SHORT_TEXT = 20;
-
   private Limits() {}
 
   /** Halts what makes a collection that is too large. */
@@ -50,33 +47,5 @@ final class Limits {
       requireElements(elements.size());
     }
     return value;
-  }
-
-  /** A text for a regular expression, to which the time limit of an evaluation applies, too. */
-  static CharSequence watched(CharSequence text, Evaluation run) {
-    return text.length() <= SHORT_TEXT ? text : new Watched(text, run);
-  }
-
-  private record Watched(CharSequence text, Evaluation run) implements CharSequence {
-    @Override
-    public int length() {
-      return text.length();
-    }
-
-    @Override
-    public char charAt(int index) {
-      run.step();
-      return text.charAt(index);
-    }
-
-    @Override
-    public CharSequence subSequence(int start, int end) {
-      return text.subSequence(start, end);
-    }
-
-    @Override
-    public String toString() {
-      return text.toString();
-    }
   }
 }

@@ -276,7 +276,7 @@ final class LoopNodes {
     }
 
     /** The elements in the order of their keys, or invalid. */
-    private static Object sorted(List<Keyed> keyed, boolean distinct, Evaluation run) {
+    private static Object sorted(List<Keyed> keyed, boolean distinct, Run run) {
       for (Keyed each : keyed) {
         Object key = each.key();
         if (key == INVALID || !(key instanceof Comparable<?>)) {

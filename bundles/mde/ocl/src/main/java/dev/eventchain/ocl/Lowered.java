@@ -30,7 +30,7 @@ final class Lowered {
     root = body;
     recursive = callsItself;
     size = slots.size();
-    variableSlots = IntStream.range(0, size).filter(i -> isGiven(slots.get(i))).toArray();
+    variableSlots = IntStream.range(0, size).filter(i -> slots.get(i) != null).toArray();
     variables = IntStream.of(variableSlots).mapToObj(slots::get).toArray(String[]::new);
     if (size == 1 && variables.length == 1) {
       boolean ofVariable =
@@ -43,13 +43,23 @@ final class Lowered {
     }
   }
 
-  /** What stands for no source never has a value, so a deep stack need not be searched for it. */
-  private static boolean isGiven(String variable) {
-    return variable != null && !variable.equals(Libraries.NO_SOURCE);
-  }
-
   Node root() {
     return root;
+  }
+
+  /** The value with the variables of a frame. */
+  Object evaluate(Frame frame) {
+    return root.evaluate(frame);
+  }
+
+  /** As {@link #evaluate}, for a caller that only walks through the value. */
+  Object read(Frame frame) {
+    return root.read(frame);
+  }
+
+  /** Gives the outermost calls of a library to a receiver; null, or invalid. */
+  Object evaluateCalls(OperationLibrary.Implementation receiver, Frame frame) {
+    return DefinitionNodes.evaluateCalls(root, receiver, frame);
   }
 
   int size() {
@@ -62,7 +72,7 @@ final class Lowered {
   }
 
   /** A frame with the values of the variables. */
-  Frame frame(Evaluation run) {
+  Frame frame(Run run) {
     Frame frame = new Frame(run, size);
     for (int i = 0; i < variables.length; i++) {
       frame.slots[variableSlots[i]] = run.values().get(variables[i]);
@@ -76,7 +86,7 @@ final class Lowered {
   }
 
   /** The value without a frame, for what most tags of templates hold: {@code x.name}, or a text. */
-  Object quick(Evaluation run, boolean read) {
+  Object quick(Run run, boolean read) {
     if (feature != null) {
       return feature.valueOf(run.values().get(variables[0]), read, run);
     }

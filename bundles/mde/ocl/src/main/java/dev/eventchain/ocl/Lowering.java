@@ -17,8 +17,8 @@ import org.eclipse.ocl.expressions.OCLExpression;
  */
 final class Lowering {
 
-  private final ExpressionLanguage language;
-  private final ModelAccess environment;
+  private final OclEnvironment environment;
+  private final ModelAccess model;
   private final Overriding overriding;
   private final boolean tracing;
 
@@ -36,11 +36,11 @@ final class Lowering {
    *
    * @param tracing whether the nodes are to remember why a value is invalid
    */
-  Lowering(ExpressionLanguage language, boolean tracing) {
-    this.language = language;
+  Lowering(OclEnvironment environment, ModelAccess model, boolean tracing) {
+    this.environment = environment;
+    this.model = model;
     this.tracing = tracing;
-    this.overriding = new Overriding(language.environment());
-    this.environment = language.model();
+    this.overriding = new Overriding(environment);
   }
 
   /** Lowers an expression. */
@@ -62,7 +62,7 @@ final class Lowering {
 
   /** The lowered body of an operation or a property; null if it has none. */
   Lowered definition(ETypedElement member) {
-    OCLExpression<EClassifier> body = member == null ? null : language.bodyOf(member);
+    OCLExpression<EClassifier> body = member == null ? null : environment.bodyOf(member);
     if (body == null) {
       return null;
     }
@@ -80,7 +80,7 @@ final class Lowering {
   List<VirtualCall.Implementation> overrides(EClassifier source, ETypedElement member) {
     List<VirtualCall.Implementation> found = new ArrayList<>();
     if (source instanceof EClass type && member != null) {
-      for (EClass below : language.packages().classesBelow(type)) {
+      for (EClass below : environment.packages().classesBelow(type)) {
         for (ETypedElement other : overriding.in(below, member)) {
           found.add(new VirtualCall.Implementation(below, definition(other)));
         }
@@ -109,12 +109,13 @@ final class Lowering {
     return tracing;
   }
 
-  ExpressionLanguage language() {
-    return language;
+  /** The environment in which the expressions were parsed. */
+  OclEnvironment environment() {
+    return environment;
   }
 
-  /** Access to the model that does not depend on a run. */
-  ModelAccess environment() {
-    return environment;
+  /** Access to models, which does not depend on a run. */
+  ModelAccess model() {
+    return model;
   }
 }

@@ -11,17 +11,26 @@ import org.eclipse.emf.common.util.ECollections;
 import org.eclipse.emf.common.util.Enumerator;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EEnum;
+import org.eclipse.emf.ecore.EEnumLiteral;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EOperation;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EParameter;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.ETypedElement;
 import org.eclipse.ocl.ecore.AnyType;
+import org.eclipse.ocl.ecore.CallOperationAction;
 import org.eclipse.ocl.ecore.CollectionType;
+import org.eclipse.ocl.ecore.Constraint;
+import org.eclipse.ocl.ecore.EcoreEnvironment;
+import org.eclipse.ocl.ecore.EcoreEnvironmentFactory;
 import org.eclipse.ocl.ecore.EcoreEvaluationEnvironment;
 import org.eclipse.ocl.ecore.PrimitiveType;
+import org.eclipse.ocl.ecore.SendSignalAction;
 import org.eclipse.ocl.expressions.CollectionKind;
 import org.eclipse.ocl.types.TupleType;
 import org.eclipse.ocl.util.Tuple;
+import org.eclipse.ocl.utilities.UMLReflection;
 
 /**
  * Access to models: features, operations, types of values, tuples. Differs from what it extends in
@@ -33,19 +42,42 @@ final class ModelAccess extends EcoreEvaluationEnvironment {
   /** An operation, and the class of Java that it is called on. */
   private record Callee(EOperation operation, Class<?> type) {}
 
-  private final OclEnvironmentFactory factory;
+  /** Stands for a single value among {@link #kinds}. */
+  private static final Object SINGLE = new Object();
+
+  private final UMLReflection<
+          EPackage,
+          EClassifier,
+          EOperation,
+          EStructuralFeature,
+          EEnumLiteral,
+          EParameter,
+          EObject,
+          CallOperationAction,
+          SendSignalAction,
+          Constraint>
+      types;
+
+  /** The kind of collection that a typed element holds, found out once for each. */
+  private final Map<ETypedElement, Object> kinds = new ConcurrentHashMap<>();
 
   /** Looked for once, since Java compares the names of all methods. */
   private final Map<Callee, Optional<Method>> methods = new ConcurrentHashMap<>();
 
-  ModelAccess(OclEnvironmentFactory factory) {
-    super(factory);
-    this.factory = factory;
+  /** Access as the types of an environment say. */
+  ModelAccess(EcoreEnvironment environment) {
+    super((EcoreEnvironmentFactory) environment.getFactory());
+    this.types = environment.getUMLReflection();
   }
 
-  /** The kind of collection that a feature holds; null for a single value. */
-  CollectionKind kindOf(EStructuralFeature feature) {
-    return factory.kindOf(feature);
+  /** The kind of collection that a typed element holds; null for a single value. */
+  CollectionKind kindOf(ETypedElement element) {
+    Object known = kinds.get(element);
+    if (known == null) {
+      known = types.getOCLType(element) instanceof CollectionType type ? type.getKind() : SINGLE;
+      kinds.put(element, known);
+    }
+    return known == SINGLE ? null : (CollectionKind) known;
   }
 
   @Override
@@ -62,7 +94,7 @@ final class ModelAccess extends EcoreEvaluationEnvironment {
   /** Makes of what Java returns the collection that the type says, or the single value. */
   @Override
   protected Object coerceValue(ETypedElement element, Object value, boolean copy) {
-    CollectionKind kind = factory.kindOf(element);
+    CollectionKind kind = kindOf(element);
     if (kind != null) {
       boolean foreign = Numbers.isForeign(element.getEType());
       return CollectionOperations.asCollection(kind, foreign ? Values.normal(value) : value);
@@ -87,7 +119,7 @@ final class ModelAccess extends EcoreEvaluationEnvironment {
   private boolean isInstance(Object value, EClassifier type, boolean exactly) {
     Object number = Numbers.normal(value);
     if (number == Unlimited.UNLIMITED || Numbers.isNumber(number)) {
-      return isNumberOf(number, factory.oclType(type), exactly);
+      return isNumberOf(number, types.asOCLType(type), exactly);
     } else if (value instanceof Enumerator && type instanceof EEnum enumeration) {
       return enumeration.getELiterals().stream()
           .anyMatch(literal -> literal == value || literal.getInstance() == value);
@@ -157,26 +189,5 @@ final class ModelAccess extends EcoreEvaluationEnvironment {
   private static boolean declares(EObject object, EOperation operation) {
     return operation.getEContainingClass() != null
         && object.eClass().getOperationID(operation) >= 0;
-  }
-
-  /** Which kind of collection a typed element holds, found out once for each. */
-  static final class Kinds {
-    private static final Object NONE = new Object();
-    private final Map<ETypedElement, Object> kinds = new ConcurrentHashMap<>();
-    private final java.util.function.Function<ETypedElement, EClassifier> typeOf;
-
-    Kinds(java.util.function.Function<ETypedElement, EClassifier> typeOf) {
-      this.typeOf = typeOf;
-    }
-
-    /** The kind of collection; {@code null} for a single value. */
-    CollectionKind of(ETypedElement element) {
-      Object known = kinds.get(element);
-      if (known == null) {
-        known = typeOf.apply(element) instanceof CollectionType type ? type.getKind() : NONE;
-        kinds.put(element, known);
-      }
-      return known == NONE ? null : (CollectionKind) known;
-    }
   }
 }

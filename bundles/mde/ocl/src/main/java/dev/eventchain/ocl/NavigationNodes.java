@@ -48,7 +48,7 @@ final class NavigationNodes {
      *
      * @param read whether for a caller of {@link #read}
      */
-    abstract Object valueOf(Object object, boolean read, Evaluation run);
+    abstract Object valueOf(Object object, boolean read, Run run);
 
     final Node source() {
       return source;
@@ -65,7 +65,7 @@ final class NavigationNodes {
     }
 
     /** What EMF gives; invalid also if the object has no such feature. */
-    final Object get(Object object, Evaluation run) {
+    final Object get(Object object, Run run) {
       try {
         // A class is faster to ask for, and to call, than an interface.
         if (object instanceof BasicEObjectImpl usual) {
@@ -107,12 +107,12 @@ final class NavigationNodes {
     }
 
     @Override
-    Object valueOf(Object object, boolean read, Evaluation run) {
+    Object valueOf(Object object, boolean read, Run run) {
       Object value = get(object, run);
       if (plain) {
         return value;
       }
-      if (isCollection(value) && !(value instanceof Iterator<?>)) {
+      if (Values.isCollection(value) && !(value instanceof Iterator<?>)) {
         value = first((Collection<?>) value);
       }
       return foreign ? Numbers.normal(value) : value;
@@ -154,7 +154,7 @@ final class NavigationNodes {
 
     /** EMF's lists of a unique feature hold no element twice. */
     @Override
-    Object valueOf(Object object, boolean read, Evaluation run) {
+    Object valueOf(Object object, boolean read, Run run) {
       Object value = get(object, run);
       if (!read || !direct) {
         return collect(value);

@@ -1,9 +1,6 @@
 package dev.eventchain.ocl;
 
-import java.util.AbstractCollection;
 import java.util.Collection;
-import org.eclipse.emf.ecore.impl.BasicEObjectImpl;
-import org.eclipse.ocl.ecore.EcoreEnvironmentFactory;
 import org.eclipse.ocl.expressions.CollectionKind;
 
 /**
@@ -13,9 +10,8 @@ import org.eclipse.ocl.expressions.CollectionKind;
  */
 abstract class Node {
 
-  /** The value that stands for OCL's invalid, also inside Eclipse OCL. */
-  static final Object INVALID =
-      EcoreEnvironmentFactory.INSTANCE.createEnvironment().getOCLStandardLibrary().getInvalid();
+  /** The value that stands for OCL's invalid. */
+  static final Object INVALID = Values.INVALID;
 
   /**
    * The value.
@@ -43,18 +39,7 @@ abstract class Node {
   /** What {@link #read} gives, if that is a collection; otherwise null. */
   final Collection<?> elements(Frame frame) {
     Object value = read(frame);
-    return isCollection(value) ? (Collection<?>) value : null;
-  }
-
-  /**
-   * Whether a value is a collection. Java tells fast whether an object is of a class, but goes
-   * through all interfaces of its class for one that it does not have; so what most values are is
-   * asked first.
-   */
-  static boolean isCollection(Object value) {
-    return !(value instanceof String)
-        && !(value instanceof BasicEObjectImpl)
-        && (value instanceof AbstractCollection<?> || value instanceof Collection<?>);
+    return Values.isCollection(value) ? (Collection<?>) value : null;
   }
 
   static boolean isUndefined(Object value) {

@@ -17,7 +17,6 @@ import org.eclipse.ocl.ecore.CallOperationAction;
 import org.eclipse.ocl.ecore.Constraint;
 import org.eclipse.ocl.ecore.EcoreEnvironmentFactory;
 import org.eclipse.ocl.ecore.SendSignalAction;
-import org.eclipse.ocl.expressions.CollectionKind;
 import org.eclipse.ocl.expressions.OCLExpression;
 
 /** Makes Eclipse OCL use our environments, analyzer and evaluator. */
@@ -27,7 +26,6 @@ final class OclEnvironmentFactory extends EcoreEnvironmentFactory {
   private final Dialect dialect;
   private final Libraries libraries;
   private final OclEnvironment root;
-  private final ModelAccess.Kinds kinds;
   private final ProblemTexts texts;
   private final Set<String> failedNames = new HashSet<>();
   private final Set<Object> statics = new HashSet<>();
@@ -41,7 +39,6 @@ final class OclEnvironmentFactory extends EcoreEnvironmentFactory {
     this.libraries = new Libraries(dialect);
     this.root = new OclEnvironment(this);
     this.texts = new ProblemTexts(root, packages);
-    this.kinds = new ModelAccess.Kinds(element -> root.getUMLReflection().getOCLType(element));
   }
 
   /** While a definition is declared, an operation of a superclass is one that it may override. */
@@ -90,15 +87,6 @@ final class OclEnvironmentFactory extends EcoreEnvironmentFactory {
 
   Set<String> failedNames() {
     return failedNames;
-  }
-
-  /** The type under which OCL knows a classifier. */
-  EClassifier oclType(EClassifier classifier) {
-    return root.getUMLReflection().asOCLType(classifier);
-  }
-
-  CollectionKind kindOf(ETypedElement element) {
-    return kinds.of(element);
   }
 
   @Override

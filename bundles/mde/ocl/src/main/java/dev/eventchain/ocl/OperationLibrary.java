@@ -12,8 +12,8 @@ import org.eclipse.emf.ecore.EClassifier;
  * filter(T)}.
  *
  * <p>A type literal given as argument has its own type; {@link
- * ExpressionLanguage#referredType(EClassifier)} gives the type that it names, and at run time the
- * argument is that {@link EClassifier} itself.
+ * TypeSystem#referredType(EClassifier)} gives the type that it names, and at run time the argument
+ * is that {@link EClassifier} itself.
  */
 @FunctionalInterface
 public interface OperationLibrary {
@@ -21,7 +21,7 @@ public interface OperationLibrary {
   /**
    * Finds the operation that a call means. The same arguments must always give the same answer.
    *
-   * @param language the language of the expression
+   * @param types the types of the language of the expression
    * @param source the static type before the arrow or the dot; for a dot after a collection the
    *     type of its elements, for they are called one by one; {@code null} for a call with nothing
    *     before it, {@code f(x)}, which is tried before {@code self} is taken as the source
@@ -30,10 +30,7 @@ public interface OperationLibrary {
    * @return empty if the library has no such operation
    */
   Optional<Operation> lookup(
-      ExpressionLanguage language,
-      EClassifier source,
-      String name,
-      List<EClassifier> argumentTypes);
+      TypeSystem types, EClassifier source, String name, List<EClassifier> argumentTypes);
 
   /**
    * Finds the operation that a call means for some values of these types only. It is asked where
@@ -41,10 +38,7 @@ public interface OperationLibrary {
    * operation has to look at its arguments.
    */
   default Optional<Operation> lookupLoosely(
-      ExpressionLanguage language,
-      EClassifier source,
-      String name,
-      List<EClassifier> argumentTypes) {
+      TypeSystem types, EClassifier source, String name, List<EClassifier> argumentTypes) {
     return Optional.empty();
   }
 

@@ -18,8 +18,7 @@ final class OperationLowering {
   OperationLowering(BodyLowering body, Lowering lowering) {
     this.body = body;
     this.lowering = lowering;
-    this.standard =
-        new StandardOperations(lowering.language().environment(), lowering.environment());
+    this.standard = new StandardOperations(lowering.environment(), lowering.model());
   }
 
   Node node(OperationCallExp<EClassifier, EOperation> call) {
@@ -39,7 +38,7 @@ final class OperationLowering {
       return new DefinitionNodes.Call(source, arguments, definition);
     } else if (call.getOperationCode() <= 0) {
       return new NavigationNodes.Operation(
-          operation, codeOf(operation), source, arguments, lowering.environment());
+          operation, codeOf(operation), source, arguments, lowering.model());
     }
     return standard.node(call, source, arguments);
   }
@@ -55,7 +54,7 @@ final class OperationLowering {
     if (definition != null) {
       all.add(new VirtualCall.Implementation((EClass) call.getSource().getType(), definition));
     }
-    ModelAccess environment = lowering.environment();
+    ModelAccess environment = lowering.model();
     int code = codeOf(operation);
     return new VirtualCall(
         source,

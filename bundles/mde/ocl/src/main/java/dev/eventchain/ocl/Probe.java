@@ -30,7 +30,7 @@ final class Probe {
   }
 
   Constraint definition(Object feature) {
-    return feature == null ? null : parts.environment().getDefinition(feature);
+    return feature == null ? null : parts.definition(feature);
   }
 
   /** The value of a part; an {@link Invalid} also if the time is over. */
@@ -87,7 +87,7 @@ final class Probe {
    * @return whether the reader knows it now; not if it is a literal or took too long to find
    */
   boolean tell(OCLExpression<EClassifier> part) {
-    String text = SubExpressions.text(part);
+    String text = SourceTexts.of(part);
     if (isShown(part)) {
       return true;
     } else if (facts.full() || text.isEmpty() || Asts.isLiteral(part)) {

@@ -34,7 +34,7 @@ final class Reachable {
   private static boolean addReachable(
       Object first, Collection<Object> result, UnaryOperator<Object> step) {
     Object next = alongSingle(first, result, step);
-    if (!Node.isCollection(next)) {
+    if (!Values.isCollection(next)) {
       return next == null;
     }
     Deque<Iterator<?>> open = new ArrayDeque<>();
@@ -45,7 +45,7 @@ final class Reachable {
         continue;
       }
       next = alongSingle(reach(open.peek().next(), result, step), result, step);
-      if (Node.isCollection(next)) {
+      if (Values.isCollection(next)) {
         open.push(((Collection<?>) next).iterator());
       } else if (next != null) {
         return false;
@@ -62,7 +62,7 @@ final class Reachable {
   private static Object alongSingle(
       Object first, Collection<Object> result, UnaryOperator<Object> step) {
     Object next = first;
-    while (next != null && next != Node.INVALID && !Node.isCollection(next)) {
+    while (next != null && next != Values.INVALID && !Values.isCollection(next)) {
       next = reach(next, result, step);
     }
     return next;

@@ -28,10 +28,7 @@ final class StandardAdditions implements OperationLibrary {
 
   @Override
   public Optional<Operation> lookup(
-      ExpressionLanguage language,
-      EClassifier source,
-      String name,
-      List<EClassifier> argumentTypes) {
+      TypeSystem types, EClassifier source, String name, List<EClassifier> argumentTypes) {
     if (source == null || !argumentTypes.isEmpty()) {
       return Optional.empty();
     }

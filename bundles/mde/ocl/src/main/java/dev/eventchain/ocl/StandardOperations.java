@@ -12,6 +12,7 @@ import org.eclipse.ocl.expressions.TypeExp;
 import org.eclipse.ocl.types.CollectionType;
 import org.eclipse.ocl.types.OCLStandardLibrary;
 import org.eclipse.ocl.types.VoidType;
+import org.eclipse.ocl.util.OCLStandardLibraryUtil;
 import org.eclipse.ocl.utilities.PredefinedType;
 
 /** Makes the nodes of the operations of the standard library. */
@@ -167,14 +168,21 @@ final class StandardOperations {
     } else if (CollectionNodes.WithElement.has(code)) {
       return new CollectionNodes.WithElement(code, source, argument);
     } else if (code == PredefinedType.PRODUCT) {
-      return new CollectionNodes.ProductNode(
-          source, argument, Product.of(call, environment), values);
+      return new CollectionNodes.ProductNode(source, argument, product(call), values);
     } else if (code == PredefinedType.SELECT_BY_KIND || code == PredefinedType.SELECT_BY_TYPE) {
       boolean exactly = code == PredefinedType.SELECT_BY_TYPE;
       return new CollectionNodes.SelectByType(
           source, new TypeTest(argumentType(call), exactly, values));
     }
     return null;
+  }
+
+  private Product product(OperationCallExp<EClassifier, EOperation> call) {
+    EClassifier type = ((org.eclipse.ocl.ecore.CollectionType) call.getType()).getElementType();
+    return new Product(
+        type,
+        environment.lookupProperty(type, OCLStandardLibraryUtil.PRODUCT_FIRST),
+        environment.lookupProperty(type, OCLStandardLibraryUtil.PRODUCT_SECOND));
   }
 
   private static Node ofString(int code, Node source, Node[] arguments) {

@@ -1,9 +1,11 @@
 package dev.eventchain.ocl;
 
 import java.util.Map;
-import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Function;
 import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.ocl.ecore.Constraint;
+import org.eclipse.ocl.ecore.EcoreEnvironment;
 import org.eclipse.ocl.expressions.OCLExpression;
 
 /**
@@ -12,67 +14,37 @@ import org.eclipse.ocl.expressions.OCLExpression;
  */
 final class SubExpressions {
 
-  /** White space around these is that of a broken line. */
-  private static final Set<String> JOINING = Set.of(".", "->", "::");
+  /** Evaluates one part. */
+  @FunctionalInterface
+  interface Part {
 
-  private final ExpressionLanguage language;
-  private final Map<OCLExpression<EClassifier>, Expression> known = new ConcurrentHashMap<>();
-
-  SubExpressions(ExpressionLanguage language) {
-    this.language = language;
+    /** The value; the run binds the variables that are declared outside the part. */
+    Object evaluate(Evaluation run);
   }
 
-  OclEnvironment environment() {
-    return language.environment();
+  private final EcoreEnvironment environment;
+  private final Function<OCLExpression<EClassifier>, Part> compiler;
+  private final Map<OCLExpression<EClassifier>, Part> known = new ConcurrentHashMap<>();
+
+  /**
+   * Starts.
+   *
+   * @param environment knows the definitions
+   * @param compiler makes a part ready
+   */
+  SubExpressions(
+      EcoreEnvironment environment, Function<OCLExpression<EClassifier>, Part> compiler) {
+    this.environment = environment;
+    this.compiler = compiler;
+  }
+
+  /** The definition that is behind an operation or a property; null if there is none. */
+  Constraint definition(Object feature) {
+    return environment.getDefinition(feature);
   }
 
   /** The value of a part; the run binds the variables that are declared outside it. */
   Object evaluate(OCLExpression<EClassifier> part, Evaluation run) {
-    return known.computeIfAbsent(part, node -> new Expression(language, node)).evaluate(run);
-  }
-
-  /** The words of a part as they are in the source, with single spaces, and shortened. */
-  static String text(OCLExpression<EClassifier> part) {
-    return InvalidOrigin.source(part).map(each -> textIn(each.text().text(), part)).orElse("");
-  }
-
-  private static String textIn(String source, OCLExpression<EClassifier> part) {
-    int start = Math.max(0, part.getStartPosition());
-    int end = Math.min(source.length(), part.getEndPosition());
-    if (start >= end) {
-      return "";
-    }
-    StringBuilder words = new StringBuilder();
-    String last = "";
-    boolean blank = false;
-    for (int i = start; i < end; ) {
-      int next = Lexer.end(source, i, end);
-      if (Lexer.isBlank(source, i)) {
-        blank = !last.isEmpty();
-      } else {
-        String word = source.substring(i, next);
-        boolean joined = JOINING.contains(last) || JOINING.contains(word);
-        words.append(blank && !joined ? " " : "").append(word);
-        last = word;
-        blank = false;
-      }
-      i = next;
-    }
-    return ValueTexts.shortened(withoutParentheses(words.toString()));
-  }
-
-  /** Parentheses around the whole say nothing any more when it stands alone. */
-  private static String withoutParentheses(String text) {
-    int depth = 0;
-    for (int i = 0; i < text.length(); i = Lexer.end(text, i, text.length())) {
-      char c = text.charAt(i);
-      depth += c == '(' ? 1 : c == ')' ? -1 : 0;
-      if (depth == 0 && i < text.length() - 1) {
-        return text;
-      }
-    }
-    return text.startsWith("(")
-        ? withoutParentheses(text.substring(1, text.length() - 1).strip())
-        : text;
+    return known.computeIfAbsent(part, compiler).evaluate(run);
   }
 }

@@ -242,8 +242,8 @@ final class TextNodes {
   }
 
   /** A regular expression about to be applied to a text, within the time limit of the run. */
-  static Matcher matcher(Evaluation run, String expression, String text) {
-    CharSequence watched = Limits.watched(text, run);
+  static Matcher matcher(Run run, String expression, String text) {
+    CharSequence watched = WatchedText.of(text, run);
     Matcher known = run.matchers().get(expression);
     if (known == null) {
       known = Pattern.compile(expression).matcher(watched);

@@ -39,7 +39,7 @@ final class TracedNode extends Node {
     return node.kindOfElements();
   }
 
-  private static InvalidOrigin begin(Evaluation run) {
+  private static InvalidOrigin begin(Run run) {
     run.step();
     InvalidOrigin before = run.origin();
     run.setOrigin(null);
@@ -47,8 +47,8 @@ final class TracedNode extends Node {
   }
 
   private Object end(Object result, InvalidOrigin before, Frame frame) {
-    Evaluation run = frame.run;
-    Evaluation.Failure failure = run.takeFailure();
+    Run run = frame.run;
+    Run.Failure failure = run.takeFailure();
     if (result != INVALID) {
       run.setOrigin(before);
     } else if (run.origin() == null) {

@@ -1,12 +1,10 @@
 package dev.eventchain.ocl;
 
-import java.util.AbstractList;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.RandomAccess;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.ocl.expressions.CollectionKind;
@@ -200,8 +198,8 @@ final class ValueNodes {
     }
 
     /** Adds the integers from one to another. */
-    static void addRange(long from, long to, Collection<Object> result, Evaluation run) {
-      Integers range = Integers.between(from, to);
+    static void addRange(long from, long to, Collection<Object> result, Run run) {
+      IntegerRange range = IntegerRange.between(from, to);
       for (Object each : range) {
         run.step();
         result.add(each);
@@ -232,7 +230,7 @@ final class ValueNodes {
           return listOfNull();
         }
         return Range.isBound(to)
-            ? Integers.between(((Number) from).longValue(), ((Number) to).longValue())
+            ? IntegerRange.between(((Number) from).longValue(), ((Number) to).longValue())
             : INVALID;
       }
     }
@@ -241,46 +239,6 @@ final class ValueNodes {
       List<Object> result = new java.util.ArrayList<>();
       result.add(null);
       return result;
-    }
-  }
-
-  /** The integers from one to another, which take no room. */
-  static final class Integers extends AbstractList<Object> implements RandomAccess {
-    private final long first;
-    private final int size;
-
-    private Integers(long first, int size) {
-      this.first = first;
-      this.size = size;
-    }
-
-    static Integers between(long first, long last) {
-      if (last < first) {
-        return new Integers(first, 0);
-      }
-      long more = last - first; // negative if a long cannot hold it
-      Limits.requireElements(more < 0 || more == Long.MAX_VALUE ? Long.MAX_VALUE : more + 1);
-      return new Integers(first, (int) more + 1);
-    }
-
-    @Override
-    public Object get(int index) {
-      return Numbers.integer(first + java.util.Objects.checkIndex(index, size));
-    }
-
-    @Override
-    public int size() {
-      return size;
-    }
-
-    /** Without a walk, which nothing could stop. */
-    @Override
-    public boolean contains(Object value) {
-      if (!Numbers.areLong(value, value)) {
-        return false;
-      }
-      long number = ((Number) value).longValue();
-      return number >= first && number < first + size;
     }
   }
 

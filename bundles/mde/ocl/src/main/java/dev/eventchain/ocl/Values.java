@@ -1,5 +1,6 @@
 package dev.eventchain.ocl;
 
+import java.util.AbstractCollection;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashMap;
@@ -12,6 +13,7 @@ import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EStructuralFeature;
 import org.eclipse.emf.ecore.impl.BasicEObjectImpl;
 import org.eclipse.emf.ecore.impl.EEnumLiteralImpl;
+import org.eclipse.ocl.ecore.EcoreEnvironmentFactory;
 import org.eclipse.ocl.util.CollectionUtil;
 import org.eclipse.ocl.util.ObjectUtil;
 import org.eclipse.ocl.util.Tuple;
@@ -22,7 +24,22 @@ final class Values {
   /** What a tuple is equal by. */
   private record Parts(Map<String, Object> keys) {}
 
+  /** The value that stands for OCL's invalid, also inside Eclipse OCL. */
+  static final Object INVALID =
+      EcoreEnvironmentFactory.INSTANCE.createEnvironment().getOCLStandardLibrary().getInvalid();
+
   private Values() {}
+
+  /**
+   * Whether a value is a collection. Java tells fast whether an object is of a class, but goes
+   * through all interfaces of its class for one that it does not have; so what most values are is
+   * asked first.
+   */
+  static boolean isCollection(Object value) {
+    return !(value instanceof String)
+        && !(value instanceof BasicEObjectImpl)
+        && (value instanceof AbstractCollection<?> || value instanceof Collection<?>);
+  }
 
   /** Whether values are equal, none of which is invalid. */
   static boolean equal(Object first, Object second) {
@@ -109,7 +126,7 @@ final class Values {
   }
 
   static boolean contains(Collection<?> elements, Object value) {
-    if (elements instanceof ValueNodes.Integers range) {
+    if (elements instanceof IntegerRange range) {
       return range.contains(key(value));
     }
     boolean plain = value == null || value instanceof String || value instanceof BasicEObjectImpl;

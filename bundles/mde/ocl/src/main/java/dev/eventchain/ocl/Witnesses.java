@@ -76,7 +76,7 @@ final class Witnesses {
     }
     String otherwise =
         facts.isEmpty()
-            ? SubExpressions.text(body) + " for " + bindings.get(0)
+            ? SourceTexts.of(body) + " for " + bindings.get(0)
             : String.join(" and ", facts);
     probe.showing(
         names,
@@ -101,7 +101,7 @@ final class Witnesses {
         probe
             .facts()
             .add(
-                SubExpressions.text(body)
+                SourceTexts.of(body)
                     + " "
                     + ValueTexts.predicate(value)
                     + " for "
@@ -136,7 +136,7 @@ final class Witnesses {
       probe
           .facts()
           .add(
-              SubExpressions.text(body)
+              SourceTexts.of(body)
                   + " is true for "
                   + all.size()
                   + " elements: "

@@ -35,7 +35,7 @@ class DefinitionsTest {
   }
 
   private Evaluation run() {
-    Evaluation run = Evaluation.over(List.of(library));
+    Evaluation run = Evaluations.over(List.of(library));
     run.bind("self", library);
     return run;
   }
@@ -54,7 +54,7 @@ class DefinitionsTest {
     Set<String> expected = Set.of("audio recording", "book volume");
     assertEquals(expected, Set.copyOf((Collection<?>) names.evaluate(run())));
     Lowered traced = language.trace(names.ast());
-    Object explained = traced.root().evaluate(traced.frame(run()));
+    Object explained = traced.evaluate(traced.frame((Run) run()));
     assertEquals(expected, Set.copyOf((Collection<?>) explained));
   }
 

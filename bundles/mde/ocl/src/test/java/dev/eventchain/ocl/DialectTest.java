@@ -26,19 +26,13 @@ class DialectTest {
       new OperationLibrary() {
         @Override
         public Optional<Operation> lookup(
-            ExpressionLanguage language,
-            EClassifier source,
-            String name,
-            List<EClassifier> argumentTypes) {
+            TypeSystem language, EClassifier source, String name, List<EClassifier> argumentTypes) {
           return Optional.empty();
         }
 
         @Override
         public Optional<Operation> lookupLoosely(
-            ExpressionLanguage language,
-            EClassifier source,
-            String name,
-            List<EClassifier> argumentTypes) {
+            TypeSystem language, EClassifier source, String name, List<EClassifier> argumentTypes) {
           return name.equals("size") || name.equals("shout")
               ? Optional.of(
                   new Operation(
@@ -135,7 +129,7 @@ class DialectTest {
   }
 
   private Object value(ExpressionLanguage language, String text) {
-    Evaluation run = Evaluation.over(List.of(library));
+    Evaluation run = Evaluations.over(List.of(library));
     run.bind("self", library);
     return Evaluated.value(language, SourceText.of("test", text), scope(language), run);
   }

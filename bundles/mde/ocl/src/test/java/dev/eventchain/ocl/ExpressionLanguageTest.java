@@ -33,10 +33,7 @@ class ExpressionLanguageTest {
       new OperationLibrary() {
         @Override
         public Optional<Operation> lookup(
-            ExpressionLanguage language,
-            EClassifier source,
-            String name,
-            List<EClassifier> argumentTypes) {
+            TypeSystem language, EClassifier source, String name, List<EClassifier> argumentTypes) {
           if (name.equals("filter") && language.elementType(source).isPresent()) {
             EClassifier wanted = language.referredType(argumentTypes.get(0)).orElseThrow();
             return Optional.of(
@@ -98,7 +95,7 @@ class ExpressionLanguageTest {
             .with("self", library.eClass())
             .with("i", language.type("Integer"))
             .with("word", language.type("String"));
-    Evaluation run = Evaluation.over(List.of(library));
+    Evaluation run = Evaluations.over(List.of(library));
     run.bind("self", library);
     run.bind("i", 3);
     run.bind("word", "it's");
@@ -203,7 +200,7 @@ class ExpressionLanguageTest {
         language
             .parse(SourceText.of("t", good).whole(), scope, problems)
             .orElseThrow(() -> new AssertionError(problems));
-    Evaluation run = Evaluation.over(List.of(library));
+    Evaluation run = Evaluations.over(List.of(library));
     run.bind("b", library.eContents().get(0));
     assertEquals("Dunexx", expression.evaluate(run));
     assertTrue(language.parse(SourceText.of("t", "self.title").whole(), scope, problems).isEmpty());

@@ -79,8 +79,8 @@ class KeyedElementsTest {
   private void compare(ExpressionLanguage language, String text) {
     Expression expression = parse(language, text);
     StockEvaluator stock = new StockEvaluator(language.environment());
-    Evaluation remembering = Evaluation.over(things);
-    Evaluation forgetting = Evaluation.over(things).withChangingModel();
+    Evaluation remembering = Evaluations.over(things);
+    Evaluation forgetting = Evaluations.over(things).withChangingModel();
     for (EObject self : things) {
       Object expected = LoweringTest.normal(evaluate(expression, self, forgetting), true);
       Object found = LoweringTest.normal(evaluate(expression, self, remembering), true);
@@ -114,7 +114,7 @@ class KeyedElementsTest {
       implements OperationLibrary, OperationLibrary.Implementation {
     @Override
     public Optional<Operation> lookup(
-        ExpressionLanguage language, EClassifier source, String name, List<EClassifier> types) {
+        TypeSystem language, EClassifier source, String name, List<EClassifier> types) {
       return name.equals("code")
           ? Optional.of(new Operation(name, language.type("Integer"), this))
           : Optional.empty();
@@ -138,7 +138,7 @@ class KeyedElementsTest {
         };
     ExpressionLanguage language = ExpressionLanguage.of(List.of(metamodel), dialect);
     Expression expression = parse(language, "Thing.allInstances()->" + body);
-    Evaluation run = Evaluation.over(things);
+    Evaluation run = Evaluations.over(things);
     if (changing) {
       run.withChangingModel();
     }

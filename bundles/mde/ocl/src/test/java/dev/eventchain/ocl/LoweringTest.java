@@ -82,7 +82,7 @@ class LoweringTest {
     List<EObject> things = GeneratedModels.things(metamodel, random.nextInt(MODELS));
     EObject self = things.get(random.nextInt(things.size()));
     Object expected = evaluate(expression, self);
-    Evaluation run = Evaluation.over(List.of(self));
+    Evaluation run = Evaluations.over(List.of(self));
     run.bind("self", self);
     assertEquals(
         normal(expected, true), normal(expression.evaluate(run), true), () -> text(expression));
@@ -106,16 +106,16 @@ class LoweringTest {
   }
 
   private Object evaluate(Expression expression, EObject self) {
-    Evaluation run = Evaluation.over(List.of(self));
+    Run run = (Run) Evaluations.over(List.of(self));
     run.begin();
     run.bind("self", self);
     Lowered traced = language.trace(expression.ast());
-    return traced.root().evaluate(traced.frame(run));
+    return traced.evaluate(traced.frame(run));
   }
 
   /** Values that are equal only if they are the same in OCL, in type and order, too. */
   static Object normal(Object value, boolean ordered) {
-    if (value instanceof Invalid || value == Node.INVALID) {
+    if (value instanceof Invalid || value == Values.INVALID) {
       return "invalid";
     } else if (value instanceof Tuple<?, ?> tuple) {
       return tuple.toString();
@@ -157,7 +157,7 @@ class LoweringTest {
       Expression expression = parse(generator.expression());
       EObject self = GeneratedModels.things(metamodel, i % MODELS).get(0);
       Object value = evaluate(expression, self);
-      defined += value == null || value == Node.INVALID ? 0 : 1;
+      defined += value == null || value == Values.INVALID ? 0 : 1;
       stock.evaluate(expression.ast(), self);
       stock.differences().forEach(each -> differences.merge(each, 1, Integer::sum));
       comparable += generator.doesOrderMatter() || !stock.differences().isEmpty() ? 0 : 1;

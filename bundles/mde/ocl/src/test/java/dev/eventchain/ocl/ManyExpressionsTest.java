@@ -60,7 +60,7 @@ class ManyExpressionsTest {
             + " s.name.concat(m.toString()))->asSet()->asSequence()->first()";
     Expression expression =
         language.parse(SourceText.of("", text).whole(), scope, new ArrayList<>()).orElseThrow();
-    Evaluation shared = Evaluation.over(List.of(machine));
+    Evaluation shared = Evaluations.over(List.of(machine));
     List<Callable<Object>> tasks = new ArrayList<>();
     for (int i = 0; i < 400; i++) {
       int number = i;
@@ -90,7 +90,7 @@ class ManyExpressionsTest {
     Scope scope = language.root().with("self", machine.eClass());
     String text =
         "states->asSet()->select(s | s.name <> 's7')->union(states->asSet())->asSequence().name";
-    Evaluation run = Evaluation.over(List.of(machine));
+    Evaluation run = Evaluations.over(List.of(machine));
     run.bind("self", machine);
     Object names =
         language

@@ -45,7 +45,7 @@ class ModelContentsTest {
   @Test
   void instancesAreThoseOfSubclassesTooInTheOrderOfTheModel() {
     ModelContents contents = ModelContents.below(List.of(library));
-    Evaluation evaluation = Evaluation.over(List.of(library));
+    Evaluation evaluation = Evaluations.over(List.of(library));
     for (String name : List.of("Library", "Book", "AudioBook")) {
       List<EObject> expected = elements().stream().filter(type(name)::isInstance).toList();
       assertEquals(expected, contents.instancesOf(type(name)), name);

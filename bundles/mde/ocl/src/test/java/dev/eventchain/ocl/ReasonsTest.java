@@ -21,7 +21,7 @@ class ReasonsTest {
 
   private Object evaluate(String text) {
     Scope scope = language.root().with("self", library.eClass());
-    Evaluation run = Evaluation.over(List.of(library));
+    Evaluation run = Evaluations.over(List.of(library));
     run.bind("self", library);
     return Evaluated.value(language, SourceText.of("x", text), scope, run);
   }

@@ -76,11 +76,11 @@ class StandardValuesTest {
     assertEquals(expected, text(expression.evaluate(run())));
     // What explains an undefined value must not come to another one.
     Lowered traced = language.trace(expression.ast());
-    assertEquals(expected, text(traced.root().evaluate(traced.frame(run()))));
+    assertEquals(expected, text(traced.evaluate(traced.frame((Run) run()))));
   }
 
   private Evaluation run() {
-    Evaluation run = Evaluation.over(List.of(numbers));
+    Evaluation run = Evaluations.over(List.of(numbers));
     run.bind("self", numbers);
     return run;
   }
@@ -93,7 +93,7 @@ class StandardValuesTest {
   }
 
   private static String text(Object value) {
-    if (value instanceof Invalid || value == Node.INVALID) {
+    if (value instanceof Invalid || value == Values.INVALID) {
       return "invalid";
     } else if (value instanceof String text) {
       return "'" + text + "'";

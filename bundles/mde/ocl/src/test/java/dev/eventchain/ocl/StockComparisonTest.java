@@ -85,7 +85,7 @@ class StockComparisonTest {
     Optional<Expression> expression =
         language.parse(SourceText.of("", text).whole(), scope, problems);
     assertTrue(expression.isPresent(), problems::toString);
-    Evaluation run = Evaluation.over(List.of(library));
+    Evaluation run = Evaluations.over(List.of(library));
     run.bind("self", library);
     return expression.get().evaluate(run);
   }

@@ -65,7 +65,7 @@ final class StockDifferences {
   static Optional<String> ofCall(int code, Object source, Collection<Object> operands) {
     return switch (code) {
       case PredefinedType.OCL_IS_KIND_OF, PredefinedType.OCL_IS_TYPE_OF ->
-          when("type of what is undefined", source == null || source == Node.INVALID)
+          when("type of what is undefined", source == null || source == Values.INVALID)
               .or(() -> when("type of a large number", isLarge(source)))
               .or(() -> when("type of an enumeration's literal", source instanceof Enumerator));
       case PredefinedType.FLOOR, PredefinedType.ROUND ->
@@ -92,7 +92,7 @@ final class StockDifferences {
         "part of a tuple without a value",
         value instanceof Collection<?> part
             && part.size() == 1
-            && (part.contains(null) || part.contains(Node.INVALID)));
+            && (part.contains(null) || part.contains(Values.INVALID)));
   }
 
   private static Optional<String> ofNumbers(Collection<Object> operands) {
@@ -105,13 +105,13 @@ final class StockDifferences {
       case "exists", "forAll" ->
           when(
               "a body without a value beside one that decides",
-              bodies.contains(Node.INVALID) || bodies.contains(null));
+              bodies.contains(Values.INVALID) || bodies.contains(null));
       case "one" ->
           when(
               "undefined body over a set",
-              unordered && (bodies.contains(Node.INVALID) || bodies.contains(null)));
+              unordered && (bodies.contains(Values.INVALID) || bodies.contains(null)));
       case "isUnique" ->
-          when("isUnique with an invalid body", bodies.contains(Node.INVALID))
+          when("isUnique with an invalid body", bodies.contains(Values.INVALID))
               .or(() -> when("isUnique of bags", bodies.stream().anyMatch(Bag.class::isInstance)))
               .or(() -> when("isUnique of equal numbers", holdsEqualNumbers(bodies)));
       case "sortedBy" ->

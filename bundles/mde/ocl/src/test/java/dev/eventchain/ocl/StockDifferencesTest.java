@@ -60,7 +60,7 @@ class StockDifferencesTest {
             .orElseThrow(() -> new AssertionError(problems));
     assertEquals(code(cells[2]), text(stock.evaluate(expression.ast(), self)));
     assertTrue(stock.differences().contains(cells[0]), stock.differences()::toString);
-    Evaluation run = Evaluation.over(List.of(self));
+    Evaluation run = Evaluations.over(List.of(self));
     assertEquals(code(cells[3]), text(expression.evaluate(run)));
     boolean byOrder = cells[4].contains("no order");
     assertNotEquals(byOrder, !cells[2].equals(cells[3]), "no difference");
@@ -71,7 +71,7 @@ class StockDifferencesTest {
   }
 
   private static String text(Object value) {
-    boolean invalid = value instanceof Invalid || value == Node.INVALID;
+    boolean invalid = value instanceof Invalid || value == Values.INVALID;
     return invalid ? "invalid" : String.valueOf(value);
   }
 }

@@ -1,0 +1,20 @@
+package dev.eventchain.ocl;
+
+import java.util.Collection;
+import org.eclipse.emf.ecore.EObject;
+
+/** Makes {@link Evaluation}s. */
+public final class Evaluations {
+
+  private Evaluations() {}
+
+  /**
+   * An evaluation on the models that these objects belong to.
+   *
+   * @param objects some objects of each model; the extent of a class covers the whole resource set
+   *     of each, or the tree it is in if it has no resource
+   */
+  public static Evaluation over(Collection<? extends EObject> objects) {
+    return Run.over(objects);
+  }
+}
