@@ -210,22 +210,21 @@ final class BodyCompiler {
   private Step fileStep(Syntax.File file, Scope scope) {
     Optional<Expression> name = expressions.parse(file.name(), scope);
     String mode = file.mode().map(SourceRange::text).orElse("false");
-    Optional<Steps.FileMode> constant = fileMode(mode);
+    Optional<FileMode> constant = fileMode(mode);
     Optional<Expression> computed =
         constant.isPresent() ? Optional.empty() : condition(file.mode(), scope);
     Optional<Expression> charset = file.charset().flatMap(span -> expressions.parse(span, scope));
     Step body = body(file.body(), scope);
     return name.isEmpty()
         ? NOTHING
-        : new Steps.File(
-            name.get(), computed, constant.orElse(Steps.FileMode.OVERWRITE), charset, body);
+        : new Steps.File(name.get(), computed, constant.orElse(FileMode.OVERWRITE), charset, body);
   }
 
-  private static Optional<Steps.FileMode> fileMode(String mode) {
+  private static Optional<FileMode> fileMode(String mode) {
     return switch (mode) {
-      case "false", "overwrite", "'overwrite'" -> Optional.of(Steps.FileMode.OVERWRITE);
-      case "true", "append", "'append'" -> Optional.of(Steps.FileMode.APPEND);
-      case "create", "'create'" -> Optional.of(Steps.FileMode.CREATE);
+      case "false", "overwrite", "'overwrite'" -> Optional.of(FileMode.OVERWRITE);
+      case "true", "append", "'append'" -> Optional.of(FileMode.APPEND);
+      case "create", "'create'" -> Optional.of(FileMode.CREATE);
       default -> Optional.empty();
     };
   }

@@ -30,7 +30,7 @@ final class CallStack {
   private static final int ELEMENT_WEIGHT = 8;
 
   /** A call, and the expression it was made by; null for the first. */
-  private record Frame(Callable callable, List<Object> arguments, Expression caller, long weight) {}
+  private record Frame(Called called, List<Object> arguments, Expression caller, long weight) {}
 
   private final Evaluation evaluation;
   private final Deque<Frame> frames = new ArrayDeque<>();
@@ -61,8 +61,8 @@ final class CallStack {
    *
    * @param caller the expression that makes it; null if there is none
    */
-  void enter(Callable callable, List<Object> arguments, Expression caller) {
-    Frame frame = new Frame(callable, arguments, caller, weightOf(arguments));
+  void enter(Called called, List<Object> arguments, Expression caller) {
+    Frame frame = new Frame(called, arguments, caller, weightOf(arguments));
     frames.push(frame);
     weight += frame.weight();
     pushSelf(arguments.isEmpty() || arguments.get(0) == null ? "" : arguments.get(0));
@@ -117,10 +117,10 @@ final class CallStack {
   }
 
   /** What calls itself until there was no more room; empty if there always was. */
-  Optional<Callable> tooDeep() {
+  Optional<Called> tooDeep() {
     return kept.stream()
-        .map(Frame::callable)
-        .min(Comparator.comparing(callable -> callable.place().location()));
+        .map(Frame::called)
+        .min(Comparator.comparing(called -> called.place().location()));
   }
 
   /** The arguments of the call at work. */
@@ -206,7 +206,7 @@ final class CallStack {
     Set<String> calls = kept.isEmpty() ? new LinkedHashSet<>() : new TreeSet<>();
     for (Frame frame : kept.isEmpty() ? frames : kept) {
       if (frame.caller() != null && (calls.size() < CALLS_SHOWN || !kept.isEmpty())) {
-        calls.add("'" + frame.callable().name() + "' called at " + frame.caller().location());
+        calls.add("'" + frame.called().name() + "' called at " + frame.caller().location());
       }
     }
     String first = calls.stream().limit(CALLS_SHOWN).collect(Collectors.joining(", "));

@@ -8,7 +8,7 @@ import java.util.function.Predicate;
 import org.eclipse.emf.ecore.EClassifier;
 
 /** A template or a query, as expressions call it. */
-abstract class Callable {
+abstract class Callable implements Called {
 
   /** A parameter, with a test of whether it takes a value. */
   record Parameter(String name, EClassifier type, Predicate<Object> accepts) {}
@@ -25,7 +25,8 @@ abstract class Callable {
     this.place = place;
   }
 
-  final String name() {
+  @Override
+  public final String name() {
     return name;
   }
 
@@ -37,21 +38,21 @@ abstract class Callable {
     return parameters;
   }
 
-  /** Where it is declared. */
-  final Place place() {
+  @Override
+  public final Place place() {
     return place;
   }
 
   /** Whether it may refuse arguments that its parameters take. */
-  boolean hasGuard() {
+  public boolean hasGuard() {
     return false;
   }
 
   /** The static type of a call's result. */
-  abstract EClassifier resultType();
+  public abstract EClassifier resultType();
 
   /** Whether it takes these arguments in this run. */
-  boolean accepts(List<Object> arguments, GenerationRun run) {
+  public boolean accepts(List<Object> arguments, GenerationRun run) {
     return takes(arguments);
   }
 
@@ -67,5 +68,5 @@ abstract class Callable {
   }
 
   /** The value of a call: of the result type, or an {@link Invalid}. */
-  abstract Object call(List<Object> arguments, GenerationRun run);
+  public abstract Object call(List<Object> arguments, GenerationRun run);
 }

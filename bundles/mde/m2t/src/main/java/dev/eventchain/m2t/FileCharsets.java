@@ -19,7 +19,7 @@ final class FileCharsets {
   private FileCharsets() {}
 
   /** The charset of a name; nothing if no file can be written in it, of which is warned. */
-  static Optional<Charset> named(String name, SourceLocation place, GenerationRun run) {
+  static Optional<Charset> named(String name, SourceLocation place, RunReport report) {
     String problem;
     try {
       Charset charset = Charset.forName(name);
@@ -30,7 +30,7 @@ final class FileCharsets {
     } catch (IllegalCharsetNameException | UnsupportedCharsetException e) {
       problem = "There is no charset '" + name + "'.";
     }
-    run.report().warn(ID, place, problem + " UTF-8 is used instead.", "Write 'UTF-8'.");
+    report.warn(ID, place, problem + " UTF-8 is used instead.", "Write 'UTF-8'.");
     return Optional.empty();
   }
 
@@ -55,7 +55,7 @@ final class FileCharsets {
 
   /** The bytes of a text that starts a file or, without a byte order mark, continues with it. */
   static byte[] bytes(
-      String text, boolean starts, GeneratedFile file, SourceLocation place, GenerationRun run) {
+      String text, boolean starts, GeneratedFile file, SourceLocation place, RunReport report) {
     Charset charset = file.charset();
     if (charset.equals(StandardCharsets.UTF_8)) {
       byte[] bytes = text.getBytes(charset);
@@ -71,26 +71,25 @@ final class FileCharsets {
       bytes = new byte[encoded.remaining()];
       encoded.get(bytes);
     } catch (CharacterCodingException e) {
-      reportLacking(file, place, run);
+      reportLacking(file, place, report);
       bytes = text.getBytes(charset);
     }
     return starts ? bytes : withoutByteOrderMark(bytes, charset);
   }
 
-  private static void reportLacking(GeneratedFile file, SourceLocation place, GenerationRun run) {
+  private static void reportLacking(GeneratedFile file, SourceLocation place, RunReport report) {
     Charset charset = file.charset();
-    run.report()
-        .error(
-            ID,
-            place,
-            "The text of '"
-                + file.path()
-                + "' has characters that "
-                + charset
-                + " lacks; they would become '?'.",
-            charset.equals(StandardCharsets.UTF_8)
-                ? "Use whole characters: this is half of one that Java counts as two."
-                : "Write the file in UTF-8.");
+    report.error(
+        ID,
+        place,
+        "The text of '"
+            + file.path()
+            + "' has characters that "
+            + charset
+            + " lacks; they would become '?'.",
+        charset.equals(StandardCharsets.UTF_8)
+            ? "Use whole characters: this is half of one that Java counts as two."
+            : "Write the file in UTF-8.");
   }
 
   /** The bytes of a text that follows other text. */

@@ -19,9 +19,6 @@ import org.eclipse.emf.ecore.EObject;
 /** A file of a run, which one or more blocks write, and what people wrote into the earlier one. */
 final class GeneratedFile {
 
-  /** Of the warning that an area of the earlier file is in no block. */
-  static final String LOST_AREA = "m2t.protected.lost";
-
   /** An area of the earlier file. */
   private static final class Earlier {
     private final String line;
@@ -150,17 +147,22 @@ final class GeneratedFile {
    *
    * @param place of the block
    */
-  String merged(String text, Optional<OriginMarks> marks, SourceLocation place, GenerationRun run) {
+  String merged(
+      String text,
+      Optional<OriginMarks> marks,
+      SourceLocation place,
+      RunReport report,
+      RunWriter writer) {
     List<Area> areas = ProtectedAreas.in(text);
     if (areas.isEmpty()) {
-      marks.ifPresent(origins -> run.writer().tracing().file(path, text, origins));
+      marks.ifPresent(origins -> writer.tracing().file(path, text, origins));
       return text;
     }
     OutputBuffer merged = new OutputBuffer(marks.isPresent());
     OutputBuffer.Part all = merged.mark();
     int from = 0;
     for (Area area : areas) {
-      check(area, text, place, run);
+      check(area, text, place, report);
       Optional<Earlier> kept = take(area.line().strip());
       if (kept.isPresent()) {
         append(text, from, area.start(), marks, merged);
@@ -171,7 +173,7 @@ final class GeneratedFile {
     }
     append(text, from, text.length(), marks, merged);
     String whole = merged.textOf(all);
-    merged.marksOf(all).ifPresent(origins -> run.writer().tracing().file(path, whole, origins));
+    merged.marksOf(all).ifPresent(origins -> writer.tracing().file(path, whole, origins));
     return whole;
   }
 
@@ -186,28 +188,27 @@ final class GeneratedFile {
   }
 
   /** Reports areas that variables or operations brought where no area can be. */
-  private void check(Area area, String text, SourceLocation place, GenerationRun run) {
+  private void check(Area area, String text, SourceLocation place, RunReport report) {
     String id = idOf(area.line().strip());
     if (!written.add(id)) {
-      refuse(id, "has the same id as another area of the file", place, run);
+      refuse(id, "has the same id as another area of the file", place, report);
     }
     int inner = text.indexOf(ProtectedAreas.START, area.start());
     if (inner >= 0 && inner < area.end()) {
       int start = inner + ProtectedAreas.START.length();
       String line = text.substring(start, ProtectedAreas.endOfLine(text, start)).strip();
       if (begun.containsKey(idOf(line))) {
-        refuse(idOf(line), "is inside the area '" + OutputPath.shown(id) + "'", place, run);
+        refuse(idOf(line), "is inside the area '" + OutputPath.shown(id) + "'", place, report);
       }
     }
   }
 
-  static void refuse(String id, String problem, SourceLocation place, GenerationRun run) {
-    run.report()
-        .error(
-            "m2t.protected.id",
-            place,
-            "The protected area '" + OutputPath.shown(id) + "' " + problem + ".",
-            "Give each area of a file its own id.");
+  static void refuse(String id, String problem, SourceLocation place, RunReport report) {
+    report.error(
+        "m2t.protected.id",
+        place,
+        "The protected area '" + OutputPath.shown(id) + "' " + problem + ".",
+        "Give each area of a file its own id.");
   }
 
   /** The id that a line starts with, the longest there is; templates may write more after it. */
@@ -232,7 +233,7 @@ final class GeneratedFile {
   }
 
   /** Prepares to warn, for the element at work, of the areas that the first block did not have. */
-  void noteLosses(String lostPath, GenerationRun run) {
+  void noteLosses(String lostPath, RunReport report) {
     if (lossesNoted) {
       return;
     }
@@ -240,16 +241,15 @@ final class GeneratedFile {
     for (Earlier area : earlier) {
       if (!area.taken) {
         area.loss =
-            run.report()
-                .warning(
-                    LOST_AREA,
-                    SourceLocation.of(path),
-                    "The protected area '"
-                        + OutputPath.shown(area.id())
-                        + "' is no longer generated; its content was saved in '"
-                        + lostPath
-                        + "'.",
-                    "Move the content to where it belongs now, and delete the file.");
+            report.warning(
+                GenerationResult.LOST_AREA,
+                SourceLocation.of(path),
+                "The protected area '"
+                    + OutputPath.shown(area.id())
+                    + "' is no longer generated; its content was saved in '"
+                    + lostPath
+                    + "'.",
+                "Move the content to where it belongs now, and delete the file.");
       }
     }
   }

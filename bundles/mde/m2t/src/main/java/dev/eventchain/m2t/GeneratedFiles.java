@@ -3,7 +3,6 @@ package dev.eventchain.m2t;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.m2t.GenerationContext.Trait;
 import dev.eventchain.m2t.GenerationResult.Printed;
-import dev.eventchain.m2t.Steps.FileMode;
 import dev.eventchain.output.OutputFolder;
 import dev.eventchain.output.OutputPath;
 import dev.eventchain.output.ProtectedAreas;
@@ -21,6 +20,8 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.function.Supplier;
+import org.eclipse.emf.ecore.EObject;
 
 /** The files that a run makes, with the protected areas of the earlier ones kept in them. */
 final class GeneratedFiles {
@@ -56,7 +57,9 @@ final class GeneratedFiles {
   private static final String OWN_NAMES =
       "Give each file its own name, or append: [file (name, true)].";
 
-  private final GenerationRun run;
+  private final RunReport report;
+  private final RunWriter writer;
+  private final Supplier<EObject> element;
   private final GenerationContext context;
 
   /** By their names, in the order in which they were begun, which is nearly sorted most times. */
@@ -71,8 +74,16 @@ final class GeneratedFiles {
   private final List<Printed> printed = new ArrayList<>();
   private int begun;
 
-  GeneratedFiles(GenerationRun run, GenerationContext context) {
-    this.run = run;
+  /**
+   * Starts without files.
+   *
+   * @param element the model element at work
+   */
+  GeneratedFiles(
+      RunReport report, RunWriter writer, Supplier<EObject> element, GenerationContext context) {
+    this.report = report;
+    this.writer = writer;
+    this.element = element;
     this.context = context;
   }
 
@@ -105,10 +116,10 @@ final class GeneratedFiles {
   }
 
   /** Makes a file of what something writes. */
-  void write(Tag tag, Step body) {
+  void write(Tag tag, Runnable body) {
     begun++;
     Optional<Charset> charset =
-        tag.charset().flatMap(name -> FileCharsets.named(name, tag.charsetPlace(), run));
+        tag.charset().flatMap(name -> FileCharsets.named(name, tag.charsetPlace(), report));
     if (tag.name().equals(CONSOLE)) {
       print(tag, body);
       return;
@@ -120,7 +131,7 @@ final class GeneratedFiles {
     OutputPath path = pathOf(tag.name());
     if (path.refused()) {
       var refused = path.refusal(tag.name());
-      run.report().error(refused.id(), tag.place(), refused.message(), refused.hint());
+      report.error(refused.id(), tag.place(), refused.message(), refused.hint());
       return;
     }
     GeneratedFile known = known(path.value(), tag);
@@ -144,7 +155,7 @@ final class GeneratedFiles {
   }
 
   /** Adds what something writes to what is printed. */
-  private void print(Tag tag, Step body) {
+  private void print(Tag tag, Runnable body) {
     String text = textOutsideOfFiles(tag, body);
     if (!text.isEmpty()) {
       printed.add(new Printed(tag.place(), text));
@@ -152,17 +163,16 @@ final class GeneratedFiles {
   }
 
   /** Reports a file that there is no folder for; blocks inside it may print all the same. */
-  private void refuse(Tag tag, Step body) {
-    run.report()
-        .error(
-            "m2t.file.no-folder",
-            tag.place(),
-            "The file '" + OutputPath.shown(tag.name()) + "' is not written: there is no folder.",
-            "Name an output folder, or print the text: [file ('stdout', false)].");
+  private void refuse(Tag tag, Runnable body) {
+    report.error(
+        "m2t.file.no-folder",
+        tag.place(),
+        "The file '" + OutputPath.shown(tag.name()) + "' is not written: there is no folder.",
+        "Name an output folder, or print the text: [file ('stdout', false)].");
     textOutsideOfFiles(tag, body);
   }
 
-  private String textOutsideOfFiles(Tag tag, Step body) {
+  private String textOutsideOfFiles(Tag tag, Runnable body) {
     GeneratedFile file = GeneratedFile.of(CONSOLE, StandardCharsets.UTF_8, Optional.empty());
     return textOf(new Block(file, tag), body).text();
   }
@@ -174,9 +184,9 @@ final class GeneratedFiles {
       return known;
     }
     String message = writtenBefore(known) + " That output is lost.";
-    run.report().warn("m2t.file.duplicate", tag.place(), message, OWN_NAMES);
+    report.warn("m2t.file.duplicate", tag.place(), message, OWN_NAMES);
     files.remove(path);
-    run.writer().forget(path);
+    writer.forget(path);
     return null;
   }
 
@@ -188,32 +198,31 @@ final class GeneratedFiles {
   }
 
   private String writtenBefore(GeneratedFile known) {
-    String where = "by the block at " + known.beginning(run.report());
+    String where = "by the block at " + known.beginning(report);
     return "The file '" + known.path() + "' was already written in this run, " + where + ".";
   }
 
   /** Whether a file that a block wrote or writes continues with another one. */
   private boolean goesOn(GeneratedFile known, Optional<Charset> charset, Tag tag) {
     if (tag.mode() == FileMode.OVERWRITE) {
-      run.report().error("m2t.file.duplicate", tag.place(), writtenBefore(known), OWN_NAMES);
+      report.error("m2t.file.duplicate", tag.place(), writtenBefore(known), OWN_NAMES);
       return false;
     }
     if (tag.mode() == FileMode.CREATE || known.isLeft()) {
       return false;
     }
     if (charset.isPresent() && !charset.get().equals(known.charset())) {
-      run.report()
-          .error(
-              FileCharsets.ID,
-              tag.charsetPlace(),
-              "The file '"
-                  + known.path()
-                  + "' was started in "
-                  + known.charset()
-                  + " and cannot continue in "
-                  + charset.get()
-                  + ".",
-              "Write '" + known.charset() + "', or leave the charset out.");
+      report.error(
+          FileCharsets.ID,
+          tag.charsetPlace(),
+          "The file '"
+              + known.path()
+              + "' was started in "
+              + known.charset()
+              + " and cannot continue in "
+              + charset.get()
+              + ".",
+          "Write '" + known.charset() + "', or leave the charset out.");
       return false;
     }
     return true;
@@ -238,12 +247,8 @@ final class GeneratedFiles {
       }
     }
     if (!problem.isEmpty()) {
-      run.report()
-          .error(
-              "m2t.file.duplicate",
-              tag.place(),
-              problem,
-              "Give files and folders different names.");
+      report.error(
+          "m2t.file.duplicate", tag.place(), problem, "Give files and folders different names.");
     }
     return problem.isEmpty();
   }
@@ -254,23 +259,22 @@ final class GeneratedFiles {
     boolean unreadable = before.isPresent() && text.isEmpty() && ProtectedAreas.anyIn(before.get());
     boolean stays = before.isPresent() && tag.mode() == FileMode.CREATE;
     if (unreadable && !stays) {
-      run.report()
-          .error(
-              FileCharsets.ID,
-              tag.charsetPlace(),
-              "The earlier file '"
-                  + path
-                  + "' has protected areas but is not in "
-                  + charset
-                  + ", so they cannot be kept; the file is left as it is.",
-              "Save the file in " + charset + ".");
+      report.error(
+          FileCharsets.ID,
+          tag.charsetPlace(),
+          "The earlier file '"
+              + path
+              + "' has protected areas but is not in "
+              + charset
+              + ", so they cannot be kept; the file is left as it is.",
+          "Save the file in " + charset + ".");
     }
     GeneratedFile file =
         stays || unreadable
             ? GeneratedFile.left(path, charset, before.get())
             : GeneratedFile.of(path, charset, text);
     put(path, file);
-    file.begunBy(tag.place(), run.calls().element());
+    file.begunBy(tag.place(), element.get());
     return file;
   }
 
@@ -286,25 +290,25 @@ final class GeneratedFiles {
     }
   }
 
-  private void write(Block block, Step body) {
+  private void write(Block block, Runnable body) {
     GeneratedFile file = block.file;
     Written written = textOf(block, body);
-    String merged = file.merged(written.text(), written.marks(), block.tag.place(), run);
+    String merged = file.merged(written.text(), written.marks(), block.tag.place(), report, writer);
     boolean starts = file.content() == null;
-    file.add(FileCharsets.bytes(merged, starts, file, block.tag.charsetPlace(), run));
-    file.noteLosses(lostPath(file), run);
+    file.add(FileCharsets.bytes(merged, starts, file, block.tag.charsetPlace(), report));
+    file.noteLosses(lostPath(file), report);
   }
 
-  private Written textOf(Block block, Step body) {
-    OutputBuffer output = run.output();
+  private Written textOf(Block block, Runnable body) {
+    OutputBuffer output = writer.output();
     OutputBuffer.Part part = output.beginText();
     open.push(block);
     try {
       byte[] before = block.file.content();
       if (before != null && before.length > 0) {
-        run.writer().appendOwn("\n");
+        writer.appendOwn("\n");
       }
-      body.write(run);
+      body.run();
       return new Written(output.textOf(part), output.marksOf(part));
     } finally {
       output.cut(part);
@@ -323,7 +327,7 @@ final class GeneratedFiles {
     if (!file.losesAreas()) {
       return before;
     }
-    file.losses().forEach(run.report()::add);
+    file.losses().forEach(report::add);
     String known = new String(before, file.charset());
     ByteArrayOutputStream lost = new ByteArrayOutputStream();
     lost.writeBytes(before);
@@ -346,21 +350,20 @@ final class GeneratedFiles {
     if (block != null
         && block.area == null
         && !FileCharsets.agreesWithAscii(block.file.charset())) {
-      run.report()
-          .error(
-              FileCharsets.ID,
-              block.tag.charsetPlace(),
-              "Protected areas cannot be found again in "
-                  + block.file.charset()
-                  + ", so '"
-                  + OutputPath.shown(id)
-                  + "' is left out.",
-              "Write the file in UTF-8, or without protected areas.");
+      report.error(
+          FileCharsets.ID,
+          block.tag.charsetPlace(),
+          "Protected areas cannot be found again in "
+              + block.file.charset()
+              + ", so '"
+              + OutputPath.shown(id)
+              + "' is left out.",
+          "Write the file in UTF-8, or without protected areas.");
       return false;
     }
     String problem = problem(block, id);
     if (!problem.isEmpty()) {
-      GeneratedFile.refuse(id, problem, place, run);
+      GeneratedFile.refuse(id, problem, place, report);
       return false;
     }
     block.area = id;
@@ -377,13 +380,13 @@ final class GeneratedFiles {
     if (id.isEmpty() || id.indexOf('\n') >= 0 || id.indexOf('\r') >= 0) {
       return "has an id that is not a single line of text";
     }
-    return block.file.has(id, run.output()) ? "has the same id as another area of the file" : "";
+    return block.file.has(id, writer.output()) ? "has the same id as another area of the file" : "";
   }
 
   /** Notes that the mark of the area that was begun comes next. */
   void startArea() {
     Block block = open.element();
-    block.file.begin(block.area, run.output());
+    block.file.begin(block.area, writer.output());
   }
 
   /** Ends the area that was begun. */

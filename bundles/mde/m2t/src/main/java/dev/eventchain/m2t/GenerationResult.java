@@ -30,6 +30,9 @@ public record GenerationResult(
   /** What a block printed, and where it is. */
   public record Printed(SourceLocation block, String text) {}
 
+  /** The id of the warning that a protected area of an earlier file is in no block. */
+  public static final String LOST_AREA = "m2t.protected.lost";
+
   /** What is found where a value is undefined, in a template or in a Java service. */
   private static final Set<String> UNDEFINED = Set.of("m2t.undefined", "m2t.service");
 
@@ -58,9 +61,7 @@ public record GenerationResult(
 
   /** What was found, for a caller that writes none of the files: no lost area was saved. */
   public List<Diagnostic> diagnosticsIfUnwritten() {
-    return diagnostics.stream()
-        .filter(found -> !found.id().equals(GeneratedFile.LOST_AREA))
-        .toList();
+    return diagnostics.stream().filter(found -> !found.id().equals(LOST_AREA)).toList();
   }
 
   /** The same with a warning, in place of an error, for each value that is undefined. */

@@ -65,7 +65,7 @@ final class GenerationRun {
     Tracing tracing = context.has(Trait.TRACED) ? new Tracing(context.locator()) : null;
     this.writer = new RunWriter(tracing, calls::element);
     this.report = new RunReport(calls, context.locator());
-    this.files = new GeneratedFiles(this, context);
+    this.files = new GeneratedFiles(report, writer, calls::element, context);
     this.objects = new ObjectQueries(evaluation);
   }
 
@@ -218,11 +218,11 @@ final class GenerationRun {
   }
 
   /** Begins a call, unless generation was stopped or what many calls hold grows too large. */
-  void enter(Callable callable, List<Object> arguments) {
+  void enter(Called called, List<Object> arguments) {
     if (stopped) {
       throw new StoppedException();
     }
-    calls.enter(callable, arguments, current);
+    calls.enter(called, arguments, current);
     int depth = calls.depth();
     if (depth >= MANY_CALLS
         && output().weight(depth) + calls.weight()
@@ -261,10 +261,10 @@ final class GenerationRun {
    * continue; to be thrown.
    */
   StoppedException stopTooDeep() {
-    Callable callable = calls.tooDeep().orElseThrow();
+    Called called = calls.tooDeep().orElseThrow();
     return stopRecursion(
-        "'" + callable.name() + "' recurses endlessly, or deeper than memory allows",
-        callable.place().location());
+        "'" + called.name() + "' recurses endlessly, or deeper than memory allows",
+        called.place().location());
   }
 
   /** Whether calls are so many that a lack of memory is due to them. */

@@ -1,7 +1,9 @@
 package dev.eventchain.m2t;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import org.eclipse.emf.ecore.EClass;
@@ -21,13 +23,11 @@ final class KeptValues {
 
     private int count;
 
-    int of(Query query) {
-      int number = query.number();
+    int of(int number) {
       return number < places.length ? places[number] - 1 : -1;
     }
 
-    int add(Query query) {
-      int number = query.number();
+    int add(int number) {
       if (number >= places.length) {
         places = Arrays.copyOf(places, number + 1);
       }
@@ -47,12 +47,12 @@ final class KeptValues {
       this.places = places;
     }
 
-    Object get(Query query) {
+    Object get(int query) {
       int place = places.of(query);
       return place >= 0 && place < values.length ? values[place] : null;
     }
 
-    void put(Query query, Object value) {
+    void put(int query, Object value) {
       int known = places.of(query);
       int place = known < 0 ? places.add(query) : known;
       if (place >= values.length) {
@@ -63,8 +63,8 @@ final class KeptValues {
   }
 
   /** A call with something else than one element, and its value. */
-  private record OfCall(Query query, Object call, Object value) {
-    boolean is(Query otherQuery, Object otherCall) {
+  private record OfCall(int query, Object call, Object value) {
+    boolean is(int otherQuery, Object otherCall) {
       return query == otherQuery && Objects.equals(call, otherCall);
     }
   }
@@ -80,8 +80,8 @@ final class KeptValues {
   /** Elements that were asked for lately, each at a place that its hash gives. */
   private final OfElement[] recent = new OfElement[RECENT];
 
-  /** The values of calls with something else than one element. */
-  private final Map<Query, Map<Object, Object>> others = new HashMap<>();
+  /** The values of calls with something else than one element, by the number of the query. */
+  private final List<Map<Object, Object>> others = new ArrayList<>();
 
   /** Such calls that were asked for lately, each at a place that its hash gives. */
   private final OfCall[] recentCalls = new OfCall[RECENT_CALLS];
@@ -89,9 +89,10 @@ final class KeptValues {
   /**
    * The value that a call of a query had before; null if there was none.
    *
+   * @param query the number of the query
    * @param call the only argument, or the list of all
    */
-  Object get(Query query, Object call) {
+  Object get(int query, Object call) {
     if (call instanceof BasicEObjectImpl element) {
       OfElement kept = of(element);
       return kept == null ? null : kept.get(query);
@@ -101,21 +102,20 @@ final class KeptValues {
     if (latest != null && latest.is(query, call)) {
       return latest.value();
     }
-    Map<Object, Object> values = others.get(query);
-    Object value = values == null ? null : values.get(call);
+    Object value = query < others.size() ? others.get(query).get(call) : null;
     if (value != null) {
       recentCalls[place] = new OfCall(query, call, value);
     }
     return value;
   }
 
-  private static int placeOf(Query query, Object call) {
+  private static int placeOf(int query, Object call) {
     int hash = call == null ? 0 : call.hashCode();
-    return (hash ^ (hash >>> 16) ^ query.number() * 31) & (RECENT_CALLS - 1);
+    return (hash ^ (hash >>> 16) ^ query * 31) & (RECENT_CALLS - 1);
   }
 
   /** Keeps the value of a call, which is not null. */
-  void put(Query query, Object call, Object value) {
+  void put(int query, Object call, Object value) {
     if (call instanceof BasicEObjectImpl element) {
       OfElement kept = of(element);
       if (kept == null) {
@@ -126,7 +126,10 @@ final class KeptValues {
       }
       kept.put(query, value);
     } else {
-      others.computeIfAbsent(query, any -> new HashMap<>()).put(call, value);
+      while (others.size() <= query) {
+        others.add(new HashMap<>());
+      }
+      others.get(query).put(call, value);
       recentCalls[placeOf(query, call)] = new OfCall(query, call, value);
     }
   }

@@ -1,7 +1,6 @@
 package dev.eventchain.m2t;
 
 import dev.eventchain.diagnostics.SourceRange;
-import java.math.BigDecimal;
 import java.util.Collection;
 import java.util.List;
 import java.util.Set;
@@ -37,10 +36,12 @@ record LetTypes(ExpressionCompiler expressions) {
       return value -> fits && value instanceof Collection<?>;
     }
     Predicate<Object> instances = expressions.instancesOf(type);
-    if ((isReal(type) && isInteger(valueType)) || isOther(type, valueType)) {
+    if ((Reals.isReal(type) && isInteger(valueType)) || isOther(type, valueType)) {
       never(declared, type, valueType);
     }
-    return isReal(type) ? value -> isRealNumber(value) && instances.test(value) : instances;
+    return Reals.isReal(type)
+        ? value -> Reals.isRealNumber(value) && instances.test(value)
+        : instances;
   }
 
   /** Whether no value is of both types. Of two classes a third one may inherit. */
@@ -52,17 +53,6 @@ record LetTypes(ExpressionCompiler expressions) {
   private static boolean isInteger(EClassifier type) {
     return type instanceof PrimitiveType<?> primitive
         && primitive.getName().equals(PrimitiveType.INTEGER_NAME);
-  }
-
-  /** Whether a type is Real, of which in templates no Integer is. */
-  static boolean isReal(EClassifier type) {
-    return type instanceof PrimitiveType<?> primitive
-        && primitive.getName().equals(PrimitiveType.REAL_NAME);
-  }
-
-  /** Whether a value is a Real, and no Integer. */
-  static boolean isRealNumber(Object value) {
-    return value instanceof Double || value instanceof Float || value instanceof BigDecimal;
   }
 
   private static boolean fits(CollectionKind wanted, CollectionKind given) {

@@ -38,7 +38,7 @@ final class ObjectQueries {
       boolean crosses =
           !reference.isContainment() && !reference.isContainer() && !reference.isDerived();
       if (crosses && from.eIsSet(reference)) {
-        for (Object target : Steps.elements(from.eGet(reference))) {
+        for (Object target : Elements.of(from.eGet(reference))) {
           referrers.computeIfAbsent((EObject) target, key -> new LinkedHashSet<>()).add(from);
         }
       }

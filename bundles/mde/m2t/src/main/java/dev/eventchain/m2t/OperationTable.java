@@ -92,8 +92,8 @@ final class OperationTable implements OperationLibrary {
 
     /** As {@link #isInstance}, but an Integer is not a Real, and nothing is of OclAny itself. */
     boolean isOfType(Object value, Object type) {
-      if (LetTypes.isReal((EClassifier) type)) {
-        return LetTypes.isRealNumber(value);
+      if (Reals.isReal((EClassifier) type)) {
+        return Reals.isRealNumber(value);
       }
       return !(type instanceof AnyType<?>) && isInstance(value, type);
     }
@@ -156,7 +156,7 @@ final class OperationTable implements OperationLibrary {
       return row.name().equals(CollectionOperations.FILTER);
     }
 
-    /** As {@link AcceleoDialect#endOf}. */
+    /** As {@code endOf} of the dialect. */
     Optional<Implementation> endOnly(boolean first) {
       return TextOperations.endOnly(row.name(), row.arguments().size(), first)
           .map(

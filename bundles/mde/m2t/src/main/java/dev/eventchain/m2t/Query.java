@@ -45,10 +45,6 @@ final class Query extends Callable {
     this.resultType = resultType;
   }
 
-  int number() {
-    return number;
-  }
-
   /** Completes the query, whose value may call any other callable. */
   void define(Expression newValue) {
     value = newValue;
@@ -66,12 +62,12 @@ final class Query extends Callable {
   }
 
   @Override
-  EClassifier resultType() {
+  public EClassifier resultType() {
     return resultType;
   }
 
   @Override
-  Object call(List<Object> arguments, GenerationRun run) {
+  public Object call(List<Object> arguments, GenerationRun run) {
     for (Object argument : arguments) {
       // Classes are faster to ask for than an interface that most values do not have.
       if (!(argument instanceof BasicEObjectImpl)
@@ -81,13 +77,13 @@ final class Query extends Callable {
       }
     }
     Object call = arguments.size() == 1 ? arguments.get(0) : arguments;
-    Object known = run.kept().get(this, call);
+    Object known = run.kept().get(number, call);
     if (known == null) {
       int begun = run.files().begun();
       Object computed = evaluate(arguments, run);
       known = computed == null ? NULL : computed;
       if (begun == run.files().begun()) {
-        run.kept().put(this, call, known);
+        run.kept().put(number, call, known);
       }
     }
     return known == NULL ? null : known;

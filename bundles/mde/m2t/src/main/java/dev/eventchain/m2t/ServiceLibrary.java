@@ -52,7 +52,7 @@ final class ServiceLibrary implements OperationLibrary {
           (String) arguments.get(0),
           (String) arguments.get(1),
           (Collection<?>) arguments.get(2),
-          run.attachment(GenerationRun.class));
+          run.attachment(GenerationRun.class).serviceInstances());
     }
   }
 }

@@ -34,17 +34,23 @@ final class Services {
    * Calls a method.
    *
    * @param signature {@code name(types)}, the types with or without their packages
+   * @param instances one of each class whose methods are not static; made when it is needed
    * @return what the method gave, as a value of OCL
    * @throws ServiceException with the reason if there is no such method, it does not take these
    *     arguments, or it threw an exception
    */
-  Object call(String className, String signature, Collection<?> arguments, GenerationRun run) {
+  Object call(
+      String className,
+      String signature,
+      Collection<?> arguments,
+      Map<Class<?>, Object> instances) {
     String shown = "the Java service '" + className + "." + signature + "' ";
     try {
       Class<?> type = find(className, shown);
       Method method = method(type, signature, shown);
       Object[] values = values(method, arguments, shown);
-      Object target = Modifier.isStatic(method.getModifiers()) ? null : instance(type, run, shown);
+      Object target =
+          Modifier.isStatic(method.getModifiers()) ? null : instance(type, instances, shown);
       return ServiceValues.toOcl(method.invoke(target, values), shown);
     } catch (ServiceException e) {
       throw e;
@@ -190,9 +196,8 @@ final class Services {
     return values;
   }
 
-  private Object instance(Class<?> type, GenerationRun run, String shown)
+  private Object instance(Class<?> type, Map<Class<?>, Object> known, String shown)
       throws IllegalAccessException, InvocationTargetException {
-    Map<Class<?>, Object> known = run.serviceInstances();
     Object instance = known.get(type);
     if (instance == null) {
       try {

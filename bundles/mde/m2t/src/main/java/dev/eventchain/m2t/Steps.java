@@ -5,7 +5,6 @@ import dev.eventchain.m2t.syntax.Place;
 import dev.eventchain.ocl.Expression;
 import dev.eventchain.ocl.Invalid;
 import dev.eventchain.output.ProtectedAreas;
-import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
@@ -45,7 +44,7 @@ final class Steps {
         return;
       }
       boolean first = true;
-      for (Object item : elements(result)) {
+      for (Object item : Elements.of(result)) {
         decoration.writeAhead(first, run);
         run.writer().append(Texts.of(item), place);
         first = false;
@@ -146,7 +145,7 @@ final class Steps {
       if (value instanceof Invalid) {
         return;
       }
-      Collection<?> all = readElements(value);
+      Collection<?> all = Elements.read(value);
       if (all.isEmpty()) {
         return;
       }
@@ -280,19 +279,12 @@ final class Steps {
       SourceLocation place = name.location();
       SourceLocation charsetPlace = charset.map(Expression::location).orElse(place);
       var tag = new GeneratedFiles.Tag(place, Texts.of(fileName), actual, charsetPlace, named);
-      run.files().write(tag, body);
+      run.files().write(tag, () -> body.write(run));
     }
 
     private static Object value(Optional<Expression> part, GenerationRun run) {
       return part.isPresent() ? run.evaluate(part.get(), Undefined.FILE) : null;
     }
-  }
-
-  /** How a file that is there already is treated. */
-  enum FileMode {
-    OVERWRITE,
-    APPEND,
-    CREATE
   }
 
   /**
@@ -323,18 +315,5 @@ final class Steps {
         run.files().endArea();
       }
     }
-  }
-
-  /** What a loop goes through: a collection's elements, a single value, or nothing for null. */
-  static Collection<?> elements(Object value) {
-    if (value instanceof Collection<?> collection) {
-      return new ArrayList<>(collection);
-    }
-    return value == null ? List.of() : List.of(value);
-  }
-
-  /** The same without a copy, for a walk through them at once. */
-  private static Collection<?> readElements(Object value) {
-    return value instanceof Collection<?> collection ? collection : elements(value);
   }
 }

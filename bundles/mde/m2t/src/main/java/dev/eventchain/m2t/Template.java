@@ -64,17 +64,17 @@ final class Template extends Callable {
   }
 
   @Override
-  boolean hasGuard() {
+  public boolean hasGuard() {
     return guarded;
   }
 
   @Override
-  EClassifier resultType() {
+  public EClassifier resultType() {
     return resultType;
   }
 
   @Override
-  boolean accepts(List<Object> arguments, GenerationRun run) {
+  public boolean accepts(List<Object> arguments, GenerationRun run) {
     return super.accepts(arguments, run) && (definition.guard().isEmpty() || guard(arguments, run));
   }
 
@@ -97,7 +97,7 @@ final class Template extends Callable {
    * there at once.
    */
   @Override
-  Object call(List<Object> arguments, GenerationRun run) {
+  public Object call(List<Object> arguments, GenerationRun run) {
     OutputBuffer output = run.output();
     String indentation = output.currentIndentation();
     OutputBuffer.Part part = output.beginText();

@@ -9,7 +9,7 @@ import dev.eventchain.diagnostics.SourceLocation;
  * @param location the place of that operation in the source of the expression, or in the source of
  *     a definition it calls
  * @param kind what sort of failure it is, by which the one who reports it chooses his advice
- * @param cause the exception that it comes from, such as one of an {@link OperationLibrary}; {@code
+ * @param cause the exception that it comes from, such as one of an {@code OperationLibrary}; {@code
  *     null} if there was none
  */
 public record Invalid(String reason, SourceLocation location, Kind kind, RuntimeException cause) {
