@@ -4,7 +4,7 @@ import dev.eventchain.constraints.OclConstraint;
 import dev.eventchain.constraints.OclRules;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.ocl.DeepStack;
+import dev.eventchain.ocl.evaluation.DeepStack;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;

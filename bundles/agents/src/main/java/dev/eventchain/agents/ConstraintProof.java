@@ -2,7 +2,7 @@ package dev.eventchain.agents;
 
 import dev.eventchain.constraints.OclConstraint;
 import dev.eventchain.constraints.OclConstraint.Verdict;
-import dev.eventchain.ocl.TimeBudget;
+import dev.eventchain.ocl.evaluation.TimeBudget;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;

@@ -8,7 +8,7 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainFactory;
 import dev.eventchain.model.eventchain.EventchainPackage;
-import dev.eventchain.ocl.TimeBudget;
+import dev.eventchain.ocl.evaluation.TimeBudget;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;

@@ -2,9 +2,9 @@ package dev.eventchain.benchmarks;
 
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.m2t.GenerationContext;
-import dev.eventchain.m2t.GenerationResult;
 import dev.eventchain.m2t.TemplateModule;
+import dev.eventchain.m2t.generation.GenerationContext;
+import dev.eventchain.m2t.generation.GenerationResult;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainPackage;
 import dev.eventchain.model.eventchain.SoftwareNode;

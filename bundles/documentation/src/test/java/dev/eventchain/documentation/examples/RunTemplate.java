@@ -2,9 +2,9 @@ package dev.eventchain.documentation.examples;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.m2t.GenerationContext;
-import dev.eventchain.m2t.GenerationResult;
 import dev.eventchain.m2t.TemplateModule;
+import dev.eventchain.m2t.generation.GenerationContext;
+import dev.eventchain.m2t.generation.GenerationResult;
 import dev.eventchain.output.OutputFolder;
 import dev.eventchain.xmi.LoadedModel;
 import dev.eventchain.xmi.XmiStore;

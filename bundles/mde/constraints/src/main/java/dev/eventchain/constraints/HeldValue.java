@@ -1,7 +1,7 @@
 package dev.eventchain.constraints;
 
-import dev.eventchain.ocl.Names;
-import dev.eventchain.ocl.OclAnnotations;
+import dev.eventchain.ocl.metamodel.Names;
+import dev.eventchain.ocl.metamodel.OclAnnotations;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;

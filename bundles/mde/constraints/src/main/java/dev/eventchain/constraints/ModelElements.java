@@ -1,6 +1,6 @@
 package dev.eventchain.constraints;
 
-import dev.eventchain.ocl.Evaluation;
+import dev.eventchain.ocl.evaluation.Evaluation;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;

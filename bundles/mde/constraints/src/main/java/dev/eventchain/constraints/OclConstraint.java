@@ -2,11 +2,11 @@ package dev.eventchain.constraints;
 
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.ocl.Evaluation;
 import dev.eventchain.ocl.Evaluations;
 import dev.eventchain.ocl.Expression;
-import dev.eventchain.ocl.Invalid;
-import dev.eventchain.ocl.TimeBudget;
+import dev.eventchain.ocl.evaluation.Evaluation;
+import dev.eventchain.ocl.evaluation.Invalid;
+import dev.eventchain.ocl.evaluation.TimeBudget;
 import java.util.Collection;
 import java.util.List;
 import java.util.Set;

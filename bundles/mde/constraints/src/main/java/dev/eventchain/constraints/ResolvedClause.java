@@ -5,7 +5,7 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.ocl.Definitions;
 import dev.eventchain.ocl.ExpressionLanguage;
 import dev.eventchain.ocl.Scope;
-import dev.eventchain.ocl.Tokens;
+import dev.eventchain.ocl.text.Tokens;
 import org.eclipse.emf.ecore.EClassifier;
 import org.eclipse.emf.ecore.EPackage;
 

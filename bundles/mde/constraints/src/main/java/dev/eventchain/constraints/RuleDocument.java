@@ -4,7 +4,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.ocl.Tokens;
+import dev.eventchain.ocl.text.Tokens;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;

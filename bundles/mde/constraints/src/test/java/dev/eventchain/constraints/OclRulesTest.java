@@ -6,7 +6,7 @@ import dev.eventchain.constraints.OclConstraint.Verdict;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.fixtures.TestModels;
-import dev.eventchain.ocl.TimeBudget;
+import dev.eventchain.ocl.evaluation.TimeBudget;
 import java.time.Duration;
 import java.util.List;
 import java.util.Set;

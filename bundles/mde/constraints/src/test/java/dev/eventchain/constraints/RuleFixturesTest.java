@@ -8,7 +8,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.fixtures.ExpectedFile;
 import dev.eventchain.fixtures.TestModels;
-import dev.eventchain.ocl.Names;
+import dev.eventchain.ocl.metamodel.Names;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -8,7 +8,7 @@ import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.fixtures.TestModels;
-import dev.eventchain.ocl.Names;
+import dev.eventchain.ocl.metamodel.Names;
 import java.util.List;
 import java.util.stream.Stream;
 import org.eclipse.emf.ecore.EObject;

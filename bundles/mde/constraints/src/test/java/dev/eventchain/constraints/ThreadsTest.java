@@ -8,7 +8,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.fixtures.TestModels;
-import dev.eventchain.ocl.Names;
+import dev.eventchain.ocl.metamodel.Names;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;

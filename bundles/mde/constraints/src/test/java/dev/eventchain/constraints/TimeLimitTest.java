@@ -8,7 +8,7 @@ import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.fixtures.TestModels;
-import dev.eventchain.ocl.TimeBudget;
+import dev.eventchain.ocl.evaluation.TimeBudget;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicLong;

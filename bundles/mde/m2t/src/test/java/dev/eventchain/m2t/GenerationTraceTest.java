@@ -5,8 +5,10 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.m2t.GenerationTrace.Origin;
-import dev.eventchain.m2t.GenerationTrace.Segment;
+import dev.eventchain.m2t.generation.GenerationContext;
+import dev.eventchain.m2t.generation.GenerationResult;
+import dev.eventchain.m2t.generation.GenerationTrace.Origin;
+import dev.eventchain.m2t.generation.GenerationTrace.Segment;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;

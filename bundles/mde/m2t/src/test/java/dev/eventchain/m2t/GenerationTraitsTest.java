@@ -7,8 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.m2t.GenerationContext.Trait;
-import dev.eventchain.m2t.GenerationTrace.Segment;
+import dev.eventchain.m2t.generation.GenerationContext;
+import dev.eventchain.m2t.generation.GenerationContext.Trait;
+import dev.eventchain.m2t.generation.GenerationResult;
+import dev.eventchain.m2t.generation.GenerationTrace.Segment;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;

@@ -10,6 +10,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.m2t.generation.GenerationResult;
 import java.io.IOException;
 import java.nio.charset.Charset;
 import java.nio.file.Files;

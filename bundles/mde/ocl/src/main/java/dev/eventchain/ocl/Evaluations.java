@@ -1,5 +1,7 @@
 package dev.eventchain.ocl;
 
+import dev.eventchain.ocl.evaluation.Evaluation;
+import dev.eventchain.ocl.nodes.Run;
 import java.util.Collection;
 import org.eclipse.emf.ecore.EObject;
 

@@ -1,6 +1,19 @@
 package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.ocl.dialect.OperationLibrary;
+import dev.eventchain.ocl.evaluation.Evaluation;
+import dev.eventchain.ocl.evaluation.Invalid;
+import dev.eventchain.ocl.explain.Explanation;
+import dev.eventchain.ocl.explain.SubExpressions;
+import dev.eventchain.ocl.metamodel.OclAnnotations;
+import dev.eventchain.ocl.nodes.Frame;
+import dev.eventchain.ocl.nodes.Lowered;
+import dev.eventchain.ocl.nodes.Run;
+import dev.eventchain.ocl.parse.Libraries;
+import dev.eventchain.ocl.tree.InvalidOrigin;
+import dev.eventchain.ocl.values.Halted;
+import dev.eventchain.ocl.values.Values;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.Iterator;

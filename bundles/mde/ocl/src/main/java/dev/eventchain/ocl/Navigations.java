@@ -1,5 +1,6 @@
 package dev.eventchain.ocl;
 
+import dev.eventchain.ocl.parse.OclEnvironment;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.LinkedHashSet;

@@ -1,6 +1,5 @@
 /**
- * Parses, checks and evaluates OCL on any Ecore model with classic Eclipse OCL, and fixes what is
- * in the way of using it headlessly: exact places for all errors, linear parsing, sets that keep
- * their order, extents over the whole resource set, and a reason for every undefined result.
+ * The language OCL over some metamodels: parsing, definitions, evaluation, and the reasons of false
+ * and undefined values. The doors for other bundles; no type of Eclipse OCL leaves them.
  */
 package dev.eventchain.ocl;

@@ -2,6 +2,7 @@ package dev.eventchain.ocl;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.ocl.evaluation.Evaluation;
 import java.util.ArrayList;
 import java.util.List;
 

@@ -6,6 +6,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.fixtures.TestModels;
+import dev.eventchain.ocl.evaluation.Evaluation;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;

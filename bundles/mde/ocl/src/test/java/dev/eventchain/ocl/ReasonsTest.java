@@ -4,6 +4,9 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.fixtures.TestModels;
+import dev.eventchain.ocl.evaluation.Evaluation;
+import dev.eventchain.ocl.evaluation.Invalid;
+import dev.eventchain.ocl.values.Unlimited;
 import java.util.List;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.emf.ecore.EPackage;

@@ -7,6 +7,8 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.fixtures.TestModels;
+import dev.eventchain.ocl.evaluation.Evaluation;
+import dev.eventchain.ocl.evaluation.Invalid;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

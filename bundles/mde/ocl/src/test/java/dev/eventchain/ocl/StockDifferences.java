@@ -1,5 +1,6 @@
 package dev.eventchain.ocl;
 
+import dev.eventchain.ocl.values.Values;
 import java.math.BigDecimal;
 import java.math.BigInteger;
 import java.util.ArrayList;

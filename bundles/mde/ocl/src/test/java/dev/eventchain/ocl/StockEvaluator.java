@@ -1,5 +1,6 @@
 package dev.eventchain.ocl;
 
+import dev.eventchain.ocl.parse.OclEnvironment;
 import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.IdentityHashMap;

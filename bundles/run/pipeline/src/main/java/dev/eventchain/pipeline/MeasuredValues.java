@@ -5,7 +5,7 @@ import dev.eventchain.constraints.OclConstraint.Verdict;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainPackage;
 import dev.eventchain.ocl.Expression.Navigation;
-import dev.eventchain.ocl.TimeBudget;
+import dev.eventchain.ocl.evaluation.TimeBudget;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;

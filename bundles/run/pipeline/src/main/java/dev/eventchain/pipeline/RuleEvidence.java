@@ -5,7 +5,7 @@ import dev.eventchain.constraints.OclConstraint;
 import dev.eventchain.constraints.OclResult;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.model.eventchain.EventChain;
-import dev.eventchain.ocl.TimeBudget;
+import dev.eventchain.ocl.evaluation.TimeBudget;
 import dev.eventchain.project.Requirements;
 import java.util.ArrayList;
 import java.util.List;

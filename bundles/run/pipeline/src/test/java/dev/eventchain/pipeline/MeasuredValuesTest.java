@@ -14,7 +14,7 @@ import dev.eventchain.model.eventchain.Measurement;
 import dev.eventchain.model.eventchain.NodeMeasurement;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.model.eventchain.Statistics;
-import dev.eventchain.ocl.TimeBudget;
+import dev.eventchain.ocl.evaluation.TimeBudget;
 import java.time.Duration;
 import java.util.List;
 import org.junit.jupiter.api.Test;

@@ -1,0 +1,50 @@
+package dev.eventchain.m2t.compile;
+
+import dev.eventchain.m2t.library.OperationTable;
+import dev.eventchain.m2t.library.ServiceLibrary;
+import dev.eventchain.m2t.services.Services;
+import dev.eventchain.m2t.template.CallLibrary;
+import dev.eventchain.ocl.dialect.Dialect;
+import dev.eventchain.ocl.dialect.OperationLibrary;
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EcorePackage;
+import org.eclipse.ocl.types.AnyType;
+
+/**
+ * OCL as the templates of Acceleo 3 use it: with calls of templates, queries and Java services,
+ * with the operations of its library, and with types that are looked at when a value is there.
+ */
+record AcceleoDialect(List<OperationLibrary> libraries) implements Dialect {
+  /** The name that OCL's own library has for the type of the elements of a collection. */
+  private static final String ELEMENT_TYPE = "T";
+
+  static AcceleoDialect of(CallLibrary calls, Services services) {
+    return new AcceleoDialect(List.of(calls, new OperationTable(), new ServiceLibrary(services)));
+  }
+
+  @Override
+  public boolean takesAnyElement() {
+    return true;
+  }
+
+  /** Whatever is not known better may be a model element. */
+  @Override
+  public Optional<EClassifier> assumed(EClassifier type) {
+    return type instanceof AnyType<?>
+        ? Optional.of(EcorePackage.Literals.EOBJECT)
+        : Optional.empty();
+  }
+
+  @Override
+  public boolean meansAnyType(String name) {
+    return name.equals(ELEMENT_TYPE);
+  }
+
+  @Override
+  public Optional<OperationLibrary.Implementation> endOf(
+      OperationLibrary.Implementation operation, boolean first) {
+    return operation instanceof OperationTable.RowCall row ? row.endOnly(first) : Optional.empty();
+  }
+}

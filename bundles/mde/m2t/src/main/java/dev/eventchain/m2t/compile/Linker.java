@@ -1,0 +1,356 @@
+package dev.eventchain.m2t.compile;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceRange;
+import dev.eventchain.m2t.library.ServiceLibrary;
+import dev.eventchain.m2t.services.Services;
+import dev.eventchain.m2t.syntax.Brackets;
+import dev.eventchain.m2t.syntax.ModuleLoader;
+import dev.eventchain.m2t.syntax.Place;
+import dev.eventchain.m2t.syntax.Problems;
+import dev.eventchain.m2t.syntax.Syntax;
+import dev.eventchain.m2t.syntax.Syntax.Visibility;
+import dev.eventchain.m2t.template.CallLibrary;
+import dev.eventchain.m2t.template.Callable;
+import dev.eventchain.m2t.template.Callable.Parameter;
+import dev.eventchain.m2t.template.Query;
+import dev.eventchain.m2t.template.Signatures;
+import dev.eventchain.m2t.template.Step;
+import dev.eventchain.m2t.template.Template;
+import dev.eventchain.ocl.Expression;
+import dev.eventchain.ocl.ExpressionLanguage;
+import dev.eventchain.ocl.Scope;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EcorePackage;
+
+/**
+ * Connects modules: first all signatures, then who sees whom and who overrides whom, then the
+ * bodies, which can call all that their module sees.
+ */
+public final class Linker {
+  /** A module on its way: what it declares, what it sees, and its language. */
+  private record Unit(
+      ModuleLoader.Loaded loaded,
+      CallLibrary calls,
+      ExpressionCompiler expressions,
+      Map<Syntax.Template, Template> templates,
+      Map<Syntax.Query, Query> queries) {
+    Stream<Callable> callables() {
+      return Stream.concat(templates.values().stream(), queries.values().stream());
+    }
+  }
+
+  private final Collection<EPackage> packages;
+  private final Map<String, Unit> units = new LinkedHashMap<>();
+
+  /** How many queries there are so far. */
+  private int queries;
+
+  private final Services services;
+  private final Usage usage = new Usage();
+
+  private Linker(Collection<EPackage> packages, Services services) {
+    this.packages = packages;
+    this.services = services;
+  }
+
+  /** The templates of the main module, which is the first. */
+  public static List<Template> link(
+      Map<String, ModuleLoader.Loaded> modules, Collection<EPackage> packages, Services services) {
+    Linker linker = new Linker(packages, services);
+    modules.forEach((name, loaded) -> linker.units.put(name, linker.unit(loaded)));
+    linker.units.values().forEach(linker::declare);
+    linker.units.values().forEach(linker::connect);
+    linker.units.values().forEach(linker::override);
+    linker.units.values().forEach(linker::define);
+    linker.lint();
+    return List.copyOf(linker.units.values().iterator().next().templates().values());
+  }
+
+  private Unit unit(ModuleLoader.Loaded loaded) {
+    CallLibrary calls = new CallLibrary();
+    ExpressionLanguage language =
+        ExpressionLanguage.of(metamodels(loaded), AcceleoDialect.of(calls, services));
+    ExpressionCompiler expressions = new ExpressionCompiler(language, loaded.problems(), usage);
+    return new Unit(loaded, calls, expressions, new LinkedHashMap<>(), new LinkedHashMap<>());
+  }
+
+  private List<EPackage> metamodels(ModuleLoader.Loaded loaded) {
+    List<EPackage> found = new ArrayList<>();
+    for (SourceRange span : loaded.syntax().metamodels()) {
+      String uri = span.text();
+      String bare = uri.replaceAll("^'|'$", "");
+      Optional<EPackage> metamodel =
+          Stream.concat(packages.stream(), Stream.of(EcorePackage.eINSTANCE))
+              .filter(each -> bare.equals(each.getNsURI()))
+              .findFirst();
+      metamodel.ifPresentOrElse(
+          found::add,
+          () ->
+              loaded
+                  .problems()
+                  .error(
+                      "m2t.metamodel.unknown",
+                      span.start(),
+                      "There is no metamodel '" + bare + "'.",
+                      known()));
+    }
+    // An error says so already; with some types at hand the rest can be checked all the same.
+    return found.isEmpty() ? List.copyOf(packages) : found;
+  }
+
+  private String known() {
+    List<String> uris = packages.stream().map(EPackage::getNsURI).sorted().toList();
+    return uris.isEmpty()
+        ? "None is known: name the .ecore file of the metamodel."
+        : "Known metamodels: " + String.join(", ", uris) + ".";
+  }
+
+  private void declare(Unit unit) {
+    for (Syntax.Template template : unit.loaded().syntax().templates()) {
+      parameters(template.parameters(), unit)
+          .ifPresent(
+              parameters ->
+                  unit.templates()
+                      .put(
+                          template,
+                          new Template(
+                              template.name().text(),
+                              template.visibility(),
+                              parameters,
+                              unit.expressions().language().type("String"),
+                              template.guard().isPresent(),
+                              template.main(),
+                              place(template.name(), unit))));
+    }
+    for (Syntax.Query query : unit.loaded().syntax().queries()) {
+      Optional<List<Parameter>> parameters = parameters(query.parameters(), unit);
+      Optional<EClassifier> type = unit.expressions().type(query.type());
+      if (parameters.isPresent() && type.isPresent()) {
+        unit.queries().put(query, declared(query, parameters.get(), type.get(), unit));
+      }
+    }
+    new Duplicates(unit.loaded().problems()).report(unit.callables().toList(), unit.templates());
+  }
+
+  private Query declared(
+      Syntax.Query query, List<Parameter> parameters, EClassifier type, Unit unit) {
+    return new Query(
+        queries++,
+        query.name().text(),
+        query.visibility(),
+        parameters,
+        type,
+        place(query.name(), unit));
+  }
+
+  private static Place place(Syntax.Name name, Unit unit) {
+    return new Place(unit.loaded().problems().source(), name.start());
+  }
+
+  private Optional<List<Parameter>> parameters(List<Syntax.Variable> declared, Unit unit) {
+    List<Parameter> parameters = new ArrayList<>();
+    for (Syntax.Variable variable : declared) {
+      Optional<EClassifier> type = unit.expressions().type(variable.type().orElseThrow());
+      type.ifPresent(
+          t ->
+              parameters.add(
+                  new Parameter(variable.name().text(), t, unit.expressions().instancesOf(t))));
+    }
+    return parameters.size() == declared.size() ? Optional.of(parameters) : Optional.empty();
+  }
+
+  /** A module sees its own, then what it extends, then the public part of what it imports. */
+  private void connect(Unit unit) {
+    unit.callables().forEach(unit.calls()::add);
+    inherit(unit, unit, new HashSet<>());
+    for (Syntax.Name name : unit.loaded().syntax().imports()) {
+      Unit imported = named(name, unit);
+      if (imported != null) {
+        Set<Unit> family = new HashSet<>();
+        family.add(imported);
+        ancestors(imported, family);
+        units.values().stream()
+            .filter(family::contains)
+            .flatMap(Unit::callables)
+            .filter(callable -> callable.visibility() == Visibility.PUBLIC)
+            .forEach(unit.calls()::add);
+      }
+    }
+  }
+
+  /** The module that another one means by a name; null if there is none, which is an error. */
+  private Unit named(Syntax.Name name, Unit by) {
+    return units.get(by.loaded().names().get(name.text()));
+  }
+
+  private void inherit(Unit unit, Unit from, Set<Unit> seen) {
+    for (Syntax.Name name : from.loaded().syntax().extended()) {
+      Unit extended = named(name, from);
+      if (extended != null && seen.add(extended)) {
+        extended
+            .callables()
+            .filter(callable -> callable.visibility() != Visibility.PRIVATE)
+            .forEach(unit.calls()::add);
+        inherit(unit, extended, seen);
+      }
+    }
+  }
+
+  private void ancestors(Unit unit, Set<Unit> into) {
+    for (Syntax.Name name : unit.loaded().syntax().extended()) {
+      Unit extended = named(name, unit);
+      if (extended != null && into.add(extended)) {
+        ancestors(extended, into);
+      }
+    }
+  }
+
+  private void override(Unit unit) {
+    unit.templates()
+        .forEach(
+            (syntax, template) -> {
+              for (Syntax.Name name : syntax.overrides()) {
+                Optional<Template> other =
+                    unit.calls().templates(name.text()).stream()
+                        .filter(each -> !unit.templates().containsValue(each))
+                        .filter(each -> each.parameters().size() == template.parameters().size())
+                        .findFirst();
+                override(template, other, name, unit);
+              }
+            });
+  }
+
+  private static void override(
+      Template template, Optional<Template> other, Syntax.Name name, Unit unit) {
+    if (other.isEmpty()) {
+      unit.loaded()
+          .problems()
+          .error(
+              "m2t.super",
+              name.start(),
+              "No extended module has a template '"
+                  + name.text()
+                  + "' with the same number of parameters.",
+              overridable(name.text(), unit));
+    } else if (other.get().overrides(template)) {
+      unit.loaded()
+          .problems()
+          .error(
+              "m2t.super",
+              name.start(),
+              "The template '" + name.text() + "' already overrides this one.",
+              "Let only one of two modules override templates of the other.");
+    } else {
+      template.override(other.get());
+    }
+  }
+
+  private static String overridable(String name, Unit unit) {
+    List<String> names = unit.calls().names().stream().sorted().toList();
+    String meant = NearestName.question(name, names);
+    return meant.isEmpty() ? "Name the module in [module ... extends other]." : meant;
+  }
+
+  private void define(Unit unit) {
+    DiagnosticException.runAt(
+        SourceLocation.of(unit.loaded().problems().source().name()),
+        () -> {
+          unit.queries().forEach((syntax, query) -> define(syntax, query, unit));
+          unit.templates().forEach((syntax, template) -> define(syntax, template, unit));
+        });
+  }
+
+  private void define(Syntax.Query syntax, Query query, Unit unit) {
+    usage.enter(query);
+    Scope scope = scope(query, unit);
+    Optional<Expression> value = unit.expressions().parse(syntax.value(), scope);
+    if (value.isEmpty()) {
+      return;
+    }
+    ExpressionLanguage language = unit.expressions().language();
+    boolean service = value.get().outermostCall().orElse(null) instanceof ServiceLibrary.Call;
+    if (!service && !new Signatures(language).mayFit(value.get().type(), query.resultType())) {
+      unit.loaded()
+          .problems()
+          .warning(
+              "m2t.query.type",
+              syntax.value().start(),
+              "The query is of type '"
+                  + value.get().type().getName()
+                  + "', not '"
+                  + query.resultType().getName()
+                  + "'.",
+              "Fix the type after the colon, or the expression.");
+    }
+    if (service) {
+      query.defineService(value.get(), unit.expressions().valuesOf(query.resultType()));
+    } else {
+      query.define(value.get());
+    }
+  }
+
+  private void define(Syntax.Template syntax, Template template, Unit unit) {
+    usage.enter(template);
+    Scope scope = scope(template, unit);
+    BodyCompiler compiler = new BodyCompiler(unit.expressions(), template);
+    Optional<Expression> guard = compiler.condition(syntax.guard(), scope);
+    EClassifier text = unit.expressions().language().type("String");
+    Optional<Expression> post =
+        syntax.post().flatMap(span -> unit.expressions().parse(span, scope.with("self", text)));
+    List<Step.Variable> variables = new ArrayList<>();
+    Scope inside = compiler.variables(syntax.variables(), scope, variables);
+    Step body = compiler.body(syntax.body(), inside);
+    template.define(new Template.Definition(guard, post, List.copyOf(variables), body));
+  }
+
+  /** Warnings make no sense while there are errors. */
+  private void lint() {
+    String main = units.keySet().iterator().next();
+    if (Diagnostic.anyError(units.get(main).loaded().problems().found())) {
+      return;
+    }
+    List<Lints.Subject> subjects = new ArrayList<>();
+    for (Map.Entry<String, Unit> entry : units.entrySet()) {
+      Unit unit = entry.getValue();
+      Problems problems = unit.loaded().problems();
+      boolean isMain = entry.getKey().equals(main);
+      unit.templates()
+          .forEach(
+              (syntax, template) -> {
+                subjects.add(new Lints.Subject(template, syntax.parameters(), isMain, problems));
+                Brackets.check(syntax.body(), problems);
+              });
+      unit.queries()
+          .forEach(
+              (syntax, query) ->
+                  subjects.add(new Lints.Subject(query, syntax.parameters(), isMain, problems)));
+    }
+    Lints.check(subjects, usage);
+  }
+
+  /** The parameters, and the first of them as self. */
+  private static Scope scope(Callable callable, Unit unit) {
+    Scope scope = unit.expressions().language().root();
+    if (!callable.parameters().isEmpty()) {
+      scope = scope.with("self", callable.parameters().get(0).type());
+    }
+    for (Parameter parameter : callable.parameters()) {
+      scope = scope.with(parameter.name(), parameter.type());
+    }
+    return scope;
+  }
+}

@@ -1,0 +1,27 @@
+package dev.eventchain.m2t.compile;
+
+import dev.eventchain.m2t.template.Callable;
+import dev.eventchain.ocl.Expression;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/** The expressions of each callable, noted while they are parsed, for the {@link Lints}. */
+final class Usage {
+  private final Map<Callable, List<Expression>> expressions = new HashMap<>();
+  private List<Expression> current = new ArrayList<>();
+
+  /** From now on, expressions belong to this callable. */
+  void enter(Callable callable) {
+    current = expressions.computeIfAbsent(callable, key -> new ArrayList<>());
+  }
+
+  void add(Expression expression) {
+    current.add(expression);
+  }
+
+  List<Expression> of(Callable callable) {
+    return expressions.getOrDefault(callable, List.of());
+  }
+}

@@ -1,0 +1,276 @@
+package dev.eventchain.m2t.files;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.m2t.generation.GenerationResult;
+import dev.eventchain.m2t.report.RunReport;
+import dev.eventchain.m2t.text.OriginMarks;
+import dev.eventchain.m2t.text.OutputBuffer;
+import dev.eventchain.m2t.text.RunWriter;
+import dev.eventchain.output.OutputPath;
+import dev.eventchain.output.ProtectedAreas;
+import dev.eventchain.output.ProtectedAreas.Area;
+import java.nio.charset.Charset;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import org.eclipse.emf.ecore.EObject;
+
+/** A file of a run, which one or more blocks write, and what people wrote into the earlier one. */
+final class GeneratedFile {
+
+  /** An area of the earlier file. */
+  private static final class Earlier {
+    private final String line;
+    private final String content;
+    private boolean taken;
+    private Diagnostic loss;
+
+    Earlier(Area area, String text) {
+      line = area.line();
+      content = area.content(text);
+    }
+
+    String id() {
+      return line.strip();
+    }
+
+    /** The area as it was in the file. */
+    String text() {
+      return ProtectedAreas.START + line + content + ProtectedAreas.END + "\n";
+    }
+  }
+
+  private final String path;
+  private final Charset charset;
+  private final boolean left;
+  private final List<Earlier> earlier = new ArrayList<>();
+  private final Map<String, List<Earlier>> earlierById = new HashMap<>();
+
+  /** The ids of the areas that templates began, and where in the output of the run they did. */
+  private final Map<String, Integer> begun = new HashMap<>();
+
+  /** The ids of the areas in the blocks that are complete. */
+  private final Set<String> written = new HashSet<>();
+
+  private boolean lossesNoted;
+  private byte[] content;
+  private SourceLocation block;
+
+  /** What the block that began the file was at work on; null if on nothing. */
+  private EObject element;
+
+  private GeneratedFile(String path, Charset charset, boolean left) {
+    this.path = path;
+    this.charset = charset;
+    this.left = left;
+  }
+
+  /** A file that takes the place of an earlier one, if there was one. */
+  static GeneratedFile of(String path, Charset charset, Optional<String> earlierText) {
+    GeneratedFile file = new GeneratedFile(path, charset, false);
+    String text = earlierText.orElse("");
+    for (Area found : ProtectedAreas.in(text)) {
+      Earlier area = new Earlier(found, text);
+      file.earlier.add(area);
+      file.earlierById.computeIfAbsent(area.id(), any -> new ArrayList<>()).add(area);
+    }
+    return file;
+  }
+
+  /** A file that stays as it is. */
+  static GeneratedFile left(String path, Charset charset, byte[] content) {
+    GeneratedFile file = new GeneratedFile(path, charset, true);
+    file.content = content;
+    return file;
+  }
+
+  String path() {
+    return path;
+  }
+
+  Charset charset() {
+    return charset;
+  }
+
+  /**
+   * Notes what begins the file.
+   *
+   * @param at the element at work; null if there is none
+   */
+  void begunBy(SourceLocation place, EObject at) {
+    block = place;
+    element = at;
+  }
+
+  /** The block that began the file, and for what. */
+  String beginning(RunReport report) {
+    return element == null ? block.toString() : block + " for " + report.nameOf(element);
+  }
+
+  /** Whether the earlier file stays, so that nothing is written. */
+  boolean isLeft() {
+    return left;
+  }
+
+  /** What was written so far; null if no block is complete. */
+  byte[] content() {
+    return content;
+  }
+
+  /** Goes on with what another block wrote. */
+  void add(byte[] more) {
+    if (content == null) {
+      content = more;
+    } else {
+      int length = content.length;
+      content = Arrays.copyOf(content, length + more.length);
+      System.arraycopy(more, 0, content, length, more.length);
+    }
+  }
+
+  /** Notes that an area starts at the end of the output; its text may be dropped later. */
+  void begin(String id, OutputBuffer output) {
+    begun.put(id, output.mark().start());
+  }
+
+  /** Whether the file has an area of this id, as far as it is written. */
+  boolean has(String id, OutputBuffer output) {
+    Integer start = begun.get(id);
+    return written.contains(id)
+        || (start != null && output.hasAt(start, ProtectedAreas.START + id));
+  }
+
+  /**
+   * The text of a block with the content that people gave its areas, with which neither indentation
+   * nor any operation may meddle. It is given to the trace.
+   *
+   * @param place of the block
+   */
+  String merged(
+      String text,
+      Optional<OriginMarks> marks,
+      SourceLocation place,
+      RunReport report,
+      RunWriter writer) {
+    List<Area> areas = ProtectedAreas.in(text);
+    if (areas.isEmpty()) {
+      marks.ifPresent(origins -> writer.tracing().file(path, text, origins));
+      return text;
+    }
+    OutputBuffer merged = new OutputBuffer(marks.isPresent());
+    OutputBuffer.Part all = merged.mark();
+    int from = 0;
+    for (Area area : areas) {
+      check(area, text, place, report);
+      Optional<Earlier> kept = take(area.line().strip());
+      if (kept.isPresent()) {
+        append(text, from, area.start(), marks, merged);
+        String content = kept.get().content;
+        append(content, 0, content.length(), marks.map(any -> OriginMarks.NOWHERE), merged);
+        from = area.end();
+      }
+    }
+    append(text, from, text.length(), marks, merged);
+    String whole = merged.textOf(all);
+    merged.marksOf(all).ifPresent(origins -> writer.tracing().file(path, whole, origins));
+    return whole;
+  }
+
+  private static void append(
+      String text, int from, int to, Optional<OriginMarks> marks, OutputBuffer merged) {
+    String part = text.substring(from, to);
+    if (marks.isEmpty()) {
+      merged.append(part);
+    } else {
+      merged.append(part, marks.get().between(from, to));
+    }
+  }
+
+  /** Reports areas that variables or operations brought where no area can be. */
+  private void check(Area area, String text, SourceLocation place, RunReport report) {
+    String id = idOf(area.line().strip());
+    if (!written.add(id)) {
+      refuse(id, "has the same id as another area of the file", place, report);
+    }
+    int inner = text.indexOf(ProtectedAreas.START, area.start());
+    if (inner >= 0 && inner < area.end()) {
+      int start = inner + ProtectedAreas.START.length();
+      String line = text.substring(start, ProtectedAreas.endOfLine(text, start)).strip();
+      if (begun.containsKey(idOf(line))) {
+        refuse(idOf(line), "is inside the area '" + OutputPath.shown(id) + "'", place, report);
+      }
+    }
+  }
+
+  static void refuse(String id, String problem, SourceLocation place, RunReport report) {
+    report.error(
+        "m2t.protected.id",
+        place,
+        "The protected area '" + OutputPath.shown(id) + "' " + problem + ".",
+        "Give each area of a file its own id.");
+  }
+
+  /** The id that a line starts with, the longest there is; templates may write more after it. */
+  private String idOf(String line) {
+    for (int end = line.length(); end > 0; end--) {
+      String start = line.substring(0, end);
+      if (begun.containsKey(start)) {
+        return start;
+      }
+    }
+    return line;
+  }
+
+  private Optional<Earlier> take(String line) {
+    Optional<Earlier> found = untaken(line).or(() -> untaken(idOf(line)));
+    found.ifPresent(area -> area.taken = true);
+    return found;
+  }
+
+  private Optional<Earlier> untaken(String id) {
+    return earlierById.getOrDefault(id, List.of()).stream().filter(area -> !area.taken).findFirst();
+  }
+
+  /** Prepares to warn, for the element at work, of the areas that the first block did not have. */
+  void noteLosses(String lostPath, RunReport report) {
+    if (lossesNoted) {
+      return;
+    }
+    lossesNoted = true;
+    for (Earlier area : earlier) {
+      if (!area.taken) {
+        area.loss =
+            report.warning(
+                GenerationResult.LOST_AREA,
+                SourceLocation.of(path),
+                "The protected area '"
+                    + OutputPath.shown(area.id())
+                    + "' is no longer generated; its content was saved in '"
+                    + lostPath
+                    + "'.",
+                "Move the content to where it belongs now, and delete the file.");
+      }
+    }
+  }
+
+  /** Whether there are areas that no block had. */
+  boolean losesAreas() {
+    return earlier.stream().anyMatch(area -> !area.taken);
+  }
+
+  /** The warnings of the areas that no block had. */
+  List<Diagnostic> losses() {
+    return earlier.stream().filter(area -> !area.taken).map(area -> area.loss).toList();
+  }
+
+  /** The areas that no block had, each as it was in the file. */
+  List<String> lost() {
+    return earlier.stream().filter(area -> !area.taken).map(Earlier::text).toList();
+  }
+}

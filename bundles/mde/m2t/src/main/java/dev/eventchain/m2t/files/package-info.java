@@ -1,0 +1,4 @@
+/**
+ * Files of a run: names, charsets, and protected areas kept from earlier files. Knows no template.
+ */
+package dev.eventchain.m2t.files;

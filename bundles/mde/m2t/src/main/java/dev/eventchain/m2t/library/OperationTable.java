@@ -1,0 +1,219 @@
+package dev.eventchain.m2t.library;
+
+import dev.eventchain.m2t.run.GenerationRun;
+import dev.eventchain.ocl.dialect.OperationLibrary;
+import dev.eventchain.ocl.dialect.TypeSystem;
+import dev.eventchain.ocl.evaluation.Evaluation;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.ocl.types.AnyType;
+import org.eclipse.ocl.types.OrderedSetType;
+import org.eclipse.ocl.types.SequenceType;
+import org.eclipse.ocl.types.VoidType;
+
+/**
+ * The non-standard operations of Acceleo templates, as a table: for each operation the kinds of its
+ * source and arguments, the type of its result, and what it does. The rows stand in {@link
+ * TextOperations}, {@link ObjectOperations} and {@link CollectionOperations}.
+ */
+public final class OperationTable implements OperationLibrary {
+
+  /** What a source or an argument may be. */
+  enum Kind {
+    TEXT,
+    /** A text, but not null alone, which is of every type. */
+    SURELY_TEXT,
+    INTEGER,
+    REAL,
+    COLLECTION,
+    /** A sequence or an ordered set. */
+    ORDERED,
+    /** A type literal. */
+    TYPE,
+    /** Anything but a collection or a type literal. */
+    ANY
+  }
+
+  /** The types of a call, from which the type of its result follows. */
+  record Types(TypeSystem language, EClassifier source, List<EClassifier> arguments) {
+    EClassifier text() {
+      return language.type("String");
+    }
+
+    EClassifier integer() {
+      return language.type("Integer");
+    }
+
+    EClassifier truth() {
+      return language.type("Boolean");
+    }
+
+    EClassifier sequenceOfObjects() {
+      return language.sequenceOf(language.anyObject());
+    }
+
+    /** The type that the first argument names. */
+    EClassifier named() {
+      return language.referredType(arguments.get(0)).orElse(language.any());
+    }
+
+    EClassifier sequenceOfNamed() {
+      return language.sequenceOf(named());
+    }
+  }
+
+  /** The type of a result. */
+  @FunctionalInterface
+  interface ResultType {
+    EClassifier of(Types types);
+  }
+
+  /** What an operation does; a source or an argument that is null never gets here. */
+  @FunctionalInterface
+  interface Body {
+    Object call(Object source, List<Object> arguments, Call call);
+  }
+
+  /** What an operation may need besides its source and arguments. */
+  record Call(TypeSystem language, Evaluation evaluation) {
+    GenerationRun run() {
+      return evaluation.attachment(GenerationRun.class);
+    }
+
+    boolean isInstance(Object value, Object type) {
+      return language.isInstance(value, (EClassifier) type);
+    }
+
+    /** As {@link #isInstance}, but an Integer is not a Real, and nothing is of OclAny itself. */
+    boolean isOfType(Object value, Object type) {
+      if (Reals.isReal((EClassifier) type)) {
+        return Reals.isRealNumber(value);
+      }
+      return !(type instanceof AnyType<?>) && isInstance(value, type);
+    }
+  }
+
+  /** A row of the table. */
+  record Row(
+      String name,
+      Kind source,
+      List<Kind> arguments,
+      ResultType result,
+      boolean takesNull,
+      Body body) {
+    Row(String name, Kind source, List<Kind> arguments, ResultType result, Body body) {
+      this(name, source, arguments, result, false, body);
+    }
+  }
+
+  /**
+   * A walk through the tokens of a text, which continues from call to call, and what is at work.
+   */
+  private static final Set<String> STATEFUL = Set.of("strtok", "current");
+
+  /** By the name, in the order in which they were first named. */
+  private static final Map<String, List<Row>> ROWS =
+      Stream.of(TextOperations.rows(), ObjectOperations.rows(), CollectionOperations.rows())
+          .flatMap(List::stream)
+          .collect(Collectors.groupingBy(Row::name, LinkedHashMap::new, Collectors.toList()));
+
+  @Override
+  public Optional<Operation> lookup(
+      TypeSystem language, EClassifier source, String name, List<EClassifier> argumentTypes) {
+    if (source == null) {
+      return Optional.empty();
+    }
+    for (Row row : ROWS.getOrDefault(name, List.of())) {
+      if (suits(row, source, argumentTypes, language)) {
+        EClassifier result = row.result().of(new Types(language, source, argumentTypes));
+        return Optional.of(
+            new Operation(name, result, new RowCall(row, language, !STATEFUL.contains(name))));
+      }
+    }
+    return Optional.empty();
+  }
+
+  /** Those that are written like a name. */
+  @Override
+  public Collection<String> names() {
+    return ROWS.keySet().stream().filter(name -> Character.isLetter(name.charAt(0))).toList();
+  }
+
+  /** A call of an operation. */
+  public record RowCall(Row row, TypeSystem language, boolean isRepeatable)
+      implements Implementation {
+    public String name() {
+      return row.name();
+    }
+
+    @Override
+    public boolean isSelection() {
+      return row.name().equals(CollectionOperations.FILTER);
+    }
+
+    /** As {@code endOf} of the dialect. */
+    public Optional<Implementation> endOnly(boolean first) {
+      return TextOperations.endOnly(row.name(), row.arguments().size(), first)
+          .map(
+              body ->
+                  new RowCall(
+                      new Row(row.name(), row.source(), row.arguments(), row.result(), body),
+                      language,
+                      isRepeatable));
+    }
+
+    @Override
+    public Object call(Object source, List<Object> arguments, Evaluation run) {
+      if (!row.takesNull()) {
+        if (source == null) {
+          throw new IllegalArgumentException("it is applied to null");
+        }
+        for (int i = 0; i < arguments.size(); i++) {
+          if (arguments.get(i) == null) {
+            throw new IllegalArgumentException("an argument is null");
+          }
+        }
+      }
+      return row.body().call(source, arguments, new Call(language, run));
+    }
+  }
+
+  private static boolean suits(
+      Row row, EClassifier source, List<EClassifier> argumentTypes, TypeSystem language) {
+    if (row.arguments().size() != argumentTypes.size() || !is(row.source(), source, language)) {
+      return false;
+    }
+    for (int i = 0; i < argumentTypes.size(); i++) {
+      if (!is(row.arguments().get(i), argumentTypes.get(i), language)) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private static boolean is(Kind kind, EClassifier type, TypeSystem language) {
+    boolean collection = language.elementType(type).isPresent();
+    boolean literal = language.referredType(type).isPresent();
+    return switch (kind) {
+      case TEXT -> !collection && !literal && language.conforms(type, language.type("String"));
+      case SURELY_TEXT -> is(Kind.TEXT, type, language) && !(type instanceof VoidType<?>);
+      case INTEGER -> !collection && !literal && language.conforms(type, language.type("Integer"));
+      case REAL -> !collection && !literal && language.conforms(type, language.type("Real"));
+      case COLLECTION -> collection;
+      case ORDERED -> collection && isOrdered(type);
+      case TYPE -> literal;
+      case ANY -> !collection && !literal;
+    };
+  }
+
+  private static boolean isOrdered(EClassifier type) {
+    return type instanceof SequenceType<?, ?> || type instanceof OrderedSetType<?, ?>;
+  }
+}

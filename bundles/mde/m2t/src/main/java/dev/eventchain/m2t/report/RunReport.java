@@ -1,0 +1,86 @@
+package dev.eventchain.m2t.report;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.m2t.services.ServiceException;
+import dev.eventchain.m2t.text.Texts;
+import dev.eventchain.m2t.text.Undefined;
+import dev.eventchain.ocl.Expression;
+import dev.eventchain.ocl.evaluation.Invalid;
+import java.util.List;
+import java.util.function.Function;
+import org.eclipse.emf.ecore.EObject;
+
+/** What a run finds, with the element at work and the calls on the way to it. */
+public final class RunReport {
+  private final Findings findings = new Findings();
+  private final CallStack calls;
+  private final Function<EObject, SourceLocation> locator;
+
+  public RunReport(CallStack calls, Function<EObject, SourceLocation> locator) {
+    this.calls = calls;
+    this.locator = locator;
+  }
+
+  public List<Diagnostic> all() {
+    return findings.all();
+  }
+
+  public void add(Diagnostic finding) {
+    findings.add(finding);
+  }
+
+  /** A warning for the element at work that may be added later. */
+  public Diagnostic warning(String id, SourceLocation location, String message, String hint) {
+    return Diagnostic.warning(id, message, inModel(location)).withHint(withCalls(hint));
+  }
+
+  public void warn(String id, SourceLocation location, String message, String hint) {
+    add(warning(id, location, message, hint));
+  }
+
+  public void error(String id, SourceLocation location, String message, String hint) {
+    add(Diagnostic.error(id, message, inModel(location)).withHint(withCalls(hint)));
+  }
+
+  /**
+   * Reports that an expression has no value.
+   *
+   * @param use what it was wanted for
+   */
+  public void undefined(Expression expression, Invalid invalid, Undefined use) {
+    boolean placed = invalid.location().line() > 0;
+    boolean service = invalid.cause() instanceof ServiceException;
+    error(
+        service ? "m2t.service" : "m2t.undefined",
+        placed ? invalid.location() : expression.location(),
+        "The value is undefined" + element() + ": " + invalid.reason() + ". " + use.consequence(),
+        service
+            ? "Fix the service, or its arguments."
+            : "Guard the expression with [if], or fix the model.");
+  }
+
+  private String element() {
+    EObject element = calls.element();
+    if (element == null) {
+      return "";
+    }
+    SourceLocation place = locator.apply(element);
+    String shown = place.toString().isEmpty() ? place.element() : place.toString();
+    return " for " + Texts.label(element) + (shown.isEmpty() ? "" : " (" + shown + ")");
+  }
+
+  /** The path of an element in its file; empty if that is not known. */
+  public String nameOf(EObject element) {
+    return locator.apply(element).element();
+  }
+
+  private SourceLocation inModel(SourceLocation location) {
+    EObject element = calls.element();
+    return element == null ? location : location.withElement(nameOf(element));
+  }
+
+  private String withCalls(String hint) {
+    return (hint + " " + calls.shown()).strip();
+  }
+}

@@ -1,0 +1,263 @@
+package dev.eventchain.m2t.template;
+
+import dev.eventchain.m2t.run.GenerationRun;
+import dev.eventchain.m2t.text.Texts;
+import dev.eventchain.ocl.dialect.OperationLibrary;
+import dev.eventchain.ocl.dialect.TypeSystem;
+import dev.eventchain.ocl.evaluation.Evaluation;
+import dev.eventchain.ocl.evaluation.Invalid;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
+import org.eclipse.emf.ecore.EClassifier;
+
+/**
+ * The templates and queries that a module can call, as operations: {@code x.name(y)} and {@code
+ * name(x, y)} are the same call. Which template is meant is decided at run time by the arguments:
+ * the one with the most special parameters that takes them. Which query is meant is decided by the
+ * types that the arguments have in the text, or by the arguments if it takes only some values of
+ * these types.
+ */
+public final class CallLibrary implements OperationLibrary {
+  private final List<Callable> visible = new ArrayList<>();
+
+  /** Makes a callable visible; of two with the same parameters the first added wins. */
+  public void add(Callable callable) {
+    if (!visible.contains(callable)) {
+      visible.add(callable);
+    }
+  }
+
+  /** The templates of a name, in the order in which they became visible. */
+  public List<Template> templates(String name) {
+    return visible.stream()
+        .filter(Template.class::isInstance)
+        .map(Template.class::cast)
+        .filter(template -> template.name().equals(name))
+        .toList();
+  }
+
+  @Override
+  public Collection<String> names() {
+    return visible.stream().map(Callable::name).distinct().toList();
+  }
+
+  @Override
+  public Optional<Operation> lookup(
+      TypeSystem language, EClassifier source, String name, List<EClassifier> argumentTypes) {
+    return operation(language, source, name, argumentTypes, false);
+  }
+
+  @Override
+  public Optional<Operation> lookupLoosely(
+      TypeSystem language, EClassifier source, String name, List<EClassifier> argumentTypes) {
+    return operation(language, source, name, argumentTypes, true);
+  }
+
+  private Optional<Operation> operation(
+      TypeSystem language,
+      EClassifier source,
+      String name,
+      List<EClassifier> argumentTypes,
+      boolean loosely) {
+    List<EClassifier> types = new ArrayList<>(argumentTypes);
+    if (source != null) {
+      types.add(0, source);
+    }
+    Signatures signatures = new Signatures(language);
+    List<Callable> candidates =
+        visible.stream()
+            .filter(callable -> callable.name().equals(name))
+            .filter(callable -> callable.parameters().size() == types.size())
+            .toList();
+    List<Callable> suitable = signatures.suiting(types, candidates, loosely);
+    if (suitable.isEmpty()) {
+      return Optional.empty();
+    }
+    Callable meant = suitable.get(0);
+    List<Callable> called = called(meant, candidates, signatures, loosely);
+    boolean one = called.stream().allMatch(each -> each.resultType().equals(meant.resultType()));
+    List<Callable> general = fromTheMostGeneral(called);
+    Call call = new Call(name, overridingFirst(called), overridingFirst(general), source != null);
+    return Optional.of(new Operation(name, one ? meant.resultType() : language.any(), call));
+  }
+
+  /** The most special last; those with the same parameters keep their order. */
+  private static List<Callable> fromTheMostGeneral(List<Callable> callables) {
+    List<Callable> general = new ArrayList<>();
+    for (Callable callable : callables) {
+      int alike = general.stream().map(CallLibrary::types).toList().lastIndexOf(types(callable));
+      general.add(alike + 1, callable);
+    }
+    return general;
+  }
+
+  private static List<EClassifier> types(Callable callable) {
+    return callable.parameters().stream().map(Callable.Parameter::type).toList();
+  }
+
+  /** What a call may turn out to mean at run time, the most special first. */
+  private static List<Callable> called(
+      Callable meant, List<Callable> candidates, Signatures signatures, boolean loosely) {
+    if (loosely) {
+      return signatures.bySpeciality(candidates);
+    }
+    return meant instanceof Query
+        ? List.of(meant)
+        : signatures.bySpeciality(candidates.stream().filter(Template.class::isInstance).toList());
+  }
+
+  /**
+   * Each template behind those that override it: where their guards refuse, it is asked. Only
+   * templates that the module sees count, so a module calls its own whatever others override.
+   */
+  private List<Callable> overridingFirst(List<Callable> callables) {
+    Set<Callable> ordered = new LinkedHashSet<>();
+    callables.forEach(callable -> addOverridingFirst(callable, ordered));
+    return List.copyOf(ordered);
+  }
+
+  private void addOverridingFirst(Callable callable, Set<Callable> into) {
+    for (Callable other : visible) {
+      if (other instanceof Template template && template.overridden().contains(callable)) {
+        addOverridingFirst(other, into);
+      }
+    }
+    into.add(callable);
+  }
+
+  /** A call of one of some callables. */
+  public static final class Call implements OperationLibrary.Implementation {
+    private final String name;
+    private final boolean hasSource;
+    private final Callable[] candidates;
+    private final Callable[] fromTheMostGeneral;
+
+    /** Found out when it is first asked, when all modules are complete. */
+    private volatile Boolean repeatable;
+
+    /**
+     * Makes a call.
+     *
+     * @param candidates the most special first
+     * @param fromTheMostGeneral the same ones for null
+     */
+    private Call(
+        String name,
+        List<Callable> candidates,
+        List<Callable> fromTheMostGeneral,
+        boolean hasSource) {
+      this.name = name;
+      this.candidates = candidates.toArray(Callable[]::new);
+      this.fromTheMostGeneral = fromTheMostGeneral.toArray(Callable[]::new);
+      this.hasSource = hasSource;
+    }
+
+    public List<Callable> candidates() {
+      return List.of(candidates);
+    }
+
+    public boolean callsTemplates() {
+      return candidates[0] instanceof Template;
+    }
+
+    /** Of a query, whose result fits its declaration at run time only, if it does. */
+    @Override
+    public boolean mayGiveOtherTypes() {
+      return !callsTemplates();
+    }
+
+    /**
+     * So are queries that call nothing but what is; templates may write files. What calls itself is
+     * not: for some elements it may have no end.
+     */
+    @Override
+    public boolean isRepeatable() {
+      Boolean known = repeatable;
+      if (known == null) {
+        repeatable = false;
+        known = Stream.of(candidates).allMatch(Call::callsRepeatableOnly);
+        repeatable = known;
+      }
+      return known;
+    }
+
+    private static boolean callsRepeatableOnly(Callable callable) {
+      return callable instanceof Query query
+          && query.calls().allMatch(OperationLibrary.Implementation::isRepeatable);
+    }
+
+    @Override
+    public Object call(Object source, List<Object> arguments, Evaluation evaluation) {
+      GenerationRun run = evaluation.attachment(GenerationRun.class);
+      List<Object> all = all(source, arguments);
+      Callable callable = find(all, run);
+      return callable == null ? untaken(all, run) : callable.call(all, run);
+    }
+
+    /**
+     * A template that refuses by its guard prints nothing; what no parameter takes is a mistake.
+     */
+    private Object untaken(List<Object> arguments, GenerationRun run) {
+      if (Stream.of(candidates).anyMatch(candidate -> candidate.takes(arguments))) {
+        return "";
+      }
+      return new Invalid(
+          "no %s '%s' takes these arguments"
+              .formatted(callsTemplates() ? "template" : "query", name),
+          run.place(),
+          Invalid.Kind.OTHER);
+    }
+
+    /**
+     * Writes the text of the call, or the value if it is a query that takes the arguments.
+     *
+     * @param indentation what goes after each of its line breaks
+     * @return an {@link Invalid} if there is no value; otherwise null
+     */
+    Object write(Object source, List<Object> arguments, GenerationRun run, String indentation) {
+      List<Object> all = all(source, arguments);
+      Callable callable = find(all, run);
+      if (callable instanceof Template template) {
+        template.write(all, run, indentation);
+      } else if (callable != null) {
+        Object value = callable.call(all, run);
+        if (value instanceof Invalid) {
+          return value;
+        }
+        run.appendIndented(Texts.of(value), indentation);
+      } else if (untaken(all, run) instanceof Invalid invalid) {
+        return invalid;
+      }
+      return null;
+    }
+
+    private List<Object> all(Object source, List<Object> arguments) {
+      if (!hasSource) {
+        return arguments;
+      }
+      Object[] all = new Object[arguments.size() + 1];
+      all[0] = source;
+      for (int i = 1; i < all.length; i++) {
+        all[i] = arguments.get(i - 1);
+      }
+      return Arrays.asList(all);
+    }
+
+    /** Null suits every type; it means the most general candidate that expects anything. */
+    private Callable find(List<Object> arguments, GenerationRun run) {
+      boolean isNull = !arguments.isEmpty() && arguments.get(0) == null;
+      for (Callable candidate : isNull ? fromTheMostGeneral : candidates) {
+        if (candidate.accepts(arguments, run)) {
+          return candidate;
+        }
+      }
+      return null;
+    }
+  }
+}

@@ -1,0 +1,139 @@
+package dev.eventchain.m2t.template;
+
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.m2t.run.GenerationRun;
+import dev.eventchain.m2t.services.ServiceException;
+import dev.eventchain.m2t.services.ServiceValues;
+import dev.eventchain.m2t.syntax.Place;
+import dev.eventchain.m2t.syntax.Syntax.Visibility;
+import dev.eventchain.ocl.Expression;
+import dev.eventchain.ocl.dialect.OperationLibrary;
+import dev.eventchain.ocl.evaluation.Evaluation;
+import dev.eventchain.ocl.evaluation.Invalid;
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.impl.BasicEObjectImpl;
+
+/**
+ * A query: an expression with a name, whose values are kept for the length of a run; not those for
+ * which a file or a protected area was begun, because they belong where they were asked for.
+ */
+public final class Query extends Callable {
+  /** What is kept for null. */
+  private static final Object NULL = new Object();
+
+  private final int number;
+  private final EClassifier resultType;
+  private Expression value;
+  private Optional<Predicate<Object>> accepts = Optional.empty();
+
+  /**
+   * A query that is not complete yet.
+   *
+   * @param number tells it from all others that are compiled with it; small
+   */
+  public Query(
+      int number,
+      String name,
+      Visibility visibility,
+      List<Parameter> parameters,
+      EClassifier resultType,
+      Place place) {
+    super(name, visibility, parameters, place);
+    this.number = number;
+    this.resultType = resultType;
+  }
+
+  /** Completes the query, whose value may call any other callable. */
+  public void define(Expression newValue) {
+    value = newValue;
+  }
+
+  /** Completes the query, whose value is what a Java service gives, and says what that may be. */
+  public void defineService(Expression newValue, Predicate<Object> newAccepts) {
+    value = newValue;
+    accepts = Optional.of(newAccepts);
+  }
+
+  /** What its value calls. */
+  Stream<OperationLibrary.Implementation> calls() {
+    return value.libraryCalls().stream().map(Expression.LibraryCall::implementation);
+  }
+
+  @Override
+  public EClassifier resultType() {
+    return resultType;
+  }
+
+  @Override
+  public Object call(List<Object> arguments, GenerationRun run) {
+    for (Object argument : arguments) {
+      // Classes are faster to ask for than an interface that most values do not have.
+      if (!(argument instanceof BasicEObjectImpl)
+          && !(argument instanceof String)
+          && argument instanceof Collection<?>) {
+        return evaluate(arguments, run);
+      }
+    }
+    Object call = arguments.size() == 1 ? arguments.get(0) : arguments;
+    Object known = run.kept().get(number, call);
+    if (known == null) {
+      int begun = run.files().begun();
+      Object computed = evaluate(arguments, run);
+      known = computed == null ? NULL : computed;
+      if (begun == run.files().begun()) {
+        run.kept().put(number, call, known);
+      }
+    }
+    return known == NULL ? null : known;
+  }
+
+  /** The call stands elsewhere, so the reason says where in the query it failed. */
+  private Invalid located(Invalid invalid) {
+    boolean known = invalid.location().line() > 0;
+    SourceLocation place = known ? invalid.location() : value.location();
+    return new Invalid(invalid.reason() + ", at " + place, place, invalid.kind(), invalid.cause());
+  }
+
+  private Object evaluate(List<Object> arguments, GenerationRun run) {
+    Evaluation evaluation = run.evaluation();
+    run.enter(this, arguments);
+    int bindings = evaluation.bindings();
+    try {
+      for (int i = 0; i < arguments.size(); i++) {
+        evaluation.bind(parameters().get(i).name(), arguments.get(i));
+      }
+      Object result = value.evaluate(evaluation);
+      if (result instanceof Invalid invalid && invalid.limit()) {
+        throw run.stop(invalid);
+      }
+      if (result instanceof Invalid invalid) {
+        return located(invalid);
+      }
+      boolean fits = result == null || accepts.isEmpty() || accepts.get().test(result);
+      return fits ? result : misfit(result);
+    } catch (VirtualMachineError e) {
+      run.calls().keep();
+      throw e;
+    } finally {
+      evaluation.unbindTo(bindings);
+      run.leave();
+    }
+  }
+
+  private Invalid misfit(Object result) {
+    ServiceException cause =
+        new ServiceException(
+            "the Java service of the query '"
+                + name()
+                + "' gives "
+                + ServiceValues.shown(result)
+                + ", which is not of type "
+                + resultType.getName());
+    return new Invalid(cause.getMessage(), value.location(), Invalid.Kind.OTHER, cause);
+  }
+}

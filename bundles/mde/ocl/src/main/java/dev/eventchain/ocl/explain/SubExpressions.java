@@ -1,0 +1,51 @@
+package dev.eventchain.ocl.explain;
+
+import dev.eventchain.ocl.evaluation.Evaluation;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.function.Function;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.ocl.ecore.Constraint;
+import org.eclipse.ocl.ecore.EcoreEnvironment;
+import org.eclipse.ocl.expressions.OCLExpression;
+
+/**
+ * The parts of an expression, each ready to be evaluated on its own, once it was asked for. Safe
+ * for threads.
+ */
+public final class SubExpressions {
+
+  /** Evaluates one part. */
+  @FunctionalInterface
+  public interface Part {
+
+    /** The value; the run binds the variables that are declared outside the part. */
+    Object evaluate(Evaluation run);
+  }
+
+  private final EcoreEnvironment environment;
+  private final Function<OCLExpression<EClassifier>, Part> compiler;
+  private final Map<OCLExpression<EClassifier>, Part> known = new ConcurrentHashMap<>();
+
+  /**
+   * Starts.
+   *
+   * @param environment knows the definitions
+   * @param compiler makes a part ready
+   */
+  public SubExpressions(
+      EcoreEnvironment environment, Function<OCLExpression<EClassifier>, Part> compiler) {
+    this.environment = environment;
+    this.compiler = compiler;
+  }
+
+  /** The definition that is behind an operation or a property; null if there is none. */
+  Constraint definition(Object feature) {
+    return environment.getDefinition(feature);
+  }
+
+  /** The value of a part; the run binds the variables that are declared outside it. */
+  Object evaluate(OCLExpression<EClassifier> part, Evaluation run) {
+    return known.computeIfAbsent(part, compiler).evaluate(run);
+  }
+}

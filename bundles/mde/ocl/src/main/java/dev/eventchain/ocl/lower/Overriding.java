@@ -1,0 +1,70 @@
+package dev.eventchain.ocl.lower;
+
+import dev.eventchain.ocl.parse.OclEnvironment;
+import java.util.ArrayList;
+import java.util.List;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EOperation;
+import org.eclipse.emf.ecore.EParameter;
+import org.eclipse.emf.ecore.EStructuralFeature;
+import org.eclipse.emf.ecore.ETypedElement;
+
+/**
+ * Which operation or property of several classes an object has: the one of its class, or of the
+ * nearest class above it. Operations are the same if they have the name and the types of parameters
+ * in common, properties if they have the name.
+ */
+final class Overriding {
+
+  private final OclEnvironment environment;
+
+  Overriding(OclEnvironment environment) {
+    this.environment = environment;
+  }
+
+  /** What a class itself has in the place of a member of a class above it. */
+  List<ETypedElement> in(EClass type, ETypedElement member) {
+    List<ETypedElement> found = new ArrayList<>();
+    for (ETypedElement each : environment.membersOf(type)) {
+      if (each != member && isSame(each, member) && environment.bodyOf(each) != null) {
+        found.add(each);
+      }
+    }
+    return found;
+  }
+
+  /** The member that objects of a class have in the place of one of a class above it. */
+  ETypedElement select(ETypedElement member, EClass type) {
+    EClass nearest = null;
+    ETypedElement selected = member;
+    List<EClass> classes = new ArrayList<>(type.getEAllSuperTypes());
+    classes.add(type);
+    for (EClass each : classes) {
+      List<ETypedElement> own = in(each, member);
+      boolean isMembers = environment.membersOf(each).contains(member);
+      if ((isMembers || !own.isEmpty()) && (nearest == null || nearest.isSuperTypeOf(each))) {
+        nearest = each;
+        selected = isMembers ? member : own.get(0);
+      }
+    }
+    return selected;
+  }
+
+  private static boolean isSame(ETypedElement one, ETypedElement other) {
+    boolean named = one.getName() != null && one.getName().equals(other.getName());
+    return named
+        && (one instanceof EOperation operation
+            ? other instanceof EOperation another && hasSameParameters(operation, another)
+            : other instanceof EStructuralFeature);
+  }
+
+  private static boolean hasSameParameters(EOperation one, EOperation other) {
+    List<EParameter> parameters = one.getEParameters();
+    List<EParameter> others = other.getEParameters();
+    boolean same = parameters.size() == others.size();
+    for (int i = 0; same && i < parameters.size(); i++) {
+      same = parameters.get(i).getEType() == others.get(i).getEType();
+    }
+    return same;
+  }
+}

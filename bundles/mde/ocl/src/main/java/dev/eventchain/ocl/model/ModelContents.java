@@ -1,0 +1,126 @@
+package dev.eventchain.ocl.model;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.Deque;
+import java.util.HashSet;
+import java.util.Iterator;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EObject;
+
+/**
+ * The elements of a model in the order of containment, and by their classes; safe for threads. A
+ * later change of the model is not seen.
+ */
+public final class ModelContents {
+
+  /** Elements that are instances of the same classes, as far as Java is concerned, too. */
+  private record Likeness(EClass type, Class<?> implementation) {
+    static Likeness of(EObject element) {
+      return new Likeness(element.eClass(), element.getClass());
+    }
+
+    boolean fits(EObject element) {
+      return type == element.eClass() && implementation == element.getClass();
+    }
+  }
+
+  private final List<EObject> roots;
+  private final List<EObject> all = new ArrayList<>();
+  private final Map<Likeness, List<EObject>> alike = new LinkedHashMap<>();
+
+  /** Of the latest element, which the next one is likely to be like. */
+  private Likeness latest;
+
+  private List<EObject> likeLatest;
+
+  private ModelContents(Collection<? extends EObject> roots) {
+    this.roots = List.copyOf(roots);
+  }
+
+  /** All elements below some roots, the roots included, each once. */
+  static ModelContents below(Collection<? extends EObject> roots) {
+    ModelContents contents = new ModelContents(roots);
+    Set<EObject> seen = mayOverlap(roots) ? new HashSet<>() : null;
+    contents.roots.forEach(root -> contents.addTree(root, seen));
+    return contents;
+  }
+
+  /** All elements of several models, each once. */
+  static ModelContents union(Set<ModelContents> parts) {
+    if (parts.size() == 1) {
+      return parts.iterator().next();
+    }
+    Set<EObject> elements = new LinkedHashSet<>();
+    parts.forEach(part -> elements.addAll(part.all));
+    ModelContents contents =
+        new ModelContents(parts.stream().flatMap(part -> part.roots.stream()).toList());
+    elements.forEach(contents::add);
+    return contents;
+  }
+
+  /** Whether a root may be found again below another one. */
+  private static boolean mayOverlap(Collection<? extends EObject> roots) {
+    return roots.stream().anyMatch(root -> root.eContainer() != null)
+        || new HashSet<>(roots).size() < roots.size();
+  }
+
+  private void addTree(EObject root, Set<EObject> seen) {
+    Deque<Iterator<EObject>> open = new ArrayDeque<>();
+    open.push(List.of(root).iterator());
+    while (!open.isEmpty()) {
+      if (!open.peek().hasNext()) {
+        open.pop();
+        continue;
+      }
+      EObject element = open.peek().next();
+      if (seen == null || seen.add(element)) {
+        add(element);
+      }
+      List<EObject> children = element.eContents();
+      if (!children.isEmpty()) {
+        open.push(children.iterator());
+      }
+    }
+  }
+
+  private void add(EObject element) {
+    if (latest == null || !latest.fits(element)) {
+      latest = Likeness.of(element);
+      likeLatest = alike.computeIfAbsent(latest, any -> new ArrayList<>());
+    }
+    likeLatest.add(element);
+    all.add(element);
+  }
+
+  /** The roots, in the order in which they were given. */
+  List<EObject> roots() {
+    return roots;
+  }
+
+  /** All elements. */
+  public List<EObject> all() {
+    return Collections.unmodifiableList(all);
+  }
+
+  /** The instances of a class and its subclasses. */
+  public List<EObject> instancesOf(EClass type) {
+    Map<Likeness, List<EObject>> fitting = new LinkedHashMap<>(alike);
+    fitting.values().removeIf(elements -> !type.isInstance(elements.get(0)));
+    if (fitting.size() == 1) {
+      return Collections.unmodifiableList(fitting.values().iterator().next());
+    } else if (fitting.size() == alike.size()) {
+      return all();
+    }
+    return fitting.isEmpty()
+        ? List.of()
+        : all.stream().filter(element -> fitting.containsKey(Likeness.of(element))).toList();
+  }
+}

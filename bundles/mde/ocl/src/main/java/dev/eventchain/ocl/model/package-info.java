@@ -1,0 +1,5 @@
+/**
+ * Access to models: contents, extents, features, operations and instances of types. Knows no
+ * expression.
+ */
+package dev.eventchain.ocl.model;

@@ -1,0 +1,401 @@
+package dev.eventchain.ocl.nodes;
+
+import dev.eventchain.ocl.model.ModelAccess;
+import dev.eventchain.ocl.model.TypeTest;
+import dev.eventchain.ocl.values.CollectionCalls;
+import dev.eventchain.ocl.values.CollectionOperations;
+import dev.eventchain.ocl.values.Numbers;
+import dev.eventchain.ocl.values.ValueSet;
+import dev.eventchain.ocl.values.Values;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import org.eclipse.emf.common.util.EList;
+import org.eclipse.ocl.expressions.CollectionKind;
+import org.eclipse.ocl.util.CollectionUtil;
+import org.eclipse.ocl.utilities.PredefinedType;
+
+/** Operations of collections. */
+public final class CollectionNodes {
+
+  private CollectionNodes() {}
+
+  /** {@code size()}. */
+  public static final class Size extends Node {
+    private final Node source;
+
+    public Size(Node source) {
+      this.source = source;
+    }
+
+    @Override
+    Object evaluate(Frame frame) {
+      Collection<?> elements = source.elements(frame);
+      return elements == null ? INVALID : (Object) elements.size();
+    }
+  }
+
+  /** {@code isEmpty()} and {@code notEmpty()}. */
+  public static final class IsEmpty extends Node {
+    private final Node source;
+    private final boolean wanted;
+
+    public IsEmpty(Node source, boolean wanted) {
+      this.source = source;
+      this.wanted = wanted;
+    }
+
+    @Override
+    Object evaluate(Frame frame) {
+      Collection<?> elements = source.elements(frame);
+      return elements == null ? INVALID : (Object) (elements.isEmpty() == wanted);
+    }
+  }
+
+  /** {@code x->isEmpty()} and {@code x->notEmpty()} of a single value. */
+  public static final class IsAbsent extends Node {
+    private final Node item;
+    private final boolean wanted;
+
+    public IsAbsent(Node item, boolean wanted) {
+      this.item = item;
+      this.wanted = wanted;
+    }
+
+    @Override
+    Object evaluate(Frame frame) {
+      Object value = item.evaluate(frame);
+      return value == INVALID ? INVALID : (Object) ((value == null) == wanted);
+    }
+  }
+
+  /** {@code includes} and {@code excludes}. */
+  public static final class Includes extends GuardedNode {
+    private final Node source;
+    private final Node element;
+    private final boolean wanted;
+    private final boolean integers;
+
+    /** With integers only, those are equal in OCL that are equal in Java. */
+    public Includes(Node source, Node element, boolean wanted, boolean integers) {
+      this.source = source;
+      this.element = element;
+      this.wanted = wanted;
+      this.integers = integers;
+    }
+
+    @Override
+    Object compute(Frame frame) {
+      Collection<?> elements = source.elements(frame);
+      if (elements == null) {
+        return INVALID;
+      }
+      Object value = element.evaluate(frame);
+      boolean found = integers ? elements.contains(value) : Values.contains(elements, value);
+      return value == INVALID ? INVALID : (Object) (found == wanted);
+    }
+  }
+
+  /** {@code first()}, {@code last()}, {@code max()}, {@code min()} and {@code sum()}. */
+  public static final class Aggregate extends GuardedNode {
+    private final int code;
+    private final Node source;
+    private final Object emptySum;
+
+    /**
+     * Makes the node.
+     *
+     * @param emptySum the sum of no elements
+     */
+    public Aggregate(int code, Node source, Object emptySum) {
+      this.code = code;
+      this.source = source;
+      this.emptySum = emptySum;
+    }
+
+    public static boolean has(int code) {
+      return switch (code) {
+        case PredefinedType.FIRST,
+            PredefinedType.LAST,
+            PredefinedType.MAX,
+            PredefinedType.MIN,
+            PredefinedType.SUM ->
+            true;
+        default -> false;
+      };
+    }
+
+    @Override
+    Object compute(Frame frame) {
+      Collection<?> elements = source.elements(frame);
+      if (elements == null) {
+        return INVALID;
+      }
+      return switch (code) {
+        case PredefinedType.FIRST -> elements.isEmpty() ? INVALID : elements.iterator().next();
+        case PredefinedType.LAST -> elements.isEmpty() ? INVALID : last(elements);
+        case PredefinedType.MAX, PredefinedType.MIN ->
+            elements.isEmpty() ? null : combined(elements, code);
+        default -> elements.isEmpty() ? emptySum : combined(elements, PredefinedType.PLUS);
+      };
+    }
+
+    private static Object combined(Collection<?> elements, int operation) {
+      Object result = null;
+      for (Object element : elements) {
+        if (!Numbers.isNumber(element)) {
+          return INVALID;
+        }
+        result = result == null ? element : NumberNodes.binary(operation, result, element);
+      }
+      return result;
+    }
+
+    private static Object last(Collection<?> elements) {
+      return elements instanceof List<?> list
+          ? list.get(list.size() - 1)
+          : CollectionUtil.last(elements);
+    }
+  }
+
+  /** The conversions {@code asSet()} and so on, and {@code flatten()}. */
+  public static final class Conversion extends GuardedNode {
+    private final int code;
+    private final Node source;
+
+    public Conversion(int code, Node source) {
+      this.code = code;
+      this.source = source;
+    }
+
+    public static boolean has(int code) {
+      return switch (code) {
+        case PredefinedType.AS_SET,
+            PredefinedType.AS_BAG,
+            PredefinedType.AS_SEQUENCE,
+            PredefinedType.AS_ORDERED_SET,
+            PredefinedType.FLATTEN ->
+            true;
+        default -> false;
+      };
+    }
+
+    @Override
+    Object compute(Frame frame) {
+      // Flattening heeds which kind of collection it is given.
+      Object value = code == PredefinedType.FLATTEN ? source.evaluate(frame) : source.read(frame);
+      if (!(value instanceof Collection<?> elements)) {
+        return INVALID;
+      }
+      return switch (code) {
+        case PredefinedType.AS_SEQUENCE ->
+            elements instanceof List<?> && !(elements instanceof EList<?>)
+                ? elements
+                : new ArrayList<>(elements);
+        case PredefinedType.AS_ORDERED_SET ->
+            elements instanceof ValueSet<?> ? elements : new ValueSet<>(elements);
+        default -> CollectionCalls.unary(code, elements);
+      };
+    }
+  }
+
+  /** An operation with one argument that is a collection, too. */
+  public static final class Pair extends GuardedNode {
+    private final int code;
+    private final Node source;
+    private final Node argument;
+
+    public Pair(int code, Node source, Node argument) {
+      this.code = code;
+      this.source = source;
+      this.argument = argument;
+    }
+
+    public static boolean has(int code) {
+      return switch (code) {
+        case PredefinedType.INCLUDES_ALL,
+            PredefinedType.EXCLUDES_ALL,
+            PredefinedType.UNION,
+            PredefinedType.INTERSECTION,
+            PredefinedType.MINUS,
+            PredefinedType.SYMMETRIC_DIFFERENCE ->
+            true;
+        default -> false;
+      };
+    }
+
+    @Override
+    Object compute(Frame frame) {
+      CollectionKind one = source.kindOfElements();
+      CollectionKind other = argument.kindOfElements();
+      if (code == PredefinedType.UNION && one != null && other != null) {
+        Collection<?> elements = source.elements(frame);
+        Collection<?> others = elements == null ? null : argument.elements(frame);
+        return others == null ? INVALID : CollectionOperations.union(elements, one, others, other);
+      }
+      if (!(source.evaluate(frame) instanceof Collection<?> elements)
+          || !(argument.evaluate(frame) instanceof Collection<?> others)) {
+        return INVALID;
+      }
+      return switch (code) {
+        case PredefinedType.INCLUDES_ALL -> Values.containsAll(elements, others);
+        case PredefinedType.EXCLUDES_ALL -> Values.containsNone(elements, others);
+        default -> CollectionCalls.binary(code, elements, others);
+      };
+    }
+  }
+
+  /** An operation with one argument that is an element or an index. */
+  public static final class WithElement extends GuardedNode {
+    private final int code;
+    private final Node source;
+    private final Node argument;
+
+    public WithElement(int code, Node source, Node argument) {
+      this.code = code;
+      this.source = source;
+      this.argument = argument;
+    }
+
+    public static boolean has(int code) {
+      return switch (code) {
+        case PredefinedType.COUNT,
+            PredefinedType.INCLUDING,
+            PredefinedType.EXCLUDING,
+            PredefinedType.AT,
+            PredefinedType.INDEX_OF,
+            PredefinedType.PREPEND,
+            PredefinedType.APPEND ->
+            true;
+        default -> false;
+      };
+    }
+
+    @Override
+    Object compute(Frame frame) {
+      // Where an element is does not depend on the kind of the collection.
+      boolean only = code == PredefinedType.INDEX_OF && source.kindOfElements() != null;
+      Object given = only ? source.read(frame) : source.evaluate(frame);
+      if (!(given instanceof Collection<?> elements)) {
+        return INVALID;
+      }
+      Object value = argument.evaluate(frame);
+      return value == INVALID ? INVALID : compute(elements, value);
+    }
+
+    @SuppressWarnings("unchecked") // Eclipse OCL copies the collection before it adds an element
+    private Object compute(Collection<?> elements, Object value) {
+      return switch (code) {
+        case PredefinedType.COUNT -> Values.count(elements, value);
+        case PredefinedType.INCLUDING -> CollectionOperations.including(elements, value);
+        case PredefinedType.EXCLUDING -> CollectionOperations.excluding(elements, value);
+        case PredefinedType.AT ->
+            value instanceof Integer index ? CollectionUtil.at(elements, index) : INVALID;
+        case PredefinedType.INDEX_OF -> indexOf(elements, value);
+        case PredefinedType.PREPEND ->
+            CollectionOperations.distinct(
+                CollectionUtil.prepend((Collection<Object>) elements, value));
+        default ->
+            CollectionOperations.distinct(
+                CollectionUtil.append((Collection<Object>) elements, value));
+      };
+    }
+  }
+
+  private static Object indexOf(Collection<?> elements, Object value) {
+    int index = Values.indexOf(elements, value);
+    return index == 0 ? Node.INVALID : (Object) index;
+  }
+
+  /** An operation with two arguments: {@code insertAt}, {@code subSequence} and its like. */
+  public static final class Positional extends GuardedNode {
+    private final int code;
+    private final Node source;
+    private final Node first;
+    private final Node second;
+
+    public Positional(int code, Node source, Node first, Node second) {
+      this.code = code;
+      this.source = source;
+      this.first = first;
+      this.second = second;
+    }
+
+    public static boolean has(int code) {
+      return code == PredefinedType.INSERT_AT
+          || code == PredefinedType.SUB_SEQUENCE
+          || code == PredefinedType.SUB_ORDERED_SET;
+    }
+
+    @Override
+    @SuppressWarnings("unchecked") // Eclipse OCL copies the collection before it adds an element
+    Object compute(Frame frame) {
+      if (!(source.evaluate(frame) instanceof Collection<?> elements)) {
+        return INVALID;
+      }
+      Object one = first.evaluate(frame);
+      Object two = second.evaluate(frame);
+      if (!(one instanceof Integer index) || two == INVALID) {
+        return INVALID;
+      } else if (code == PredefinedType.INSERT_AT) {
+        return CollectionOperations.distinct(
+            CollectionUtil.insertAt((Collection<Object>) elements, index, two));
+      } else if (!(two instanceof Integer end)) {
+        return INVALID;
+      } else {
+        return code == PredefinedType.SUB_SEQUENCE
+            ? CollectionUtil.subSequence(elements, index, end)
+            : CollectionOperations.distinct(CollectionUtil.subOrderedSet(elements, index, end));
+      }
+    }
+  }
+
+  /** {@code product}. */
+  public static final class ProductNode extends GuardedNode {
+    private final Node source;
+    private final Node argument;
+    private final Product product;
+    private final ModelAccess environment;
+
+    public ProductNode(Node source, Node argument, Product product, ModelAccess environment) {
+      this.source = source;
+      this.argument = argument;
+      this.product = product;
+      this.environment = environment;
+    }
+
+    @Override
+    Object compute(Frame frame) {
+      return source.evaluate(frame) instanceof Collection<?> elements
+              && argument.evaluate(frame) instanceof Collection<?> others
+          ? product.make(elements, others, environment, frame.run)
+          : INVALID;
+    }
+  }
+
+  /** {@code selectByKind} and {@code selectByType}. */
+  public static final class SelectByType extends GuardedNode {
+    private final Node source;
+    private final TypeTest test;
+
+    public SelectByType(Node source, TypeTest test) {
+      this.source = source;
+      this.test = test;
+    }
+
+    @Override
+    Object compute(Frame frame) {
+      if (!(source.evaluate(frame) instanceof Collection<?> elements)) {
+        return INVALID;
+      }
+      Collection<Object> result =
+          CollectionOperations.create(CollectionOperations.kindOf(elements));
+      for (Object element : elements) {
+        if (test.selects(element)) {
+          result.add(element);
+        }
+      }
+      return result;
+    }
+  }
+}

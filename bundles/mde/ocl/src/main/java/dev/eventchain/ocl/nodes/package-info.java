@@ -1,0 +1,5 @@
+/**
+ * Compiled expressions: immutable nodes that evaluate themselves in a run. Knows neither the parser
+ * nor its environment.
+ */
+package dev.eventchain.ocl.nodes;

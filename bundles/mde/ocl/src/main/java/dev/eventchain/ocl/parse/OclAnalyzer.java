@@ -1,0 +1,273 @@
+package dev.eventchain.ocl.parse;
+
+import dev.eventchain.ocl.tree.BigLiterals;
+import java.util.List;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EClassifier;
+import org.eclipse.emf.ecore.EEnumLiteral;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EOperation;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EParameter;
+import org.eclipse.emf.ecore.EStructuralFeature;
+import org.eclipse.ocl.Environment;
+import org.eclipse.ocl.cst.CSTNode;
+import org.eclipse.ocl.cst.ClassifierContextDeclCS;
+import org.eclipse.ocl.cst.IntegerLiteralExpCS;
+import org.eclipse.ocl.cst.OperationCallExpCS;
+import org.eclipse.ocl.cst.SimpleNameCS;
+import org.eclipse.ocl.ecore.CallOperationAction;
+import org.eclipse.ocl.ecore.Constraint;
+import org.eclipse.ocl.ecore.SendSignalAction;
+import org.eclipse.ocl.ecore.parser.OCLAnalyzer;
+import org.eclipse.ocl.expressions.IntegerLiteralExp;
+import org.eclipse.ocl.expressions.OCLExpression;
+import org.eclipse.ocl.expressions.OperationCallExp;
+import org.eclipse.ocl.parser.OCLLexer;
+import org.eclipse.ocl.utilities.TypedElement;
+
+/** Turns text into a checked expression. */
+public final class OclAnalyzer extends OCLAnalyzer {
+
+  private record MissingOperation(
+      EClassifier owner,
+      String name,
+      List<? extends TypedElement<EClassifier>> arguments,
+      CSTNode node) {}
+
+  private MissingOperation missing;
+
+  public OclAnalyzer(OclEnvironment environment, String input) {
+    super(new BigLiterals.Parser(new OCLLexer(environment, input.toCharArray())));
+    getLexer().lexer(getAbstractParser().getIPrsStream());
+    KeywordNames.release(getAbstractParser().getIPrsStream(), environment.packages());
+  }
+
+  @Override
+  protected IntegerLiteralExp<EClassifier> integerLiteralExpCS(
+      IntegerLiteralExpCS node,
+      Environment<
+              EPackage,
+              EClassifier,
+              EOperation,
+              EStructuralFeature,
+              EEnumLiteral,
+              EParameter,
+              EObject,
+              CallOperationAction,
+              SendSignalAction,
+              Constraint,
+              EClass,
+              EObject>
+          environment) {
+    IntegerLiteralExp<EClassifier> literal = super.integerLiteralExpCS(node, environment);
+    BigLiterals.complete(literal, node.getSymbol());
+    return literal;
+  }
+
+  /** Our environments have their {@code self} already, or are meant to have none. */
+  @Override
+  protected Environment<
+          EPackage,
+          EClassifier,
+          EOperation,
+          EStructuralFeature,
+          EEnumLiteral,
+          EParameter,
+          EObject,
+          CallOperationAction,
+          SendSignalAction,
+          Constraint,
+          EClass,
+          EObject>
+      createClassifierContext(
+          Environment<
+                  EPackage,
+                  EClassifier,
+                  EOperation,
+                  EStructuralFeature,
+                  EEnumLiteral,
+                  EParameter,
+                  EObject,
+                  CallOperationAction,
+                  SendSignalAction,
+                  Constraint,
+                  EClass,
+                  EObject>
+              environment,
+          ClassifierContextDeclCS context,
+          EClassifier classifier) {
+    return environment;
+  }
+
+  /** Says what a name that means nothing might have meant. */
+  @Override
+  protected OCLExpression<EClassifier> simpleUndefinedName(
+      SimpleNameCS name,
+      Environment<
+              EPackage,
+              EClassifier,
+              EOperation,
+              EStructuralFeature,
+              EEnumLiteral,
+              EParameter,
+              EObject,
+              CallOperationAction,
+              SendSignalAction,
+              Constraint,
+              EClass,
+              EObject>
+          environment,
+      OCLExpression<EClassifier> source,
+      String simpleName) {
+    ProblemTexts.Problem problem =
+        source == null
+            ? texts().unknownName(simpleName, environment)
+            : texts().unknownFeature(simpleName, source.getType());
+    if (source != null && texts().isError(source.getType()) && collector().failed()) {
+      return createDummyInvalidLiteralExp(environment, name);
+    }
+    if (collector().isAt('"', name.getStartOffset())) {
+      problem =
+          new ProblemTexts.Problem(problem.message(), "Strings are written in single quotes.");
+    }
+    reportMissing(simpleName, problem, name.getStartOffset());
+    return createDummyInvalidLiteralExp(environment, name);
+  }
+
+  /** Remembers what was looked for in vain, for the error that follows. */
+  @Override
+  protected EOperation lookupOperation(
+      CSTNode node,
+      Environment<
+              EPackage,
+              EClassifier,
+              EOperation,
+              EStructuralFeature,
+              EEnumLiteral,
+              EParameter,
+              EObject,
+              CallOperationAction,
+              SendSignalAction,
+              Constraint,
+              EClass,
+              EObject>
+          environment,
+      EClassifier owner,
+      String name,
+      List<? extends TypedElement<EClassifier>> arguments) {
+    EOperation found = super.lookupOperation(node, environment, owner, name, arguments);
+    missing =
+        found == null && node != null ? new MissingOperation(owner, name, arguments, node) : null;
+    return found;
+  }
+
+  @Override
+  protected OperationCallExp<EClassifier, EOperation> genOperationCallExp(
+      Environment<
+              EPackage,
+              EClassifier,
+              EOperation,
+              EStructuralFeature,
+              EEnumLiteral,
+              EParameter,
+              EObject,
+              CallOperationAction,
+              SendSignalAction,
+              Constraint,
+              EClass,
+              EObject>
+          environment,
+      OperationCallExpCS node,
+      String rule,
+      String name,
+      OCLExpression<EClassifier> source,
+      EClassifier ownerType,
+      List<OCLExpression<EClassifier>> arguments) {
+    OperationCallExp<EClassifier, EOperation> call =
+        super.genOperationCallExp(environment, node, rule, name, source, ownerType, arguments);
+    if (call.getReferredOperation() != null
+        && arguments != null
+        && arguments.size() == 1
+        && hasItsType(source)
+        && hasItsType(arguments.get(0))) {
+      texts()
+          .senselessComparison(name, ownerType, arguments.get(0).getType())
+          .ifPresent(problem -> warn(problem, node.getSimpleNameCS().getStartOffset()));
+    }
+    return call;
+  }
+
+  private static boolean hasItsType(OCLExpression<EClassifier> expression) {
+    return !(expression instanceof OperationCallExp<?, ?> call
+        && call.getReferredOperation() instanceof Libraries.LibraryOperation operation
+        && operation.implementation().mayGiveOtherTypes());
+  }
+
+  @Override
+  public void ERROR(Object node, String rule, String message) {
+    MissingOperation wanted = missing;
+    missing = null;
+    if (wanted != null) {
+      if (!texts().isError(wanted.owner()) && !isOfError(wanted)) {
+        reportMissing(
+            wanted.name(),
+            texts().unknownOperation(wanted.owner(), wanted.name(), wanted.arguments()),
+            wanted.node().getStartOffset());
+      } else if (!collector().failed()) {
+        super.ERROR(node, rule, message);
+      }
+    } else if (node instanceof OperationCallExpCS call
+        && call.getSource() == null
+        && message.startsWith("illegal operation signature")) {
+      reportMissing(
+          call.getSimpleNameCS().getValue(),
+          texts().unknownFunction(call.getSimpleNameCS().getValue(), message),
+          call.getStartOffset());
+    } else if (node instanceof CSTNode place) {
+      ProblemTexts.duplicate(message)
+          .ifPresentOrElse(
+              problem ->
+                  collector()
+                      .add(
+                          "ocl.duplicate",
+                          true,
+                          problem.message(),
+                          problem.hint(),
+                          place.getStartOffset()),
+              () -> report(texts().other(message), place.getStartOffset()));
+    } else {
+      super.ERROR(node, rule, message);
+    }
+  }
+
+  /** Whether it was only looked for in vain because of another error. */
+  private boolean isOfError(MissingOperation wanted) {
+    return collector().failed() && ProblemTexts.isAnyError(wanted.arguments());
+  }
+
+  /** A definition that has an error is not reported again by all that use it. */
+  private void reportMissing(String name, ProblemTexts.Problem problem, int offset) {
+    if (((OclEnvironment) getEnvironment()).hasFailed(name)) {
+      collector().fail();
+    } else {
+      report(problem, offset);
+    }
+  }
+
+  private void report(ProblemTexts.Problem problem, int offset) {
+    collector().add("ocl.type", true, problem.message(), problem.hint(), offset);
+  }
+
+  private void warn(ProblemTexts.Problem problem, int offset) {
+    collector().add("ocl.type", false, problem.message(), problem.hint(), offset);
+  }
+
+  private ProblemCollector collector() {
+    return (ProblemCollector) ((OclEnvironment) getEnvironment()).getProblemHandler();
+  }
+
+  private ProblemTexts texts() {
+    return ((OclEnvironment) getEnvironment()).texts();
+  }
+}

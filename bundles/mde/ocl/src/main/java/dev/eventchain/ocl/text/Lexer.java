@@ -1,0 +1,74 @@
+package dev.eventchain.ocl.text;
+
+/** Finds the tokens of OCL text as far as it takes to tell code from comments and strings. */
+public final class Lexer {
+
+  private Lexer() {}
+
+  /**
+   * The end of what starts at an offset: a comment, a string, a name, a number, a run of white
+   * space, an arrow or a double colon, or else one character.
+   */
+  public static int end(String text, int start, int limit) {
+    char c = text.charAt(start);
+    if (text.startsWith("--", start)) {
+      return endOfLine(text, start, limit);
+    } else if (text.startsWith("/*", start)) {
+      int end = text.indexOf("*/", start + 2);
+      return end < 0 ? limit : Math.min(end + 2, limit);
+    } else if (c == '\'' || c == '"') {
+      return endOfString(text, start, limit, c);
+    } else if (Character.isJavaIdentifierPart(c)) {
+      return endOfRun(text, start, limit, Character::isJavaIdentifierPart);
+    } else if (Character.isWhitespace(c)) {
+      return endOfRun(text, start, limit, Character::isWhitespace);
+    } else if (text.startsWith("->", start) || text.startsWith("::", start)) {
+      return Math.min(start + 2, limit);
+    }
+    return start + 1;
+  }
+
+  /** Where a line ends: before a line feed, or before a carriage return, be it alone or not. */
+  private static int endOfLine(String text, int start, int limit) {
+    int end = start;
+    while (end < limit && text.charAt(end) != '\n' && text.charAt(end) != '\r') {
+      end++;
+    }
+    return end;
+  }
+
+  /** Whether a comment that starts and ends at these offsets has its end marks. */
+  static boolean isUnclosedComment(String text, int start, int end) {
+    return text.startsWith("/*", start) && text.indexOf("*/", start + 2) != end - 2;
+  }
+
+  private static int endOfString(String text, int start, int limit, char quote) {
+    for (int i = start + 1; i < limit; i++) {
+      char c = text.charAt(i);
+      if (c == '\\' && !text.startsWith("\n", i + 1) && !text.startsWith("\r", i + 1)) {
+        i++;
+      } else if (c == quote) {
+        return i + 1;
+      } else if (c == '\n' || c == '\r') {
+        return i; // Strings do not span lines: what follows an unclosed one is code again.
+      }
+    }
+    return limit;
+  }
+
+  private static int endOfRun(
+      String text, int start, int limit, java.util.function.IntPredicate part) {
+    int end = start + 1;
+    while (end < limit && part.test(text.charAt(end))) {
+      end++;
+    }
+    return end;
+  }
+
+  /** Whether what starts at an offset is white space or a comment. */
+  public static boolean isBlank(String text, int start) {
+    return Character.isWhitespace(text.charAt(start))
+        || text.startsWith("--", start)
+        || text.startsWith("/*", start);
+  }
+}

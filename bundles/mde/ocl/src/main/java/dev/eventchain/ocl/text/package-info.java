@@ -1,0 +1,2 @@
+/** OCL as plain text: its lexer and tokens. Knows no metamodel. */
+package dev.eventchain.ocl.text;

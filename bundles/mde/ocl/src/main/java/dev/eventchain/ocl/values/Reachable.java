@@ -1,0 +1,80 @@
+package dev.eventchain.ocl.values;
+
+import java.util.ArrayDeque;
+import java.util.Collection;
+import java.util.Deque;
+import java.util.Iterator;
+import java.util.function.UnaryOperator;
+
+/** What {@code closure} gives. */
+public final class Reachable {
+
+  private Reachable() {}
+
+  /**
+   * What can be reached. Depth first, like Eclipse OCL, but with its own stack, so that a long
+   * chain of elements does not need a deep Java stack. As there, the sources themselves are left
+   * out unless they are reached again.
+   *
+   * @param step leads from an element to some others, to one, or to null
+   * @return null if a step is invalid
+   */
+  public static Collection<Object> from(
+      Collection<?> sources, boolean ordered, UnaryOperator<Object> step) {
+    Collection<Object> result = ordered ? new ValueSet<>() : new InsertionOrderedSet<>();
+    for (Object source : sources) {
+      if (!addReachable(step.apply(source), result, step)) {
+        return null;
+      }
+    }
+    return result;
+  }
+
+  /** Adds what can be reached from one step; false if a step is invalid. */
+  private static boolean addReachable(
+      Object first, Collection<Object> result, UnaryOperator<Object> step) {
+    Object next = alongSingle(first, result, step);
+    if (!Values.isCollection(next)) {
+      return next == null;
+    }
+    Deque<Iterator<?>> open = new ArrayDeque<>();
+    open.push(((Collection<?>) next).iterator());
+    while (!open.isEmpty()) {
+      if (!open.peek().hasNext()) {
+        open.pop();
+        continue;
+      }
+      next = alongSingle(reach(open.peek().next(), result, step), result, step);
+      if (Values.isCollection(next)) {
+        open.push(((Collection<?>) next).iterator());
+      } else if (next != null) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /**
+   * Follows steps that lead to one element each.
+   *
+   * @return where there are several: a collection; null at the end; or invalid
+   */
+  private static Object alongSingle(
+      Object first, Collection<Object> result, UnaryOperator<Object> step) {
+    Object next = first;
+    while (next != null && next != Values.INVALID && !Values.isCollection(next)) {
+      next = reach(next, result, step);
+    }
+    return next;
+  }
+
+  /** Adds an element and takes the step from it; null if it was there before. */
+  private static Object reach(
+      Object element, Collection<Object> result, UnaryOperator<Object> step) {
+    if (!result.add(element)) {
+      return null;
+    }
+    Limits.requireElements(result.size());
+    return step.apply(element);
+  }
+}
