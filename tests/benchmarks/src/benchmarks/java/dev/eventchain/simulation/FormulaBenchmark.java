@@ -82,7 +82,7 @@ public class FormulaBenchmark {
   /** This project: the verdict, the comparison that decides, its margin and its time. */
   @Benchmark
   public boolean eventchain() {
-    Criterion.Outcome outcome = formula.judge(trace);
+    Outcome outcome = formula.judge(trace);
     if (!outcome.tested()) {
       throw new IllegalStateException(outcome.detail());
     }

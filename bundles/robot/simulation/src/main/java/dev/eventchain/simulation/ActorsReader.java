@@ -171,10 +171,10 @@ final class ActorsReader {
   }
 
   /** The driver of the ego: what he does stands among the ego's keys. */
-  Driver driver(ObjectReader ego, double speed, double offset) {
+  HumanDriver driver(ObjectReader ego, double speed, double offset) {
     SpeedProfile profile = new SpeedProfile(speed, speeds(ego));
     List<LateralProfile.Change> changes = line(ego, offset, profile);
-    return new Driver(profile, new LateralProfile(offset, changes), !changes.isEmpty());
+    return new HumanDriver(profile, new LateralProfile(offset, changes), !changes.isEmpty());
   }
 
   private List<ObjectReader> maneuvers(ObjectReader section, String key, String other) {
@@ -220,7 +220,7 @@ final class ActorsReader {
     double time = maneuver.requiredNumber("at_s", NumberRange.of(0, duration));
     boolean isNumber = maneuver.value("at_s").map(JsonNode::isNumber).orElse(false);
     if (isNumber && time < earliest) {
-      String message = Criterion.format("The previous one does not end until %.2f s.", earliest);
+      String message = RootLocale.format("The previous one does not end until %.2f s.", earliest);
       maneuver.find(RANGE_FINDING, message, maneuver.at("at_s"));
     }
     return time;

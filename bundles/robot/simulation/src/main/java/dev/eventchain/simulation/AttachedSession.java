@@ -6,7 +6,6 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.dds.DdsParticipant;
 import dev.eventchain.dds.DdsParticipant.Peer;
 import dev.eventchain.simulation.AttachedWorld.Arrival;
-import dev.eventchain.simulation.SimulationRequest.Attachment;
 import java.nio.ByteBuffer;
 import java.time.Duration;
 import java.time.Instant;
@@ -46,8 +45,8 @@ final class AttachedSession implements NodeSession {
   private static final int LOOKS = 3;
 
   private final DdsParticipant participant;
-  private final NodeSetup setup;
-  private final Attachment where;
+  private final ChainTopics chain;
+  private final DdsAttachment where;
   private final Duration patience;
   private final List<String> topics = new ArrayList<>();
   private final Map<String, Map<Long, Long>> publications = new LinkedHashMap<>();
@@ -64,12 +63,13 @@ final class AttachedSession implements NodeSession {
   /**
    * In a domain.
    *
+   * @param chain the topics that the nodes have to have
    * @param patience how long nodes are waited for
    */
   AttachedSession(
-      DdsParticipant participant, NodeSetup setup, Attachment where, Duration patience) {
+      DdsParticipant participant, ChainTopics chain, DdsAttachment where, Duration patience) {
     this.participant = participant;
-    this.setup = setup;
+    this.chain = chain;
     this.where = where;
     this.patience = patience;
   }
@@ -106,11 +106,10 @@ final class AttachedSession implements NodeSession {
 
   /** Waits until all nodes are connected. */
   private Outside meet(JsonNode configuration) {
-    Set<String> taken = new HashSet<>(AttachedFindings.taken(setup));
     long end = System.nanoTime() + patience.toNanos();
     while (true) {
       Outside outside = Outside.of(participant.peers(), configuration);
-      List<String> missing = outside.missing(taken, setup.topicsWritten(), setup.catalog());
+      List<String> missing = outside.missing(chain);
       if (missing.isEmpty()) {
         connect(outside.graph());
         missing = world.unconnected(outside.graph());
@@ -119,7 +118,7 @@ final class AttachedSession implements NodeSession {
         return outside;
       }
       if (System.nanoTime() >= end) {
-        throw AttachedFindings.unmatched(outside, missing, where.domain(), patience);
+        throw AttachedFailures.unmatched(outside, missing, where.domain(), patience);
       }
       LockSupport.parkNanos(PAUSE);
     }
@@ -130,7 +129,7 @@ final class AttachedSession implements NodeSession {
       if (world != null) {
         world.close();
       }
-      world = new AttachedWorld(participant, graph, setup.catalog(), AttachedSession::wall);
+      world = new AttachedWorld(participant, graph, chain.catalog(), AttachedSession::wall);
     }
   }
 
@@ -145,7 +144,7 @@ final class AttachedSession implements NodeSession {
     for (Inbound message : messages) {
       String deaf = world.publish(message.topic(), message.message());
       if (!deaf.isEmpty()) {
-        throw AttachedFindings.deaf(deaf, now);
+        throw AttachedFailures.deaf(deaf, now);
       }
     }
     measureOverrun(now); // publishing may have taken a while
@@ -208,7 +207,7 @@ final class AttachedSession implements NodeSession {
           participant.peers().stream().map(Peer::id).collect(Collectors.toUnmodifiableSet());
       List<Peer> gone = partners.stream().filter(peer -> !there.contains(peer.id())).toList();
       if (!gone.isEmpty()) {
-        throw AttachedFindings.vanished(gone, Math.max(0, wall() - start));
+        throw AttachedFailures.vanished(gone, Math.max(0, wall() - start));
       }
     }
   }

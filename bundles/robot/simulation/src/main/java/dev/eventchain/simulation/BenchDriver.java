@@ -28,10 +28,7 @@ import java.util.Set;
  */
 final class BenchDriver {
 
-  /** A topic and its message type. */
-  record Topic(String name, String type) {}
-
-  private static final Topic CLOCK = new Topic("/clock", "rosgraph_msgs/msg/Clock");
+  private static final TypedTopic CLOCK = new TypedTopic("/clock", "rosgraph_msgs/msg/Clock");
 
   /**
    * A message that was measured and has not arrived yet.
@@ -46,13 +43,17 @@ final class BenchDriver {
 
   /** A topic that is received. */
   private record Receiver(
-      Topic topic, MessageType type, List<Effect> effects, List<Signal> recorded, long lifetime) {}
+      TypedTopic topic,
+      MessageType type,
+      List<Effect> effects,
+      List<Signal> recorded,
+      long lifetime) {}
 
   private final MessageCatalog catalog;
-  private final NodeSetup setup;
+  private final SimulatedChain chain;
   private final Bench bench;
   private final Scenario scenario;
-  private final ChainSignals chain;
+  private final ChainSignals chainSignals;
   private final Lidar lidar;
   private final WorldFault fault;
   private final List<Publisher> publishers = new ArrayList<>();
@@ -67,33 +68,37 @@ final class BenchDriver {
   /**
    * Offers what is asked for, so that nothing is computed in vain; the clock is always offered.
    *
-   * @param setup the topics that the nodes read and write
+   * @param chain what the nodes read and write
    * @param fault what is wrong with its messages
+   * @param recorded whether everything is recorded that the nodes write
    * @throws DiagnosticException (INPUT) {@code message.unknown} or {@code message.field.missing}: a
    *     message type is not defined, or is not as the bench needs it
    */
-  BenchDriver(NodeSetup setup, Scenario scenario, WorldFault fault) {
+  BenchDriver(SimulatedChain chain, Scenario scenario, WorldFault fault, boolean recorded) {
     this.fault = fault;
-    this.setup = setup;
-    this.catalog = setup.catalog();
-    this.bench = setup.bench();
+    this.chain = chain;
+    this.catalog = chain.catalog();
+    this.bench = chain.bench();
     this.scenario = scenario;
-    this.chain = setup.chainSignals();
+    this.chainSignals = chain.chainSignals();
     this.lidar = new Lidar(scenario.situation().ego().lidar(), scenario.seed());
     publishers.add(new Publisher(CLOCK, Optional.empty(), message(CLOCK), List.of(), 0));
-    Set<String> read = setup.topicsRead();
+    Set<String> read = chain.topicsRead();
     bench.provided().values().stream()
         .filter(topic -> read.contains(topic.topic()))
         .forEach(this::publish);
-    Set<String> written = setup.topicsWritten();
+    Set<String> written = chain.topicsWritten();
     bench.consumed().values().stream()
         .filter(topic -> written.contains(topic.topic()))
         .forEach(this::receive);
-    observe(setup);
+    observe();
+    if (recorded) {
+      chain.typedTopicsWritten().forEach(this::observe);
+    }
   }
 
   private void publish(Provided provided) {
-    Topic topic = new Topic(provided.topic(), provided.type());
+    TypedTopic topic = new TypedTopic(provided.topic(), provided.type());
     MessageValue message = message(topic);
     checked(topic, () -> constants(provided, message));
     publishers.add(
@@ -102,53 +107,52 @@ final class BenchDriver {
   }
 
   private void receive(Consumed consumed) {
-    Topic topic = new Topic(consumed.topic(), consumed.type());
+    TypedTopic topic = new TypedTopic(consumed.topic(), consumed.type());
     MessageType type = type(topic);
     checked(topic, () -> consumed.fields().forEach(it -> it.check(MessageValue.of(type))));
     // What no component writes has the default of its type, which nobody asked for.
     List<Effect> effects =
         consumed.fields().stream()
             .filter(it -> it.actuator().isPresent())
-            .filter(it -> setup.isWritten(consumed.topic(), it.path()))
+            .filter(it -> chain.isWritten(consumed.topic(), it.path()))
             .toList();
     add(topic, type, effects);
   }
 
   /** Listens to the topics between components that formulas ask for, or that reports show. */
-  private void observe(NodeSetup setup) {
+  private void observe() {
     scenario.signals().stream()
         .flatMap(signal -> bench.signals().topicOf(signal).stream())
-        .filter(topic -> setup.topicsWritten().contains(topic.name()))
-        .forEach(topic -> observe(new Topic(topic.name(), topic.type())));
-    chain.topics().stream()
-        .filter(topic -> setup.topicsWritten().contains(topic.name()))
+        .filter(topic -> chain.topicsWritten().contains(topic.name()))
+        .forEach(topic -> observe(new TypedTopic(topic.name(), topic.type())));
+    chainSignals.topics().stream()
+        .filter(topic -> chain.topicsWritten().contains(topic.name()))
         .forEach(this::observe);
-    setup.topicsToRecord().forEach(this::observe);
   }
 
-  private void observe(Topic topic) {
+  private void observe(TypedTopic topic) {
     if (receivers.stream().noneMatch(it -> it.topic().name().equals(topic.name()))) {
       add(topic, type(topic), List.of());
     }
   }
 
-  private void add(Topic topic, MessageType type, List<Effect> effects) {
+  private void add(TypedTopic topic, MessageType type, List<Effect> effects) {
     List<Signal> recorded = recorded(topic.name());
-    long lifetime = setup.lifetime(topic.name());
+    long lifetime = chain.lifetime(topic.name());
     receivers.add(new Receiver(topic, type, effects, recorded, lifetime));
   }
 
   /** The fields of a topic that formulas of the scenario read or that reports show. */
   private List<Signal> recorded(String topic) {
     Map<String, Signal> recorded = new LinkedHashMap<>();
-    chain.on(topic).forEach(signal -> recorded.put(signal.name(), signal));
+    chainSignals.on(topic).forEach(signal -> recorded.put(signal.name(), signal));
     scenario.signals().stream()
         .filter(it -> bench.signals().topicOf(it).filter(of -> of.name().equals(topic)).isPresent())
         .forEach(signal -> recorded.put(signal.name(), signal));
     return List.copyOf(recorded.values());
   }
 
-  private MessageType type(Topic topic) {
+  private MessageType type(TypedTopic topic) {
     return catalog
         .find(topic.type())
         .orElseThrow(
@@ -159,7 +163,7 @@ final class BenchDriver {
                     topic));
   }
 
-  private MessageValue message(Topic topic) {
+  private MessageValue message(TypedTopic topic) {
     return MessageValue.of(type(topic));
   }
 
@@ -176,17 +180,17 @@ final class BenchDriver {
   }
 
   /** The topics it publishes; the index of a message's topic is the position here. */
-  List<Topic> published() {
+  List<TypedTopic> published() {
     return publishers.stream().map(Publisher::topic).toList();
   }
 
   /** The topics it receives; the index of a message's topic is the position here. */
-  List<Topic> received() {
+  List<TypedTopic> received() {
     return receivers.stream().map(Receiver::topic).toList();
   }
 
   /** The frame that the lidar's messages name; empty if there are none. */
-  String lidarFrame() {
+  private String lidarFrame() {
     return publishers.stream()
         .filter(Publisher::isLidar)
         .map(it -> it.message().get("header.frame_id").toString())
@@ -199,9 +203,9 @@ final class BenchDriver {
     epoch = time;
   }
 
-  /** What clocks and stamps show at a time of the scenario, in ns. */
-  long shown(long time) {
-    return epoch + time;
+  /** What is recorded of it, once it is known what clocks show. */
+  Recording.Topics recorded() {
+    return new Recording.Topics(published(), received(), lidarFrame(), epoch);
   }
 
   /** When the next message is due, in ns; after what was sensed last. */
@@ -288,7 +292,7 @@ final class BenchDriver {
   private static Map<String, Double> values(List<Signal> signals, MessageValue message) {
     Map<String, Double> values = new LinkedHashMap<>();
     for (Signal signal : signals) {
-      double value = number(message, BenchSignals.fieldOf(signal));
+      double value = number(message, signal.field());
       values.put(signal.name(), signal.dimension().coherent(value));
     }
     return values;
@@ -299,7 +303,7 @@ final class BenchDriver {
     return message.get(path) instanceof Boolean truth ? (truth ? 1.0 : 0.0) : message.number(path);
   }
 
-  private void checked(Topic topic, Runnable access) {
+  private void checked(TypedTopic topic, Runnable access) {
     try {
       access.run();
     } catch (IllegalArgumentException e) {
@@ -316,7 +320,7 @@ final class BenchDriver {
   }
 
   /** The place is the file that defines the type, or should. */
-  private DiagnosticException refused(String id, String message, Topic topic) {
+  private DiagnosticException refused(String id, String message, TypedTopic topic) {
     Optional<Path> file =
         catalog
             .file(topic.type())

@@ -31,6 +31,8 @@ import java.util.TreeMap;
 /** Reads {@code bench.yaml}, and what it extends. */
 final class BenchReader {
 
+  private static final String RESOURCES = "/dev/eventchain/simulation/";
+
   private static final FindingIds IDS =
       new FindingIds(
           "bench.syntax",
@@ -105,9 +107,9 @@ final class BenchReader {
         .read(section, provided, consumed);
   }
 
-  /** The text of a resource next to this class. */
+  /** The text of a resource of this bundle. */
   static String resource(String name) {
-    try (InputStream input = BenchReader.class.getResourceAsStream(name)) {
+    try (InputStream input = BenchReader.class.getResourceAsStream(RESOURCES + name)) {
       return new String(input.readAllBytes(), StandardCharsets.UTF_8);
     } catch (IOException e) {
       throw new UncheckedIOException(e);

@@ -69,35 +69,24 @@ final class BenchSignals implements Signal.Source {
     return inputs.keySet().stream().filter(this::isScripted).toList();
   }
 
-  /** What a report tells of a scenario, by name: the world, the inputs, and what formulas read. */
-  List<Signal> reported(Scenario scenario) {
+  /**
+   * What a report tells of a scenario, by name: the world, the inputs, and what formulas read.
+   *
+   * @param read by the formulas of the scenario
+   */
+  List<Signal> reported(Collection<Signal> read) {
     Map<String, Signal> reported = new TreeMap<>();
     WorldSignals.all().stream()
         .filter(signal -> !signal.name().startsWith(QUATERNION))
         .forEach(signal -> reported.put(signal.name(), signal));
     reported.putAll(inputs);
-    scenario.signals().forEach(signal -> reported.put(signal.name(), signal));
+    read.forEach(signal -> reported.put(signal.name(), signal));
     return List.copyOf(reported.values());
   }
 
   /** The topic that a signal is a field of; empty if it is of none. */
   Optional<Topic> topicOf(Signal signal) {
-    return topicName(signal).map(topics::get);
-  }
-
-  /** The name of the topic that a signal is a field of; empty if it is of none. */
-  static Optional<String> topicName(Signal signal) {
-    return signal.name().startsWith("/") ? Optional.of(topicName(signal.name())) : Optional.empty();
-  }
-
-  /** The path of the field that a topic's signal is. */
-  static String fieldOf(Signal signal) {
-    return signal.name().substring(signal.name().indexOf('.') + 1);
-  }
-
-  private static String topicName(String signal) {
-    int dot = signal.indexOf('.');
-    return dot < 0 ? signal : signal.substring(0, dot);
+    return signal.topic().map(topics::get);
   }
 
   private List<String> fields(Topic topic) {
@@ -108,7 +97,7 @@ final class BenchSignals implements Signal.Source {
   }
 
   private Optional<Signal> ofTopic(String name) {
-    Topic topic = topics.get(topicName(name));
+    Topic topic = topics.get(Signal.topicOf(name));
     if (topic == null || name.indexOf('.') < 0) {
       return Optional.empty();
     }

@@ -1,8 +1,7 @@
 package dev.eventchain.simulation;
 
-import static dev.eventchain.simulation.Criterion.format;
+import static dev.eventchain.simulation.RootLocale.format;
 
-import dev.eventchain.simulation.Criterion.Outcome;
 import dev.eventchain.simulation.ScenarioVerdict.Margin;
 import java.util.ArrayList;
 import java.util.List;

@@ -6,7 +6,6 @@ import dev.eventchain.messages.MessageType;
 import dev.eventchain.messages.Unit;
 import dev.eventchain.model.TopicIndex;
 import dev.eventchain.model.eventchain.Data;
-import dev.eventchain.simulation.BenchDriver.Topic;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashMap;
@@ -22,7 +21,7 @@ import java.util.TreeMap;
  */
 final class ChainSignals {
 
-  private final Map<Topic, List<Signal>> signals = new LinkedHashMap<>();
+  private final Map<TypedTopic, List<Signal>> signals = new LinkedHashMap<>();
 
   private ChainSignals() {}
 
@@ -59,7 +58,7 @@ final class ChainSignals {
         found.put(signal.name(), signal);
       }
     }
-    signals.put(new Topic(topic, type.name()), List.copyOf(found.values()));
+    signals.put(new TypedTopic(topic, type.name()), List.copyOf(found.values()));
   }
 
   private static boolean drives(Bench.Consumed consumed, String path) {
@@ -75,7 +74,7 @@ final class ChainSignals {
   }
 
   /** The topics that have any. */
-  List<Topic> topics() {
+  List<TypedTopic> topics() {
     return signals.keySet().stream().filter(topic -> !signals.get(topic).isEmpty()).toList();
   }
 

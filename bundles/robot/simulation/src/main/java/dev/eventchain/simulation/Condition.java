@@ -5,7 +5,7 @@ import java.util.Optional;
 import java.util.function.IntToDoubleFunction;
 import java.util.stream.Stream;
 
-/** A formula or a part of one that is true or false at each sample. See {@link Truth}. */
+/** A formula or a part of one that is true or false at each sample. See {@link Robustness}. */
 interface Condition extends FormulaParser.Part {
 
   /** What it is made of. */
@@ -103,7 +103,7 @@ interface Condition extends FormulaParser.Part {
       IntToDoubleFunction larger = right.values().in(run);
       double[] truth = new double[run.size()];
       for (int i = 0; i < truth.length; i++) {
-        truth[i] = Truth.less(smaller.applyAsDouble(i), larger.applyAsDouble(i), strict);
+        truth[i] = Robustness.less(smaller.applyAsDouble(i), larger.applyAsDouble(i), strict);
       }
       return truth;
     }
@@ -134,7 +134,7 @@ interface Condition extends FormulaParser.Part {
 
     @Override
     public double[] truth(SampledRun run, List<double[]> parts) {
-      return Truth.not(parts.get(0));
+      return Robustness.not(parts.get(0));
     }
 
     @Override
@@ -155,7 +155,7 @@ interface Condition extends FormulaParser.Part {
     public double[] truth(SampledRun run, List<double[]> parts) {
       double[] one = parts.get(0);
       double[] other = parts.get(1);
-      return all ? Truth.and(one, other) : Truth.or(one, other);
+      return all ? Robustness.and(one, other) : Robustness.or(one, other);
     }
 
     @Override
@@ -176,7 +176,7 @@ interface Condition extends FormulaParser.Part {
 
     @Override
     public double[] truth(SampledRun run, List<double[]> parts) {
-      return Truth.or(Truth.not(parts.get(0)), parts.get(1));
+      return Robustness.or(Robustness.not(parts.get(0)), parts.get(1));
     }
 
     @Override
@@ -212,7 +212,7 @@ interface Condition extends FormulaParser.Part {
     @Override
     public double[] truth(SampledRun run, List<double[]> parts) {
       double[] truth = parts.get(0);
-      return always ? Truth.always(truth, interval) : Truth.eventually(truth, interval);
+      return always ? Robustness.always(truth, interval) : Robustness.eventually(truth, interval);
     }
 
     @Override
@@ -253,7 +253,7 @@ interface Condition extends FormulaParser.Part {
 
     @Override
     public double[] truth(SampledRun run, List<double[]> parts) {
-      return Truth.until(parts.get(0), parts.get(1), interval);
+      return Robustness.until(parts.get(0), parts.get(1), interval);
     }
 
     @Override
@@ -282,14 +282,14 @@ interface Condition extends FormulaParser.Part {
         }
       }
       boolean cut = interval.bounded() && sample + interval.to() >= parts.get(0).length;
-      if (!cut || best >= Truth.UNKNOWN) {
+      if (!cut || best >= Robustness.UNKNOWN) {
         return found;
       }
       // After the run the second may still come, unless the first was abandoned before.
-      if (worst < Truth.UNKNOWN) {
+      if (worst < Robustness.UNKNOWN) {
         return worst >= best ? new Step(0, worstAt) : found;
       }
-      return worst == Truth.UNKNOWN ? new Step(0, worstAt) : Step.OUTSIDE;
+      return worst == Robustness.UNKNOWN ? new Step(0, worstAt) : Step.OUTSIDE;
     }
   }
 
@@ -308,7 +308,7 @@ interface Condition extends FormulaParser.Part {
 
     @Override
     public double[] truth(SampledRun run, List<double[]> parts) {
-      return Truth.rise(parts.get(0));
+      return Robustness.rise(parts.get(0));
     }
 
     @Override

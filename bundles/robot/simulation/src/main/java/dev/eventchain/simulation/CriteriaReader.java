@@ -76,7 +76,7 @@ final class CriteriaReader {
             each ->
                 section.find(
                     "scenario.value.range",
-                    Criterion.format(
+                    RootLocale.format(
                         "A tolerance of %.1f s leaves nothing of the limit of %.1f s.",
                         tolerances.timeToCollision(), each.limit()),
                     section.at("tolerance_ttc_s")));

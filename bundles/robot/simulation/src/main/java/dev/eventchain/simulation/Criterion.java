@@ -1,11 +1,10 @@
 package dev.eventchain.simulation;
 
+import static dev.eventchain.simulation.RootLocale.format;
+
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.simulation.ScenarioVerdict.Limit;
-import dev.eventchain.simulation.ScenarioVerdict.Margin;
 import java.util.List;
-import java.util.Locale;
-import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -29,30 +28,6 @@ record Criterion(CriterionKind kind, double limit, Tolerances tolerances, Source
 
     /** A tenth of a second; and 250 ms of the chain after at most 50 ms until the next scan. */
     static final Tolerances USUAL = new Tolerances(0.1, 0.3);
-  }
-
-  /**
-   * What was found.
-   *
-   * @param tested whether what it is about ever came up; if not, it neither holds nor fails
-   * @param passed whether it was tested and holds
-   * @param detail the figures that say so
-   * @param margin how far what decides is from the other verdict; empty where it has no size
-   */
-  record Outcome(boolean tested, boolean passed, String detail, Optional<Margin> margin) {
-
-    Outcome(boolean passed, String detail) {
-      this(true, passed, detail, Optional.empty());
-    }
-
-    Outcome(boolean passed, String detail, Margin margin) {
-      this(true, passed, detail, Optional.of(margin));
-    }
-
-    /** Of a criterion whose premise never came true. */
-    static Outcome untested(String why) {
-      return new Outcome(false, false, why, Optional.empty());
-    }
   }
 
   /** What holds for every scenario says nothing about a requirement. */
@@ -102,9 +77,5 @@ record Criterion(CriterionKind kind, double limit, Tolerances tolerances, Source
       return List.of(new Limit("ttc", limit));
     }
     return kind == CriterionKind.MINIMAL_GAP ? List.of(new Limit("gap", limit)) : List.of();
-  }
-
-  static String format(String pattern, Object... values) {
-    return String.format(Locale.ROOT, pattern, values);
   }
 }

@@ -4,12 +4,9 @@ import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.dds.DdsLibrary;
 import dev.eventchain.dds.DdsParticipant;
-import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.sandbox.ConfinedProcess;
-import dev.eventchain.sandbox.Confinement;
-import dev.eventchain.sandbox.PythonEnvironment;
 import dev.eventchain.sandbox.WorkFolder;
-import dev.eventchain.simulation.SimulationRequest.Driver;
 import java.util.ArrayList;
 import java.util.List;
 
@@ -28,28 +25,31 @@ final class DdsHosts implements NodeHosts {
   /**
    * Starts the processes.
    *
-   * @param python with Cyclone DDS
+   * @param program with a Python that has Cyclone DDS
+   * @param names of the nodes, in chain order
+   * @param catalog the message types that the nodes use
+   * @param inRealTime whether no node waits for another
    * @param turn which of several such groups this is
    */
   DdsHosts(
-      SimulationRequest request,
-      NodeSetup setup,
-      PythonEnvironment python,
-      Confinement confinement,
+      HostProgram program,
+      List<String> names,
+      MessageCatalog catalog,
+      boolean inRealTime,
       int turn) {
-    this.program = new HostProgram(request, python, confinement);
-    UserFiles files = new UserFiles(request.packageFolder());
+    this.program = program;
+    UserFiles files = program.userFiles();
+    NodeLimits limits = program.generated().limits();
     participant = enter();
     try {
       participant.announce("eventchain_world");
-      for (SoftwareNode node : setup.nodes()) {
-        nodes.add(start(node.getName(), turn * setup.nodes().size() + nodes.size(), files));
+      for (String name : names) {
+        nodes.add(start(name, turn * names.size() + nodes.size(), files));
       }
       session =
-          request.driver() == Driver.DDS_IN_REAL_TIME
-              ? new RealTimeSession(nodes, participant, setup.catalog(), files, request.limits())
-              : new SimulatedTimeSession(
-                  nodes, participant, setup.catalog(), files, request.limits());
+          inRealTime
+              ? new RealTimeSession(nodes, participant, catalog, files, limits)
+              : new SimulatedTimeSession(nodes, participant, catalog, files, limits);
     } catch (RuntimeException | Error e) {
       closeAll();
       throw e;
@@ -84,7 +84,7 @@ final class DdsHosts implements NodeHosts {
     json.put("configuration", DdsParticipant.loopbackConfiguration(domain.tag()));
     var messages = json.putArray("messages");
     program
-        .request()
+        .generated()
         .messageFolders()
         .forEach(folder -> messages.add(folder.toAbsolutePath().normalize().toString()));
     return json;

@@ -53,7 +53,7 @@ abstract class DdsSession implements NodeSession {
       DdsParticipant participant,
       MessageCatalog catalog,
       UserFiles files,
-      SimulationRequest.Limits limits) {
+      NodeLimits limits) {
     this.nodes = List.copyOf(nodes);
     this.participant = participant;
     this.catalog = catalog;

@@ -25,7 +25,7 @@ record EgoVehicle(
     double maximalDeceleration,
     double coastingDeceleration,
     double maximalAcceleration,
-    Lidar.Settings lidar,
+    LidarSettings lidar,
     Chassis chassis) {
 
   /** Width of the body, in m. */
@@ -56,6 +56,6 @@ record EgoVehicle(
 
   /** A passenger car with the mounting that the AEB example's object detection knows. */
   static EgoVehicle withSpeed(double speed) {
-    return new EgoVehicle(speed, 0.2, 0.3, 9.0, 0.5, 3.0, Lidar.Settings.USUAL, Chassis.USUAL);
+    return new EgoVehicle(speed, 0.2, 0.3, 9.0, 0.5, 3.0, LidarSettings.USUAL, Chassis.USUAL);
   }
 }

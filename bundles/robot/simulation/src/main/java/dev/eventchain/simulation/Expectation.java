@@ -36,5 +36,5 @@ interface Expectation {
   }
 
   /** What was found. */
-  Criterion.Outcome judge(Trace trace);
+  Outcome judge(Trace trace);
 }

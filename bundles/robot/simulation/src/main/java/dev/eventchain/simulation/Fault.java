@@ -16,7 +16,7 @@ import java.util.zip.CRC32;
  *
  * @param target name of a node or a topic; empty if it happens to none
  * @param start from when on, in ns
- * @param end until when, in ns; that time is no longer part of it; {@link #NEVER}: to the end
+ * @param end until when, in ns; that time is no longer part of it; {@link RunLog#NEVER}: to the end
  * @param amount ns, messages, or parts of a million; 0 if the kind has none
  * @param expected what must hold in spite of it; empty if it is observed only
  * @param detection whether it must be detected
@@ -33,9 +33,6 @@ record Fault(
     List<Expectation> expected,
     Optional<Detected> detection,
     SourceLocation location) {
-
-  /** No time of a scenario. */
-  static final long NEVER = 1L << 62;
 
   /**
    * That a fault must be detected.
@@ -76,7 +73,7 @@ record Fault(
   ObjectNode toJson() {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     json.put("kind", kind.configured()).put("target", target).put("start", start);
-    if (end < NEVER) {
+    if (end < RunLog.NEVER) {
       json.put("end", end);
     } else {
       json.putNull("end");
@@ -99,7 +96,7 @@ record Fault(
           case DEAD_SENSOR -> "make the sensor of " + target + " die";
         };
     String from = what + String.format(Locale.ROOT, " from %s s", plain(start, 1e9));
-    return end < NEVER ? from + " to " + plain(end, 1e9) + " s" : from + " on";
+    return end < RunLog.NEVER ? from + " to " + plain(end, 1e9) + " s" : from + " on";
   }
 
   private String number() {

@@ -5,7 +5,6 @@ import dev.eventchain.simulation.FaultVerdict.Detection;
 import dev.eventchain.simulation.FaultVerdict.Means;
 import dev.eventchain.simulation.InputAges.TooOld;
 import dev.eventchain.simulation.RunLog.Affected;
-import dev.eventchain.simulation.ScenarioRunner.Run;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashSet;
@@ -22,12 +21,14 @@ import java.util.Set;
  */
 final class FaultDetections {
 
-  private final NodeSetup setup;
+  private final SimulatedChain chain;
+  private final UserFiles files;
   private final FaultRun faulty;
-  private final Run without;
+  private final ScenarioRun without;
 
-  FaultDetections(NodeSetup setup, FaultRun faulty, Run without) {
-    this.setup = setup;
+  FaultDetections(SimulatedChain chain, UserFiles files, FaultRun faulty, ScenarioRun without) {
+    this.chain = chain;
+    this.files = files;
     this.faulty = faulty;
     this.without = without;
   }
@@ -46,9 +47,9 @@ final class FaultDetections {
   /** The first time at which each input was too old and was not without the fault. */
   private void inputs(List<Detection> all) {
     Set<String> known = new HashSet<>();
-    InputAges.tooOld(without, setup, time -> time).forEach(it -> known.add(key(it) + it.time()));
+    InputAges.tooOld(without, chain, time -> time).forEach(it -> known.add(key(it) + it.time()));
     Set<String> told = new HashSet<>();
-    for (TooOld each : InputAges.tooOld(faulty.run(), setup, faulty.fault()::clock)) {
+    for (TooOld each : InputAges.tooOld(faulty.run(), chain, faulty.fault()::clock)) {
       boolean caused =
           each.time() >= faulty.fault().start() && !known.contains(key(each) + each.time());
       if (caused && told.add(key(each))) {
@@ -71,7 +72,7 @@ final class FaultDetections {
   private void losses(List<Detection> all) {
     for (Map.Entry<String, Affected> each : faulty.run().log().affected().entrySet()) {
       if (each.getValue().loss().isObject()) {
-        Diagnostic found = HostFailures.inUserCode(each.getValue().loss(), setup.userFiles());
+        Diagnostic found = HostFailures.inUserCode(each.getValue().loss(), files);
         double time = World.seconds(each.getValue().loss().path("time").asLong());
         all.add(
             new Detection(

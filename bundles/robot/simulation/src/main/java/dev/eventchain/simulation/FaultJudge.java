@@ -5,7 +5,6 @@ import dev.eventchain.simulation.Fault.Detected;
 import dev.eventchain.simulation.FaultVerdict.Detection;
 import dev.eventchain.simulation.FaultVerdict.Deviation;
 import dev.eventchain.simulation.FaultVerdict.Vehicle;
-import dev.eventchain.simulation.ScenarioRunner.Run;
 import dev.eventchain.simulation.ScenarioVerdict.CriterionResult;
 import java.util.ArrayList;
 import java.util.List;
@@ -15,22 +14,25 @@ import java.util.OptionalDouble;
 /** Compares a run with a fault with the one without it, and judges it. */
 final class FaultJudge {
 
-  private final NodeSetup setup;
+  private final SimulatedChain chain;
+  private final UserFiles files;
   private final boolean worked;
 
   /**
    * A judge.
    *
+   * @param files those that the user's code is in
    * @param worked whether every component works without faults, or people accept that it does not
    */
-  FaultJudge(NodeSetup setup, boolean worked) {
-    this.setup = setup;
+  FaultJudge(SimulatedChain chain, UserFiles files, boolean worked) {
+    this.chain = chain;
+    this.files = files;
     this.worked = worked;
   }
 
-  FaultVerdict verdict(FaultRun faulty, Run without) {
+  FaultVerdict verdict(FaultRun faulty, ScenarioRun without) {
     Fault fault = faulty.fault();
-    List<Detection> detections = new FaultDetections(setup, faulty, without).all();
+    List<Detection> detections = new FaultDetections(chain, files, faulty, without).all();
     boolean effective = faulty.tookEffect();
     List<CriterionResult> expected = expected(faulty, effective, detections);
     boolean failed = expected.stream().anyMatch(each -> each.tested() && !each.passed());
@@ -60,9 +62,9 @@ final class FaultJudge {
     double end = World.seconds(faulty.run().trace().end().time());
     if (!effective) {
       return fault.start() >= faulty.run().trace().end().time()
-          ? Criterion.format("the run ended after %.2f s", end)
+          ? RootLocale.format("the run ended after %.2f s", end)
           : fault.kind().isAboutMessages()
-              ? Criterion.format("no message came on %s in that time", fault.target())
+              ? RootLocale.format("no message came on %s in that time", fault.target())
               : "there was nothing that it could change";
     }
     long count = faulty.affected();
@@ -84,16 +86,16 @@ final class FaultJudge {
   }
 
   private List<CriterionResult> criteria(FaultRun faulty, List<Expectation> criteria) {
-    Run run = faulty.run().with(faulty.run().scenario().with(criteria));
+    ScenarioRun run = faulty.run().with(faulty.run().scenario().with(criteria));
     if (faulty.ended().isEmpty()) {
-      return new ScenarioJudge(setup).criteria(run, worked);
+      return new ScenarioJudge(chain).criteria(run, worked);
     }
     String why = endedEarly(faulty.ended().get());
     return criteria.stream().map(each -> untested(each, why)).toList();
   }
 
   private static CriterionResult untested(Expectation criterion, String why) {
-    return ScenarioJudge.result(criterion, Criterion.Outcome.untested(why));
+    return ScenarioJudge.result(criterion, Outcome.untested(why));
   }
 
   /** A fault that changed nothing says nothing, whatever held. */
@@ -132,7 +134,7 @@ final class FaultJudge {
 
   private static String text(Detected wanted) {
     return wanted.within().isPresent()
-        ? Criterion.format("the fault is detected within %.2f s", wanted.within().getAsDouble())
+        ? RootLocale.format("the fault is detected within %.2f s", wanted.within().getAsDouble())
         : "the fault is detected";
   }
 
@@ -158,7 +160,7 @@ final class FaultJudge {
 
   private static String measured(Detection detection, double start) {
     return detection.time().isPresent()
-        ? Criterion.format(
+        ? RootLocale.format(
             "%s, %.2f s after its start", detection.words(), detection.time().getAsDouble() - start)
         : detection.words() + ", at an unknown time";
   }

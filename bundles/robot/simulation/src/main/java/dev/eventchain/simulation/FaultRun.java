@@ -2,7 +2,6 @@ package dev.eventchain.simulation;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.simulation.RunLog.Affected;
-import dev.eventchain.simulation.ScenarioRunner.Run;
 import java.util.Optional;
 
 /**
@@ -12,7 +11,7 @@ import java.util.Optional;
  * @param world what the fault did to the world's messages
  * @param ended why it could not go on to its end; empty if it did
  */
-record FaultRun(Fault fault, Run run, WorldFault world, Optional<Diagnostic> ended) {
+record FaultRun(Fault fault, ScenarioRun run, WorldFault world, Optional<Diagnostic> ended) {
 
   /** How many activations or messages the fault has changed. */
   long affected() {
@@ -20,7 +19,7 @@ record FaultRun(Fault fault, Run run, WorldFault world, Optional<Diagnostic> end
         + run.log().affected().values().stream().mapToLong(Affected::count).sum();
   }
 
-  /** When the fault first made a difference, in ns; {@link Fault#NEVER} if it never did. */
+  /** When the fault first made a difference, in ns; {@link RunLog#NEVER} if it never did. */
   long first() {
     return run.log().affected().values().stream()
         .mapToLong(Affected::first)

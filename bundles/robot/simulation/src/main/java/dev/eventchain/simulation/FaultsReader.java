@@ -257,7 +257,7 @@ final class FaultsReader {
               String message = "The clock would show a time before the start of the scenario.";
               section.find("fault.value.range", message, section.at(it.kind().key()));
             });
-    long end = length.isPresent() ? from + World.nanoseconds(length.getAsDouble()) : Fault.NEVER;
+    long end = length.isPresent() ? from + World.nanoseconds(length.getAsDouble()) : RunLog.NEVER;
     return new Window(from, end);
   }
 

@@ -1,10 +1,9 @@
 package dev.eventchain.simulation;
 
-import static dev.eventchain.simulation.Criterion.format;
+import static dev.eventchain.simulation.RootLocale.format;
 
 import dev.eventchain.diagnostics.SourceRange;
 import dev.eventchain.messages.Unit;
-import dev.eventchain.simulation.Criterion.Outcome;
 import dev.eventchain.simulation.ScenarioVerdict.Limit;
 import dev.eventchain.simulation.ScenarioVerdict.Margin;
 import java.math.BigDecimal;
@@ -63,7 +62,7 @@ final class Formula {
 
   /** Whether it is certainly true at the start of a run. */
   boolean holds(SampledRun run) {
-    return Evaluation.of(condition, run).verdict() > 0.0;
+    return FormulaEvaluation.of(condition, run).verdict() > 0.0;
   }
 
   /** The formula on one line. */
@@ -97,21 +96,21 @@ final class Formula {
 
   Outcome judge(Trace trace) {
     SampledRun run = new SampledRun(trace);
-    Evaluation evaluation = Evaluation.of(condition, run);
-    if (evaluation.verdict() == Truth.UNKNOWN) {
+    FormulaEvaluation evaluation = FormulaEvaluation.of(condition, run);
+    if (evaluation.verdict() == Robustness.UNKNOWN) {
       return Outcome.untested(unknown(evaluation, run));
     }
     if (evaluation.verdict() < 0.0) {
       return outcome(false, evaluation, run);
     }
-    Evaluation strict = Evaluation.strictly(condition, run);
+    FormulaEvaluation strict = FormulaEvaluation.strictly(condition, run);
     return strict.verdict() > 0.0
         ? outcome(true, strict, run)
         : Outcome.untested(unknown(strict, run));
   }
 
-  private static String unknown(Evaluation evaluation, SampledRun run) {
-    Evaluation.Decision decision = evaluation.decision();
+  private static String unknown(FormulaEvaluation evaluation, SampledRun run) {
+    FormulaEvaluation.Decision decision = evaluation.decision();
     if (decision.vacuity().isPresent()) {
       return decision.vacuity().get();
     }
@@ -127,14 +126,14 @@ final class Formula {
         .signals()
         .flatMap(Signal::origins)
         .filter(signal -> Double.isNaN(run.of(signal)[sample]))
-        .flatMap(signal -> BenchSignals.topicName(signal).stream())
+        .flatMap(signal -> signal.topic().stream())
         .findFirst()
         .map(topic -> text + ", since there was no current message on " + topic)
         .orElse(text);
   }
 
-  private static Outcome outcome(boolean passed, Evaluation evaluation, SampledRun run) {
-    Evaluation.Decision decision = evaluation.decision();
+  private static Outcome outcome(boolean passed, FormulaEvaluation evaluation, SampledRun run) {
+    FormulaEvaluation.Decision decision = evaluation.decision();
     if (decision.comparison().isEmpty()) {
       return new Outcome(passed, "nothing comes before the start");
     }
@@ -146,7 +145,7 @@ final class Formula {
           passed, format("'%s' %s %s", comparison.text(), holds ? "holds" : "is missed", when));
     }
     String unit = comparison.left().commonUnit(comparison.right());
-    double margin = Truth.margin(decision.truth());
+    double margin = Robustness.margin(decision.truth());
     String text =
         format(
             "'%s' %s by %s %s",

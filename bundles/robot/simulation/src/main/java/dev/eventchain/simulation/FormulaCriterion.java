@@ -34,7 +34,8 @@ record FormulaCriterion(String name, Formula formula, SourceLocation location)
         .flatMap(Signal::origins)
         .anyMatch(
             signal ->
-                BenchSignals.topicName(signal)
+                signal
+                    .topic()
                     .map(topics::contains)
                     .orElse(commanding && WorldSignals.isKnown(signal.name())));
   }
@@ -50,7 +51,7 @@ record FormulaCriterion(String name, Formula formula, SourceLocation location)
   }
 
   @Override
-  public Criterion.Outcome judge(Trace trace) {
+  public Outcome judge(Trace trace) {
     return formula.judge(trace);
   }
 }

@@ -13,14 +13,19 @@ import java.util.List;
 /**
  * The ROS 2 runtime's programs that host nodes.
  *
- * @param request whose nodes they run, within its limits
+ * @param generated the nodes that they run, within their limits
  */
-record HostProgram(SimulationRequest request, PythonEnvironment python, Confinement confinement) {
+record HostProgram(NodePackage generated, PythonEnvironment python, Confinement confinement) {
 
   /** Where the ROS 2 runtime's Python sources are among the resources. */
   private static final String RUNTIME = "eventchain/ros2";
 
   private static final int MEMORY_MIB = 1024;
+
+  /** The files that the user's code is in. */
+  UserFiles userFiles() {
+    return new UserFiles(generated.folder());
+  }
 
   /**
    * A process of a program, to be started: it may read the package and the message definitions.
@@ -30,9 +35,9 @@ record HostProgram(SimulationRequest request, PythonEnvironment python, Confinem
    */
   ConfinedProcess.Builder process(String module, int turn, WorkFolder workFolder) {
     Path runtime = PythonSources.unpack(HostProgram.class.getClassLoader(), RUNTIME);
-    List<Path> readable = new ArrayList<>(request.messageFolders());
-    readable.add(request.packageFolder());
-    Duration longest = request.limits().run();
+    List<Path> readable = new ArrayList<>(generated.messageFolders());
+    readable.add(generated.folder());
+    Duration longest = generated.limits().run();
     return ConfinedProcess.on(python)
         .module(module)
         .pythonPath(runtime)

@@ -7,7 +7,6 @@ import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.simulation.RunLog.Activation;
 import dev.eventchain.simulation.RunLog.SampleId;
-import dev.eventchain.simulation.ScenarioRunner.Run;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -42,20 +41,20 @@ final class InputAges {
    */
   record TooOld(String node, String topic, long time, boolean command, String words) {}
 
-  private final NodeSetup setup;
-  private final List<Run> runs;
+  private final SimulatedChain chain;
+  private final List<ScenarioRun> runs;
 
-  private InputAges(NodeSetup setup, List<Run> runs) {
-    this.setup = setup;
+  private InputAges(SimulatedChain chain, List<ScenarioRun> runs) {
+    this.chain = chain;
     this.runs = runs;
   }
 
   /** A warning for each component and topic whose sample was too old, with the oldest one. */
-  static List<Diagnostic> in(List<Run> runs, NodeSetup setup) {
-    InputAges ages = new InputAges(setup, runs);
+  static List<Diagnostic> in(List<ScenarioRun> runs, SimulatedChain chain) {
+    InputAges ages = new InputAges(chain, runs);
     List<Diagnostic> found = new ArrayList<>();
-    setup.nodes().forEach(node -> ages.check(node, found));
-    setup.commands().forEach(topic -> ages.checkCommands(topic, found));
+    chain.nodes().forEach(node -> ages.check(node, found));
+    chain.commands().forEach(topic -> ages.checkCommands(topic, found));
     return found;
   }
 
@@ -64,20 +63,20 @@ final class InputAges {
    *
    * @param clock what the nodes' clocks show at a time, both in ns
    */
-  static List<TooOld> tooOld(Run run, NodeSetup setup, LongUnaryOperator clock) {
+  static List<TooOld> tooOld(ScenarioRun run, SimulatedChain chain, LongUnaryOperator clock) {
     List<TooOld> found = new ArrayList<>();
-    for (SoftwareNode node : setup.nodes()) {
-      limits(node, setup)
+    for (SoftwareNode node : chain.nodes()) {
+      limits(node, chain)
           .forEach(
               (topic, limit) ->
                   tooOld(run, node, topic, limit, clock)
                       .forEach(it -> found.add(input(node, topic, limit, it))));
     }
-    for (String topic : setup.commands()) {
-      double limit = setup.lifetime(topic) / MILLISECOND;
+    for (String topic : chain.commands()) {
+      double limit = chain.lifetime(topic) / MILLISECOND;
       if (limit > 0) {
         silences(run, topic, limit)
-            .forEach(it -> found.add(command(setup.writer(topic), topic, limit, it)));
+            .forEach(it -> found.add(command(chain.writer(topic), topic, limit, it)));
       }
     }
     return found;
@@ -113,7 +112,7 @@ final class InputAges {
   }
 
   private void check(SoftwareNode node, List<Diagnostic> found) {
-    limits(node, setup)
+    limits(node, chain)
         .forEach(
             (topic, limit) ->
                 runs.stream()
@@ -127,14 +126,14 @@ final class InputAges {
   }
 
   /** How old what a component reads of a topic may be, in ms, for the topics that have a limit. */
-  static Map<String, Double> limits(SoftwareNode node, NodeSetup setup) {
+  static Map<String, Double> limits(SoftwareNode node, SimulatedChain chain) {
     Map<String, Double> limits = new LinkedHashMap<>();
     for (Data input : node.getInput()) {
       TopicIndex.nameOf(input, node)
           .ifPresent(
               topic -> {
                 double limit =
-                    input.isSetMaximumAge() ? input.getMaximumAge() : setup.usualAge(topic);
+                    input.isSetMaximumAge() ? input.getMaximumAge() : chain.usualAge(topic);
                 if (limit > 0) {
                   limits.merge(topic, limit, Math::min);
                 }
@@ -163,16 +162,16 @@ final class InputAges {
 
   /** The vehicle keeps to the last command that it was given, however old. */
   private void checkCommands(String topic, List<Diagnostic> found) {
-    double limit = setup.lifetime(topic) / MILLISECOND;
+    double limit = chain.lifetime(topic) / MILLISECOND;
     if (limit > 0) {
       runs.stream()
           .flatMap(run -> silences(run, topic, limit).stream())
           .reduce(Worst::with)
-          .ifPresent(worst -> found.add(finding(setup.writer(topic), topic, limit, worst)));
+          .ifPresent(worst -> found.add(finding(chain.writer(topic), topic, limit, worst)));
     }
   }
 
-  private static List<Worst> silences(Run run, String topic, double limit) {
+  private static List<Worst> silences(ScenarioRun run, String topic, double limit) {
     List<Long> times = new ArrayList<>(run.log().publicationsOf(topic).values());
     List<Worst> found = new ArrayList<>();
     for (int i = 0; i < times.size(); i++) {
@@ -205,7 +204,7 @@ final class InputAges {
 
   /** An age below zero, after a jump of the clock, is none that a node trusts. */
   private static List<Worst> tooOld(
-      Run run, SoftwareNode node, String topic, double limit, LongUnaryOperator clock) {
+      ScenarioRun run, SoftwareNode node, String topic, double limit, LongUnaryOperator clock) {
     List<Worst> found = new ArrayList<>();
     for (Activation activation : run.log().nodes().getOrDefault(node.getName(), List.of())) {
       for (SampleId read : activation.reads()) {

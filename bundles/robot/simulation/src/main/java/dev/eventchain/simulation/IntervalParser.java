@@ -82,7 +82,7 @@ final class IntervalParser {
   }
 
   private String lasts() {
-    return Criterion.format("The scenario lasts at most %s s.", duration);
+    return RootLocale.format("The scenario lasts at most %s s.", duration);
   }
 
   /** Refuses intervals that begin after others and end after the scenario with them. */
@@ -97,7 +97,7 @@ final class IntervalParser {
       if (end * World.TRACE_STEP > World.nanoseconds(duration) && places.containsKey(interval)) {
         throw tokens.syntax(
             places.get(interval),
-            Criterion.format(
+            RootLocale.format(
                 "With the intervals around it, it reaches %s s after the start.",
                 World.seconds(end * World.TRACE_STEP)),
             lasts());

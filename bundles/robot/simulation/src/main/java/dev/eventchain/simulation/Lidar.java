@@ -16,22 +16,6 @@ import java.util.SplittableRandom;
  */
 final class Lidar {
 
-  /**
-   * How it is mounted, and what it gets wrong.
-   *
-   * @param behindBumper from the front bumper back to the lidar, in m
-   * @param aboveRoad from the road up to the lidar, in m
-   * @param noise standard deviation of a measured range, in m
-   * @param dropout part of the rays that return nothing although something is there, 0 to 1
-   * @param azimuthStep from one direction of its rings to the next, in degrees
-   */
-  record Settings(
-      double behindBumper, double aboveRoad, double noise, double dropout, double azimuthStep) {
-
-    /** The mounting that the AEB example's object detection knows. */
-    static final Settings USUAL = new Settings(2.4, 2.4, 0.01, 0.0, 0.5);
-  }
-
   /** Length of one point in bytes: x, y, z and intensity as float32. */
   static final int POINT_STEP = 16;
 
@@ -50,7 +34,7 @@ final class Lidar {
   /** Standard normal numbers; a scan takes a piece of them from a random place. */
   private static final float[] NOISE = noise();
 
-  private final Settings settings;
+  private final LidarSettings settings;
   private final SplittableRandom random;
   private final SplittableRandom dropouts;
   private final LidarRays rays;
@@ -60,7 +44,7 @@ final class Lidar {
   private final float[] intensity;
   private final float[] points;
 
-  Lidar(Settings settings, long seed) {
+  Lidar(LidarSettings settings, long seed) {
     this.settings = settings;
     this.random = new SplittableRandom(seed);
     this.dropouts = new SplittableRandom(~seed);
@@ -132,7 +116,7 @@ final class Lidar {
   }
 
   /** The nearest echo but for the road's about every two degrees of the last scan, for people. */
-  ScenarioVerdict.Scan outline(RoadScene scene, double time) {
+  Trace.Outline outline(RoadScene scene, double time) {
     Road.Place place = scene.ego().ahead(-settings.behindBumper());
     List<Double> x = new ArrayList<>();
     List<Double> y = new ArrayList<>();
@@ -151,7 +135,7 @@ final class Lidar {
         y.add(echo.y());
       }
     }
-    return new ScenarioVerdict.Scan(time, x, y);
+    return new Trace.Outline(time, x, y);
   }
 
   /** Road and walls, which look the same from every place in the middle of a straight lane. */

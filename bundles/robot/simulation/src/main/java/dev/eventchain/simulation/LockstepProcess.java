@@ -1,8 +1,6 @@
 package dev.eventchain.simulation;
 
 import dev.eventchain.sandbox.ConfinedProcess;
-import dev.eventchain.sandbox.Confinement;
-import dev.eventchain.sandbox.PythonEnvironment;
 import dev.eventchain.sandbox.WorkFolder;
 
 /** A confined Python process with the lock-step host of the ROS 2 runtime in it. */
@@ -18,13 +16,12 @@ final class LockstepProcess implements NodeHosts {
   /**
    * Starts the process.
    *
+   * @param nodes how many there are in it at most
    * @param turn which of the processes that simulate at the same time it is
    */
-  LockstepProcess(
-      SimulationRequest request, PythonEnvironment python, Confinement confinement, int turn) {
-    this.process =
-        new HostProgram(request, python, confinement).process(HOST, turn, workFolder).start();
-    this.watchdog = watchdog(request, process);
+  LockstepProcess(HostProgram program, int nodes, int turn) {
+    this.process = program.process(HOST, turn, workFolder).start();
+    this.watchdog = watchdog(program.generated().limits(), nodes + 1, process);
     this.session =
         new LockstepSession(
             new HostChannel(process.stdout(), process.stdin()),
@@ -32,16 +29,14 @@ final class LockstepProcess implements NodeHosts {
             new HostFailures(
                 "The process that runs the nodes",
                 () -> HostFailures.LastWords.of(process),
-                new UserFiles(request.packageFolder())));
+                program.userFiles()));
   }
 
   /**
    * The host itself ends components and interrupts nodes that take too long, and says where they
    * were; this is for what it cannot interrupt, when each of them might have used up its time.
    */
-  private static Watchdog watchdog(SimulationRequest request, ConfinedProcess process) {
-    int all = request.chain().getSoftware().size() + 1;
-    SimulationRequest.Limits limits = request.limits();
+  private static Watchdog watchdog(NodeLimits limits, int all, ConfinedProcess process) {
     return new Watchdog(
         limits.processorTime().multipliedBy(all).plusSeconds(2),
         limits.wallTime().multipliedBy(all).plusSeconds(10),

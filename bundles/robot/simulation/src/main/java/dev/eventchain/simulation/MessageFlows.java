@@ -2,7 +2,6 @@ package dev.eventchain.simulation;
 
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.simulation.HopLog.Passed;
-import dev.eventchain.simulation.ScenarioRunner.Run;
 import java.util.Collection;
 import java.util.List;
 import java.util.Optional;
@@ -15,30 +14,30 @@ final class MessageFlows {
 
   private static final double MILLISECOND = 1e6;
 
-  private final NodeSetup setup;
-  private final List<Run> runs;
+  private final SimulatedChain chain;
+  private final List<ScenarioRun> runs;
   private final List<HopLog> logs;
 
-  private MessageFlows(NodeSetup setup, List<Run> runs) {
-    this.setup = setup;
+  private MessageFlows(SimulatedChain chain, List<ScenarioRun> runs) {
+    this.chain = chain;
     this.runs = runs;
     this.logs = runs.stream().map(run -> new HopLog(run.log())).toList();
   }
 
   /** How messages went in these scenarios together. */
-  static MessageFlow of(List<Run> runs, NodeSetup setup) {
-    if (setup.isAttached()) { // who read what, and what got lost, is not seen
+  static MessageFlow of(List<ScenarioRun> runs, SimulatedChain chain) {
+    if (chain.isAttached()) { // who read what, and what got lost, is not seen
       return new MessageFlow(List.of(), List.of(), List.of());
     }
-    MessageFlows flows = new MessageFlows(setup, runs);
-    List<Hop> hops = Hop.of(setup);
+    MessageFlows flows = new MessageFlows(chain, runs);
+    List<ChainHop> hops = ChainHop.of(chain);
     return new MessageFlow(
         hops.stream().map(flows::hop).toList(),
-        setup.nodes().stream().map(flows::processing).toList(),
-        hops.stream().map(Hop::topic).distinct().map(flows::topic).toList());
+        chain.nodes().stream().map(flows::processing).toList(),
+        hops.stream().map(ChainHop::topic).distinct().map(flows::topic).toList());
   }
 
-  private MessageFlow.Hop hop(Hop hop) {
+  private MessageFlow.Hop hop(ChainHop hop) {
     List<Passed> passed =
         logs.stream()
             .map(log -> log.passed(hop.topic(), hop.writer(), hop.reader()))
@@ -83,7 +82,7 @@ final class MessageFlows {
   }
 
   private MessageFlow.Topic topic(String name) {
-    boolean isProvided = setup.bench().provided().containsKey(name);
+    boolean isProvided = chain.bench().provided().containsKey(name);
     return new MessageFlow.Topic(
         name,
         published(name),
@@ -95,13 +94,13 @@ final class MessageFlows {
   private OptionalLong published(String topic) {
     long count = sum(run -> (long) run.log().publicationsOf(topic).size());
     boolean isKnown =
-        setup.bench().provided().containsKey(topic)
-            || setup.writers(topic).stream()
+        chain.bench().provided().containsKey(topic)
+            || chain.writers(topic).stream()
                 .anyMatch(node -> logs.stream().anyMatch(log -> log.isActive(node)));
     return count > 0 || isKnown ? OptionalLong.of(count) : OptionalLong.empty();
   }
 
-  private long sum(Function<Run, Long> count) {
+  private long sum(Function<ScenarioRun, Long> count) {
     return runs.stream().mapToLong(count::apply).sum();
   }
 

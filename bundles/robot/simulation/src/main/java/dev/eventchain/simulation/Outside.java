@@ -55,13 +55,11 @@ record Outside(List<Peer> peers, NavigableSet<String> nodes, boolean isEmpty, Wi
   /**
    * What keeps the chain from being driven, in words.
    *
-   * @param taken the topics that the vehicle takes from the chain: each needs a writer; each topic
-   *     that the world publishes needs a reader, but for the clock
-   * @param written the topics that the chain writes: on others that the world publishes, it is
-   *     alone
-   * @param catalog has the definitions of the world's messages
+   * @param chain of what the vehicle takes from it each topic needs a writer, and each topic that
+   *     the world publishes needs a reader, but for the clock; on topics that the chain does not
+   *     write, the world is alone
    */
-  List<String> missing(Set<String> taken, Set<String> written, MessageCatalog catalog) {
+  List<String> missing(ChainTopics chain) {
     List<String> missing = new ArrayList<>();
     for (WireEnd writer : graph.writersOf(WireEnd.WORLD)) {
       if (!writer.topic().equals(CLOCK) && graph.sinks(writer) == 0) {
@@ -69,12 +67,12 @@ record Outside(List<Peer> peers, NavigableSet<String> nodes, boolean isEmpty, Wi
       }
     }
     for (WireEnd reader : graph.readersOf(WireEnd.WORLD)) {
-      if (taken.contains(reader.topic()) && graph.sources(reader).isEmpty()) {
+      if (chain.taken().contains(reader.topic()) && graph.sources(reader).isEmpty()) {
         missing.add(why(reader, true));
       }
     }
-    missing.addAll(otherDefinitions(catalog));
-    missing.addAll(rivals(written));
+    missing.addAll(otherDefinitions(chain.catalog()));
+    missing.addAll(rivals(chain.written()));
     return missing;
   }
 

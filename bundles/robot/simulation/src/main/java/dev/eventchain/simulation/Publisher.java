@@ -6,7 +6,6 @@ import dev.eventchain.messages.FieldType;
 import dev.eventchain.messages.MessageType;
 import dev.eventchain.messages.MessageValue;
 import dev.eventchain.simulation.Bench.Provided;
-import dev.eventchain.simulation.BenchDriver.Topic;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -22,7 +21,7 @@ final class Publisher {
   /** How often people are shown what the lidar sees, in ns. */
   private static final long OUTLINE = SECOND * 2 / 5;
 
-  private final Topic topic;
+  private final TypedTopic topic;
   private final Optional<Provided> provided;
   private final MessageValue message;
   private final List<String> stamps = new ArrayList<>();
@@ -32,7 +31,7 @@ final class Publisher {
   private long count;
 
   Publisher(
-      Topic topic,
+      TypedTopic topic,
       Optional<Provided> provided,
       MessageValue message,
       List<Signal> recorded,
@@ -64,7 +63,7 @@ final class Publisher {
     return count * period;
   }
 
-  Topic topic() {
+  TypedTopic topic() {
     return topic;
   }
 
@@ -114,7 +113,7 @@ final class Publisher {
       RoadScene scene = RoadScene.of(world);
       lidar.scan(scene, message);
       if (world.now() % OUTLINE == 0) {
-        world.trace().scan(lidar.outline(scene, World.seconds(world.now())));
+        world.trace().outline(lidar.outline(scene, World.seconds(world.now())));
       }
     }
     provided.get().objects().ifPresent(it -> it.fill(world, random, message));

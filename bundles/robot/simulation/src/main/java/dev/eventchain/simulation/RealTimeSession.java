@@ -30,7 +30,7 @@ final class RealTimeSession extends DdsSession {
       DdsParticipant participant,
       MessageCatalog catalog,
       UserFiles files,
-      SimulationRequest.Limits limits) {
+      NodeLimits limits) {
     super(nodes, participant, catalog, files, limits);
   }
 

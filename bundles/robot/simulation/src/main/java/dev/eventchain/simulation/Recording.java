@@ -6,7 +6,6 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.messages.MessageType;
-import dev.eventchain.simulation.BenchDriver.Topic;
 import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -30,6 +29,23 @@ final class Recording implements AutoCloseable {
 
   private static final String UNFINISHED = ".part";
 
+  /**
+   * What is recorded.
+   *
+   * @param published the topics that the world publishes, by the index of a message's topic
+   * @param received the topics that the world receives, by the index of a message's topic
+   * @param lidarFrame the frame that the lidar's messages name; empty if there are none
+   * @param epoch what clocks show at time 0 of the scenario, in ns
+   */
+  record Topics(
+      List<TypedTopic> published, List<TypedTopic> received, String lidarFrame, long epoch) {
+
+    /** What clocks show at a time of the scenario, in ns. */
+    private long shown(long time) {
+      return epoch + time;
+    }
+  }
+
   private interface Writing {
     void run() throws IOException;
   }
@@ -37,9 +53,9 @@ final class Recording implements AutoCloseable {
   private final Path file;
   private final Path unfinished;
   private final Scenario scenario;
-  private final BenchDriver driver;
+  private final Topics topics;
   private final SceneMessages scenes;
-  private final Map<Topic, Integer> channels = new HashMap<>();
+  private final Map<TypedTopic, Integer> channels = new HashMap<>();
   private OutputStream output = OutputStream.nullOutputStream();
   private McapWriter writer;
   private boolean closed;
@@ -50,30 +66,30 @@ final class Recording implements AutoCloseable {
    * Begins a recording.
    *
    * @param folder the file is NAME.mcap in it, where NAME is the scenario's
-   * @param driver what is published and received, all of which is recorded
+   * @param topics what is published and received, all of which is recorded
    * @throws DiagnosticException {@code simulation.recording.unwritable}, as from all methods
    */
-  Recording(Path folder, Scenario scenario, BenchDriver driver, MessageCatalog catalog) {
+  Recording(Path folder, Scenario scenario, Topics topics, MessageCatalog catalog) {
     this.file = folder.resolve(scenario.name() + SUFFIX);
     this.unfinished = folder.resolve(scenario.name() + SUFFIX + UNFINISHED);
     this.scenario = scenario;
-    this.driver = driver;
-    this.scenes = new SceneMessages(driver.lidarFrame());
+    this.topics = topics;
+    this.scenes = new SceneMessages(topics.lidarFrame());
     writing(() -> begin(catalog));
   }
 
   private void begin(MessageCatalog catalog) throws IOException {
     output = new BufferedOutputStream(Files.newOutputStream(unfinished), 1 << 16);
     writer = new McapWriter(output);
-    List<Topic> topics = new ArrayList<>(driver.published());
-    topics.addAll(driver.received());
-    for (Topic topic : topics) {
+    List<TypedTopic> all = new ArrayList<>(topics.published());
+    all.addAll(topics.received());
+    for (TypedTopic topic : all) {
       if (!channels.containsKey(topic)) {
         MessageType type = catalog.find(topic.type()).orElseThrow();
         channels.put(topic, channel(topic.name(), type, catalog));
       }
     }
-    boolean taken = topics.stream().anyMatch(topic -> topic.name().equals("/tf"));
+    boolean taken = all.stream().anyMatch(topic -> topic.name().equals("/tf"));
     transforms = channel(taken ? "/world/tf" : "/tf", scenes.transforms(), scenes.catalog());
     bodies = channel("/world/actors", scenes.bodies(), scenes.catalog());
   }
@@ -85,7 +101,7 @@ final class Recording implements AutoCloseable {
   /** Where everything is at this moment. */
   void scene(World world) {
     ScenePoses scene = ScenePoses.of(world, scenario.situation().ego());
-    long now = driver.shown(world.now());
+    long now = topics.shown(world.now());
     writing(
         () -> {
           writer.message(transforms, now, ByteBuffer.wrap(scenes.transforms(scene, now)));
@@ -99,10 +115,10 @@ final class Recording implements AutoCloseable {
     writing(
         () -> {
           for (NodeSession.Inbound message : messages) {
-            Topic topic = driver.published().get(message.topic());
+            TypedTopic topic = topics.published().get(message.topic());
             // What the world listens to itself comes back to it.
-            if (!driver.received().contains(topic)) {
-              writer.message(channels.get(topic), driver.shown(world.now()), message.message());
+            if (!topics.received().contains(topic)) {
+              writer.message(channels.get(topic), topics.shown(world.now()), message.message());
             }
           }
         });
@@ -110,8 +126,8 @@ final class Recording implements AutoCloseable {
 
   /** What the nodes published, in the order of time. */
   void took(NodeSession.Outbound message) {
-    Topic topic = driver.received().get(message.topic());
-    long time = driver.shown(message.time());
+    TypedTopic topic = topics.received().get(message.topic());
+    long time = topics.shown(message.time());
     writing(() -> writer.message(channels.get(topic), time, message.message()));
   }
 

@@ -6,7 +6,6 @@ import dev.eventchain.diagnostics.Printable;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.simulation.RunLog.Activation;
-import dev.eventchain.simulation.ScenarioRunner.Run;
 import java.nio.charset.StandardCharsets;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -20,27 +19,33 @@ final class ResultBuilder {
 
   private static final double MILLISECOND = 1e6;
 
-  private final NodeSetup setup;
-  private final List<Run> runs;
+  private final SimulationRequest request;
+  private final SimulatedChain chain;
+  private final List<ScenarioRun> runs;
   private final List<FaultRun> faultRuns;
 
-  ResultBuilder(NodeSetup setup, List<Run> runs, List<FaultRun> faultRuns) {
-    this.setup = setup;
+  ResultBuilder(
+      SimulationRequest request,
+      SimulatedChain chain,
+      List<ScenarioRun> runs,
+      List<FaultRun> faultRuns) {
+    this.request = request;
+    this.chain = chain;
     this.runs = runs;
     this.faultRuns = faultRuns;
   }
 
   SimulationResult build(String confinement, int processes, double wallSeconds) {
     List<Diagnostic> silent = silent();
-    boolean worked = silent.stream().allMatch(setup::isAccepted);
-    ScenarioJudge judge = new ScenarioJudge(setup);
+    boolean worked = silent.stream().allMatch(request.accepted()::test);
+    ScenarioJudge judge = new ScenarioJudge(chain);
     List<ScenarioVerdict> verdicts =
         runs.stream().map(run -> judge.verdict(run, worked(run, silent))).toList();
     Measurements measurements = measurements(verdicts);
     SimulationResult.Host host =
         new SimulationResult.Host(
-            setup.driverWords(),
-            setup.isAttached(),
+            request.driverWords(),
+            chain.isAttached(),
             confinement,
             runs.get(0).ready().path("python").asText(),
             processes,
@@ -55,12 +60,12 @@ final class ResultBuilder {
   }
 
   private List<FaultVerdict> faults(boolean worked) {
-    FaultJudge judge = new FaultJudge(setup, worked);
+    FaultJudge judge = new FaultJudge(chain, request.userFiles(), worked);
     return faultRuns.stream().map(run -> judge.verdict(run, without(run.fault()))).toList();
   }
 
   /** The run of a fault's scenario without it. */
-  private Run without(Fault fault) {
+  private ScenarioRun without(Fault fault) {
     return runs.stream()
         .filter(run -> run.scenario().name().equals(fault.scenario().name()))
         .findFirst()
@@ -69,40 +74,42 @@ final class ResultBuilder {
 
   /** Components that did not work, as far as they can be seen. */
   private List<Diagnostic> silent() {
-    return setup.isAttached()
-        ? AttachedFindings.neverHeard(runs, setup)
-        : Silence.in(runs.stream().map(Run::log).toList(), setup);
+    return chain.isAttached()
+        ? AttachedFindings.neverHeard(runs, chain)
+        : Silence.in(runs.stream().map(ScenarioRun::log).toList(), chain);
   }
 
-  private List<Diagnostic> silentIn(Run run) {
-    return setup.isAttached() ? AttachedFindings.silentIn(run, setup) : List.of();
+  private List<Diagnostic> silentIn(ScenarioRun run) {
+    return chain.isAttached() ? AttachedFindings.silentIn(run, chain) : List.of();
   }
 
-  private boolean worked(Run run, List<Diagnostic> silent) {
-    return Stream.of(silent, silentIn(run)).flatMap(List::stream).allMatch(setup::isAccepted);
+  private boolean worked(ScenarioRun run, List<Diagnostic> silent) {
+    return Stream.of(silent, silentIn(run))
+        .flatMap(List::stream)
+        .allMatch(request.accepted()::test);
   }
 
   /** Nothing is measured of nodes that others run. */
   private Measurements measurements(List<ScenarioVerdict> verdicts) {
-    if (setup.isAttached()) {
+    if (chain.isAttached()) {
       return new Measurements(
-          runId(verdicts, List.of()), "", "", List.of(), MessageFlows.of(runs, setup));
+          runId(verdicts, List.of()), "", "", List.of(), MessageFlows.of(runs, chain));
     }
-    List<Measurements.Node> nodes = setup.nodes().stream().map(this::measure).toList();
+    List<Measurements.Node> nodes = chain.nodes().stream().map(this::measure).toList();
     return new Measurements(
         runId(verdicts, nodes),
-        setup.reader(setup.entry()),
-        setup.writer(setup.exit()),
+        chain.reader(chain.entry()),
+        chain.writer(chain.exit()),
         nodes,
-        MessageFlows.of(runs, setup));
+        MessageFlows.of(runs, chain));
   }
 
   /** What has to be known of nodes that others run. */
   private List<Diagnostic> attached() {
-    return setup.isAttached()
+    return chain.isAttached()
         ? Stream.concat(
                 runs.stream().flatMap(run -> silentIn(run).stream()),
-                AttachedFindings.about(runs, setup).stream())
+                AttachedFindings.about(runs, chain, request.driverWords()).stream())
             .toList()
         : List.of();
   }
@@ -112,7 +119,7 @@ final class ResultBuilder {
     DoubleStream.Builder executionTimes = DoubleStream.builder();
     DoubleStream.Builder hostTimes = DoubleStream.builder();
     int activations = 0;
-    for (Run run : runs) {
+    for (ScenarioRun run : runs) {
       Activation previous = null;
       for (Activation activation : run.log().nodes().getOrDefault(node.getName(), List.of())) {
         activations++;
@@ -125,7 +132,7 @@ final class ResultBuilder {
       }
     }
     double[] found = periods.build().toArray();
-    double nominal = NodeSetup.period(node);
+    double nominal = SimulatedChain.period(node);
     double[] jitter =
         nominal > 0
             ? DoubleStream.of(found).map(period -> Math.abs(period - nominal)).toArray()
@@ -159,7 +166,7 @@ final class ResultBuilder {
 
   /** Who commands the vehicle, if it is by one topic only. */
   private String onlyCommander() {
-    return setup.commands().size() == 1 ? setup.writer(setup.exit()) : "";
+    return chain.commands().size() == 1 ? chain.writer(chain.exit()) : "";
   }
 
   /** No impact of the ego's; it is said whatever the criteria of the scenario are. */
@@ -169,10 +176,10 @@ final class ResultBuilder {
         .toList();
   }
 
-  private static Diagnostic fromBehind(Run run, Contact contact) {
+  private static Diagnostic fromBehind(ScenarioRun run, Contact contact) {
     return Diagnostic.warning(
             "simulation.ego.hit-from-behind",
-            Criterion.format(
+            RootLocale.format(
                 "Scenario %s: %s at %.1f km/h after %.2f s.",
                 run.scenario().name(),
                 contact.words(),
@@ -191,13 +198,13 @@ final class ResultBuilder {
   }
 
   private List<Diagnostic> tooOld() {
-    return InputAges.in(runs, setup);
+    return InputAges.in(runs, chain);
   }
 
   /** Connections that the nodes wanted but that were not made: the same in every scenario. */
   private List<Diagnostic> warnings() {
     Map<String, Diagnostic> warnings = new LinkedHashMap<>();
-    for (Run run : runs) {
+    for (ScenarioRun run : runs) {
       for (JsonNode warning : run.ready().path("warnings")) {
         String id = warning.path("id").asText();
         String message = Printable.line(warning.path("message").asText());
@@ -205,7 +212,7 @@ final class ResultBuilder {
         warnings.putIfAbsent(id + message, Diagnostic.warning(id, message, topic));
       }
     }
-    return Stream.concat(setup.leftOut().stream(), warnings.values().stream()).toList();
+    return Stream.concat(chain.leftOut().stream(), warnings.values().stream()).toList();
   }
 
   /** A digest of everything that was measured in simulated time. */

@@ -12,6 +12,9 @@ record RunLog(
     Map<String, Map<Long, Long>> publications,
     Map<String, Affected> affected) {
 
+  /** A time, in ns, that no scenario reaches. */
+  static final long NEVER = 1L << 62;
+
   /** Of a run without a fault. */
   RunLog(Map<String, List<Activation>> nodes, Map<String, Map<Long, Long>> publications) {
     this(nodes, publications, Map.of());

@@ -110,7 +110,7 @@ final class RunLogCheck {
       return usual;
     }
     long from = fault.path("start").asLong();
-    long until = fault.path("end").asLong(Fault.NEVER);
+    long until = fault.path("end").asLong(RunLog.NEVER);
     return switch (fault.path("kind").asText()) {
       case "stop" -> start < from && from <= usual ? usual + until - from : usual;
       case "delay" ->

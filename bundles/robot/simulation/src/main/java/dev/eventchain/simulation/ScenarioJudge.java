@@ -2,7 +2,6 @@ package dev.eventchain.simulation;
 
 import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.model.eventchain.LatencyKind;
-import dev.eventchain.simulation.ScenarioRunner.Run;
 import dev.eventchain.simulation.ScenarioVerdict.CriterionResult;
 import java.util.List;
 import java.util.Optional;
@@ -15,10 +14,10 @@ final class ScenarioJudge {
 
   private static final double MILLISECOND = 1e6;
 
-  private final NodeSetup setup;
+  private final SimulatedChain chain;
 
-  ScenarioJudge(NodeSetup setup) {
-    this.setup = setup;
+  ScenarioJudge(SimulatedChain chain) {
+    this.chain = chain;
   }
 
   /**
@@ -26,10 +25,11 @@ final class ScenarioJudge {
    *
    * @param worked whether every component worked, or people accept that it did not
    */
-  ScenarioVerdict verdict(Run run, boolean worked) {
+  ScenarioVerdict verdict(ScenarioRun run, boolean worked) {
     Scenario scenario = run.scenario();
     Trace trace = run.trace();
-    List<Signal> signals = setup.chainSignals().with(setup.bench().signals().reported(scenario));
+    List<Signal> signals =
+        chain.chainSignals().with(chain.bench().signals().reported(scenario.signals()));
     List<CriterionResult> criteria = criteria(run, worked);
     boolean passed = criteria.stream().allMatch(CriterionResult::passed);
     boolean failed = criteria.stream().anyMatch(each -> each.tested() && !each.passed());
@@ -43,14 +43,14 @@ final class ScenarioJudge {
         passed,
         criteria,
         WhatHappened.figures(trace, signals),
-        latency(run.log(), setup),
-        setup.latencyConstraints().stream().map(each -> latency(run.log(), each)).toList(),
-        MessageFlows.of(List.of(run), setup),
+        latency(run.log(), chain),
+        chain.latencyConstraints().stream().map(each -> latency(run.log(), each)).toList(),
+        MessageFlows.of(List.of(run), chain),
         WhatHappened.series(scenario.situation(), trace, signals));
   }
 
   /** The criteria of the run's scenario, as far as they apply, as {@link #verdict} has them. */
-  List<CriterionResult> criteria(Run run, boolean worked) {
+  List<CriterionResult> criteria(ScenarioRun run, boolean worked) {
     return run.scenario().criteria().stream()
         .filter(this::applies)
         .map(each -> judge(each, run, worked))
@@ -63,21 +63,21 @@ final class ScenarioJudge {
       return true;
     }
     return criterion.kind() == CriterionKind.BRAKE_NORMALIZED
-        ? setup.drives(Actuator.BRAKE)
-        : !setup.commands().isEmpty();
+        ? chain.drives(Actuator.BRAKE)
+        : !chain.commands().isEmpty();
   }
 
-  private CriterionResult judge(Expectation criterion, Run run, boolean worked) {
+  private CriterionResult judge(Expectation criterion, ScenarioRun run, boolean worked) {
     Trace trace = run.trace();
-    Criterion.Outcome outcome;
+    Outcome outcome;
     if (run.isOverrun()) {
       outcome = overrun(run);
     } else if (!worked) {
-      outcome = Criterion.Outcome.untested("not all components worked");
+      outcome = Outcome.untested("not all components worked");
     } else if (needsBrake(criterion)) {
-      outcome = Criterion.Outcome.untested("no component's output drives the brake");
+      outcome = Outcome.untested("no component's output drives the brake");
     } else if (criterion instanceof FormulaCriterion formula && !dependsOnSoftware(formula)) {
-      outcome = Criterion.Outcome.untested("no component's output changes what it reads");
+      outcome = Outcome.untested("no component's output changes what it reads");
     } else {
       outcome = criterion.judge(trace);
       if (outcome.passed() && criterion instanceof FormulaCriterion formula) {
@@ -89,12 +89,13 @@ final class ScenarioJudge {
     return result(criterion, outcome);
   }
 
-  private static Criterion.Outcome overrun(Run run) {
-    return Criterion.Outcome.untested(
-        Criterion.format("this machine was %.0f ms behind the clock", run.overrun() / MILLISECOND));
+  private static Outcome overrun(ScenarioRun run) {
+    return Outcome.untested(
+        RootLocale.format(
+            "this machine was %.0f ms behind the clock", run.overrun() / MILLISECOND));
   }
 
-  static CriterionResult result(Expectation criterion, Criterion.Outcome outcome) {
+  static CriterionResult result(Expectation criterion, Outcome outcome) {
     return new CriterionResult(
         criterion.text(),
         outcome.tested(),
@@ -106,16 +107,15 @@ final class ScenarioJudge {
   }
 
   /** A formula that reads what components write is about that only if it would not hold without. */
-  private Optional<Criterion.Outcome> unlessItHoldsAnyway(FormulaCriterion formula, Trace trace) {
+  private Optional<Outcome> unlessItHoldsAnyway(FormulaCriterion formula, Trace trace) {
     Set<String> written =
         formula.signals().stream()
             .flatMap(Signal::origins)
-            .filter(it -> BenchSignals.topicName(it).isPresent() && dependsOnSoftware(it))
+            .filter(it -> it.topic().isPresent() && dependsOnSoftware(it))
             .map(Signal::name)
             .collect(Collectors.toCollection(TreeSet::new));
     return !written.isEmpty() && formula.holds(trace.without(written))
-        ? Optional.of(
-            Criterion.Outcome.untested("it holds whatever is in " + String.join(" and ", written)))
+        ? Optional.of(Outcome.untested("it holds whatever is in " + String.join(" and ", written)))
         : Optional.empty();
   }
 
@@ -124,12 +124,11 @@ final class ScenarioJudge {
   }
 
   /** Where the software changed nothing, how the vehicle moved is the merit of the scenario. */
-  private static Optional<Criterion.Outcome> unlessNothingWasDone(Run run) {
+  private static Optional<Outcome> unlessNothingWasDone(ScenarioRun run) {
     return UntouchedVehicle.movedAs(run.trace(), run.scenario().situation())
         ? Optional.of(
-            Criterion.Outcome.untested(
-                "it holds without any command, as the software did not change how the vehicle"
-                    + " moves"))
+            Outcome.untested(
+                "it holds without any command, as the software did not change how the vehicle moves"))
         : Optional.empty();
   }
 
@@ -139,17 +138,17 @@ final class ScenarioJudge {
   }
 
   private boolean dependsOnSoftware(Signal signal) {
-    Optional<BenchSignals.Topic> topic = setup.bench().signals().topicOf(signal);
+    Optional<BenchSignals.Topic> topic = chain.bench().signals().topicOf(signal);
     if (topic.isPresent()) {
-      return setup.isWritten(topic.get().name(), BenchSignals.fieldOf(signal));
+      return chain.isWritten(topic.get().name(), signal.field());
     }
     return switch (signal.name()) {
-      case "brake" -> setup.drives(Actuator.BRAKE, Actuator.ACCELERATION);
-      case "throttle" -> setup.drives(Actuator.THROTTLE, Actuator.ACCELERATION);
+      case "brake" -> chain.drives(Actuator.BRAKE, Actuator.ACCELERATION);
+      case "throttle" -> chain.drives(Actuator.THROTTLE, Actuator.ACCELERATION);
       case "lane.width" -> false;
       case "steering", "ego.offset", "ego.heading", "ego.yaw_rate", "lane.left", "lane.right" ->
-          setup.drives(Actuator.STEERING, Actuator.STEERING_ANGLE);
-      default -> WorldSignals.isKnown(signal.name()) && setup.drives(Actuator.values());
+          chain.drives(Actuator.STEERING, Actuator.STEERING_ANGLE);
+      default -> WorldSignals.isKnown(signal.name()) && chain.drives(Actuator.values());
     };
   }
 
@@ -157,11 +156,11 @@ final class ScenarioJudge {
   private boolean needsBrake(Expectation expectation) {
     return expectation instanceof Criterion criterion
         && !criterion.kind().always()
-        && !setup.drives(Actuator.BRAKE, Actuator.ACCELERATION);
+        && !chain.drives(Actuator.BRAKE, Actuator.ACCELERATION);
   }
 
-  private static Optional<Measurements.Statistics> latency(RunLog log, NodeSetup setup) {
-    return statistics(ChainLatency.reactions(log, setup.entry(), setup.exit()));
+  private static Optional<Measurements.Statistics> latency(RunLog log, SimulatedChain chain) {
+    return statistics(ChainLatency.reactions(log, chain.entry(), chain.exit()));
   }
 
   /** What was measured of a constraint; an incomplete one is a finding of the model. */

@@ -77,7 +77,7 @@ final class ScenarioReader {
     Optional<ObjectReader> part = section.requiredObject("ego");
     EgoVehicle ego = part.map(ScenarioReader::ego).orElse(EgoVehicle.withSpeed(0));
     double offset = ego.chassis().offset();
-    Driver driver =
+    HumanDriver driver =
         part.map(it -> reader.driver(it, ego.speed(), offset))
             .orElse(Situation.straight(ego, List.of()).driver());
     part.ifPresent(ObjectReader::refuseOthers);
@@ -136,9 +136,9 @@ final class ScenarioReader {
         chassis(section));
   }
 
-  private static Lidar.Settings lidar(ObjectReader section) {
-    Lidar.Settings usual = Lidar.Settings.USUAL;
-    return new Lidar.Settings(
+  private static LidarSettings lidar(ObjectReader section) {
+    LidarSettings usual = LidarSettings.USUAL;
+    return new LidarSettings(
         number(section, "lidar_behind_bumper_m", usual.behindBumper(), 0, 10),
         number(section, "lidar_above_road_m", usual.aboveRoad(), 0.5, 5),
         number(section, "lidar_noise_m", usual.noise(), 0, 1),

@@ -4,8 +4,8 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.simulation.NodeSession.Inbound;
-import dev.eventchain.simulation.NodeSession.Notice;
 import dev.eventchain.simulation.NodeSession.Outbound;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -20,57 +20,38 @@ final class ScenarioRunner {
   /** How long it continues after a fault, at least, in ns. */
   private static final long AFTER_FAULT = 2_000_000_000L;
 
-  /**
-   * What happened.
-   *
-   * @param ready what the process said of itself and the connections of the nodes
-   * @param lost how many messages got lost on the way between nodes, by topic
-   * @param notices what DDS noticed of deadlines and liveliness
-   * @param overrun how far the world fell behind the clock at most, in ns
-   * @param hostNanos time on this machine for the steps
-   */
-  record Run(
-      Scenario scenario,
-      Trace trace,
-      RunLog log,
-      JsonNode ready,
-      Map<String, Long> lost,
-      List<Notice> notices,
-      long overrun,
-      long hostNanos) {
-
-    /** From here on the world was not the one that the nodes were to meet. */
-    private static final long MOST_OVERRUN = 20_000_000L;
-
-    /** The same, judged by another scenario's criteria. */
-    Run with(Scenario other) {
-      return new Run(other, trace, log, ready, lost, notices, overrun, hostNanos);
-    }
-
-    /** Whether the world fell so far behind the clock that nothing can be concluded. */
-    boolean isOverrun() {
-      return overrun > MOST_OVERRUN;
-    }
-  }
-
-  private final NodeSetup setup;
+  private final SimulatedChain chain;
+  private final NodeConfiguration nodes;
+  private final Optional<Path> recordings;
   private final NodeSession session;
 
-  ScenarioRunner(NodeSetup setup, NodeSession session) {
-    this.setup = setup;
+  /**
+   * Drives nodes.
+   *
+   * @param nodes their configuration
+   * @param recordings where recordings go; nowhere if none are wanted
+   */
+  ScenarioRunner(
+      SimulatedChain chain,
+      NodeConfiguration nodes,
+      Optional<Path> recordings,
+      NodeSession session) {
+    this.chain = chain;
+    this.nodes = nodes;
+    this.recordings = recordings;
     this.session = session;
   }
 
-  Run run(Scenario scenario) {
-    BenchDriver driver = new BenchDriver(setup, scenario, new WorldFault(Optional.empty()));
-    JsonNode ready = session.configure(setup.configuration(scenario, driver));
+  ScenarioRun run(Scenario scenario) {
+    BenchDriver driver = driver(scenario, new WorldFault(Optional.empty()));
+    JsonNode ready = session.configure(configuration(scenario, driver));
     driver.startAt(session.epoch());
     Optional<Recording> recording =
-        setup.recordings().map(to -> new Recording(to, scenario, driver, setup.catalog()));
+        recordings.map(to -> new Recording(to, scenario, driver.recorded(), chain.catalog()));
     try {
       World world = world(scenario);
       long hostNanos = drive(world, driver, scenario.horizon(), duration(scenario), recording);
-      Run run = finish(scenario, world, ready, hostNanos);
+      ScenarioRun run = finish(scenario, world, ready, hostNanos);
       recording.ifPresent(it -> it.finish("at its end"));
       return run;
     } catch (DiagnosticException e) {
@@ -91,11 +72,11 @@ final class ScenarioRunner {
     criteria.addAll(fault.expected());
     Scenario scenario = fault.scenario().with(criteria);
     WorldFault atWorld = new WorldFault(Optional.of(fault));
-    BenchDriver driver = new BenchDriver(setup, scenario, atWorld);
-    ObjectNode configuration = setup.configuration(scenario, driver);
+    BenchDriver driver = driver(scenario, atWorld);
+    ObjectNode configuration = configuration(scenario, driver);
     configuration.set("fault", fault.toJson());
     World world = world(scenario);
-    long decided = fault.end() < Fault.NEVER ? fault.end() : fault.start();
+    long decided = fault.end() < RunLog.NEVER ? fault.end() : fault.start();
     long horizon = Math.max(scenario.horizon(), decided + AFTER_FAULT);
     JsonNode ready = session.configure(configuration);
     try {
@@ -107,9 +88,18 @@ final class ScenarioRunner {
         throw e;
       }
       RunLog log = new RunLog(Map.of(), Map.of());
-      Run run = new Run(scenario, world.trace(), log, ready, Map.of(), List.of(), 0, 0);
+      ScenarioRun run =
+          new ScenarioRun(scenario, world.trace(), log, ready, Map.of(), List.of(), 0, 0);
       return new FaultRun(fault, run, atWorld, Optional.of(e.diagnostics().get(0)));
     }
+  }
+
+  private BenchDriver driver(Scenario scenario, WorldFault fault) {
+    return new BenchDriver(chain, scenario, fault, recordings.isPresent());
+  }
+
+  private ObjectNode configuration(Scenario scenario, BenchDriver driver) {
+    return nodes.of(scenario.seed(), driver.published(), driver.received());
   }
 
   private static World world(Scenario scenario) {
@@ -149,9 +139,9 @@ final class ScenarioRunner {
     return System.nanoTime() - started;
   }
 
-  private Run finish(Scenario scenario, World world, JsonNode ready, long hostNanos) {
+  private ScenarioRun finish(Scenario scenario, World world, JsonNode ready, long hostNanos) {
     RunLog log = session.finish();
-    return new Run(
+    return new ScenarioRun(
         scenario,
         world.trace(),
         log,

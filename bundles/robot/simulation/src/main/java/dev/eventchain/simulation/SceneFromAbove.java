@@ -1,6 +1,7 @@
 package dev.eventchain.simulation;
 
 import dev.eventchain.simulation.ScenarioVerdict.Mover;
+import dev.eventchain.simulation.ScenarioVerdict.Scan;
 import dev.eventchain.simulation.ScenarioVerdict.Scene;
 import java.util.ArrayList;
 import java.util.List;
@@ -36,7 +37,7 @@ final class SceneFromAbove {
             .filter(actor -> actor.size().bottom() < EgoVehicle.HEIGHT)
             .map(above::mover)
             .toList(),
-        trace.scans());
+        trace.outlines().stream().map(each -> new Scan(each.time(), each.x(), each.y())).toList());
   }
 
   private Mover ego() {

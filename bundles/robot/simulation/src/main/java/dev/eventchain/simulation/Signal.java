@@ -55,6 +55,22 @@ record Signal(
     return Stream.concat(Stream.of(this), basis.stream().flatMap(Signal::origins));
   }
 
+  /** The name of the topic that it is a field of; empty if it is of none. */
+  Optional<String> topic() {
+    return name.startsWith("/") ? Optional.of(topicOf(name)) : Optional.empty();
+  }
+
+  /** The path of its field, if it is one of a topic. */
+  String field() {
+    return name.substring(name.indexOf('.') + 1);
+  }
+
+  /** The name of the topic in the name of a topic's signal. */
+  static String topicOf(String signal) {
+    int dot = signal.indexOf('.');
+    return dot < 0 ? signal : signal.substring(0, dot);
+  }
+
   /** A value of it in its own unit. */
   double inUnit(double coherent) {
     double zero = dimension().coherent(0.0);

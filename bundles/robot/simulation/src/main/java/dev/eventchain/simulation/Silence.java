@@ -25,7 +25,7 @@ final class Silence {
   /** Who takes the command. */
   private static final String VEHICLE = "the vehicle";
 
-  private final NodeSetup setup;
+  private final SimulatedChain chain;
   private final List<RunLog> logs;
 
   /** The topics that each silent component waited for in vain. */
@@ -34,22 +34,22 @@ final class Silence {
   /** The topics that components which waited for nothing did not write. */
   private final Map<String, Set<String>> mute = new LinkedHashMap<>();
 
-  private Silence(NodeSetup setup, List<RunLog> logs) {
-    this.setup = setup;
+  private Silence(SimulatedChain chain, List<RunLog> logs) {
+    this.chain = chain;
     this.logs = logs;
   }
 
   /** A finding for each component that did not work and for which no other one is to blame. */
-  static List<Diagnostic> in(List<RunLog> logs, NodeSetup setup) {
-    Silence silence = new Silence(setup, logs);
-    setup.nodes().forEach(silence::listen);
+  static List<Diagnostic> in(List<RunLog> logs, SimulatedChain chain) {
+    Silence silence = new Silence(chain, logs);
+    chain.nodes().forEach(silence::listen);
     silence.listenAtTheVehicle();
     return silence.findings();
   }
 
   /** It must be told something by one of the topics that command it, if there are any. */
   private void listenAtTheVehicle() {
-    List<String> commands = setup.commands();
+    List<String> commands = chain.commands();
     if (!commands.isEmpty() && commands.stream().noneMatch(this::isPublished)) {
       waiting.put(VEHICLE, new TreeSet<>(commands));
     }
@@ -60,8 +60,8 @@ final class Silence {
   }
 
   private void listen(SoftwareNode node) {
-    Set<String> missing = setup.topicsReadBy(node);
-    Set<String> unwritten = setup.topicsWrittenBy(node);
+    Set<String> missing = chain.topicsReadBy(node);
+    Set<String> unwritten = chain.topicsWrittenBy(node);
     for (RunLog log : logs) {
       List<Activation> activations = log.nodes().getOrDefault(node.getName(), List.of());
       missing.removeAll(topics(activations, Activation::reads));
@@ -87,7 +87,7 @@ final class Silence {
     waiting.forEach(
         (name, missing) ->
             missing.stream()
-                .filter(topic -> setup.writers(topic).stream().noneMatch(this::isSilent))
+                .filter(topic -> chain.writers(topic).stream().noneMatch(this::isSilent))
                 .map(topic -> waits(name, topic))
                 .forEach(findings::add));
     mute.forEach((name, unwritten) -> findings.add(writesNothing(name, unwritten)));
@@ -102,7 +102,7 @@ final class Silence {
   }
 
   private Diagnostic waits(String name, String topic) {
-    List<String> writers = setup.writers(topic);
+    List<String> writers = chain.writers(topic);
     boolean vehicle = name.equals(VEHICLE);
     String why;
     String hint;
@@ -112,7 +112,7 @@ final class Silence {
     } else if (!writers.isEmpty()) {
       why = "never arrived; " + quoted(writers) + " should have written it.";
       hint = "A component that is not simulated writes nothing: see simulation.node.left-out.";
-    } else if (setup.bench().provided().containsKey(topic)) {
+    } else if (chain.bench().provided().containsKey(topic)) {
       why = "never arrived: no scenario let the bench send it.";
       hint =
           "Look at its `lost`, `latency_ms` and `rate_hz` in bench.yaml, and how long scenarios"

@@ -21,7 +21,7 @@ final class SimulatedTimeSession extends DdsSession {
       DdsParticipant participant,
       MessageCatalog catalog,
       UserFiles files,
-      SimulationRequest.Limits limits) {
+      NodeLimits limits) {
     super(nodes, participant, catalog, files, limits);
   }
 

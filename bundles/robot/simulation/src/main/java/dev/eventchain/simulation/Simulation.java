@@ -2,12 +2,12 @@ package dev.eventchain.simulation;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.sandbox.Confinement;
 import dev.eventchain.sandbox.PythonEnvironment;
-import dev.eventchain.simulation.ScenarioRunner.Run;
-import dev.eventchain.simulation.SimulationRequest.Driver;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -22,21 +22,21 @@ import java.util.function.Consumer;
 public final class Simulation {
 
   private final SimulationRequest request;
-  private final NodeSetup setup;
+  private final SimulatedChain chain;
   private final Consumer<String> progress;
   private final PythonEnvironment python;
   private final Confinement confinement = Confinement.detect();
   private final AtomicInteger next = new AtomicInteger();
   private final AtomicBoolean stopped = new AtomicBoolean();
   private final List<NodeHosts> open = new ArrayList<>();
-  private final SortedMap<Integer, Run> runs = new TreeMap<>();
+  private final SortedMap<Integer, ScenarioRun> runs = new TreeMap<>();
   private final SortedMap<Integer, FaultRun> faultRuns = new TreeMap<>();
   private final SortedMap<Integer, Throwable> failures = new TreeMap<>();
 
   private Simulation(
       SimulationRequest request, PythonEnvironment python, Consumer<String> progress) {
     this.request = request;
-    this.setup = new NodeSetup(request);
+    this.chain = request.simulatedChain();
     this.python = python;
     this.progress = progress;
   }
@@ -89,7 +89,8 @@ public final class Simulation {
     }
     requireAll();
     double wallSeconds = (System.nanoTime() - started) / 1e9;
-    return new ResultBuilder(setup, List.copyOf(runs.values()), List.copyOf(faultRuns.values()))
+    return new ResultBuilder(
+            request, chain, List.copyOf(runs.values()), List.copyOf(faultRuns.values()))
         .build(describeConfinement(), processes, wallSeconds);
   }
 
@@ -99,11 +100,12 @@ public final class Simulation {
   }
 
   private boolean isInRealTime() {
-    return request.driver() != Driver.LOCKSTEP && request.driver() != Driver.DDS;
+    return request.driver() != SimulationDriver.LOCKSTEP
+        && request.driver() != SimulationDriver.DDS;
   }
 
   private String describeConfinement() {
-    return setup.isAttached() ? AttachedHosts.CONFINEMENT : confinement.describe();
+    return request.isAttached() ? AttachedHosts.CONFINEMENT : confinement.describe();
   }
 
   private static void throwUnchecked(Throwable failure) {
@@ -179,7 +181,9 @@ public final class Simulation {
       synchronized (open) {
         open.add(process);
       }
-      ScenarioRunner runner = new ScenarioRunner(setup, process.session());
+      NodeConfiguration nodes = new NodeConfiguration(chain, request.nodePackage());
+      ScenarioRunner runner =
+          new ScenarioRunner(chain, nodes, request.recordings(), process.session());
       int scenarios = request.scenarios().size();
       while (!stopped.get() && (taken[0] = next.getAndIncrement()) < runsInAll()) {
         int number = taken[0];
@@ -198,14 +202,28 @@ public final class Simulation {
   }
 
   private NodeHosts start(int turn) {
+    HostProgram program = new HostProgram(request.nodePackage(), python, confinement);
     return switch (request.driver()) {
-      case LOCKSTEP -> new LockstepProcess(request, python, confinement, turn);
-      case DDS, DDS_IN_REAL_TIME -> new DdsHosts(request, setup, python, confinement, turn);
-      case DDS_ATTACHED -> new AttachedHosts(request, setup, python);
+      case LOCKSTEP -> new LockstepProcess(program, request.chain().getSoftware().size(), turn);
+      case DDS -> onDds(program, false, turn);
+      case DDS_IN_REAL_TIME -> onDds(program, true, turn);
+      case DDS_ATTACHED -> attached();
     };
   }
 
-  private synchronized void done(int scenario, Run run) {
+  private NodeHosts onDds(HostProgram program, boolean inRealTime, int turn) {
+    List<String> names = chain.nodes().stream().map(SoftwareNode::getName).toList();
+    return new DdsHosts(program, names, chain.catalog(), inRealTime, turn);
+  }
+
+  private NodeHosts attached() {
+    ChainTopics topics =
+        new ChainTopics(chain.topicsWritten(), Set.copyOf(chain.taken()), chain.catalog());
+    return new AttachedHosts(
+        request.attachment().orElseThrow(), topics, request.limits().wallTime(), python);
+  }
+
+  private synchronized void done(int scenario, ScenarioRun run) {
     runs.put(scenario, run);
     progress.accept(run.scenario().name());
   }

@@ -1,11 +1,10 @@
 package dev.eventchain.simulation;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.model.eventchain.EventChain;
 import java.nio.file.Path;
-import java.time.Duration;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.function.Predicate;
@@ -33,7 +32,7 @@ import java.util.function.Predicate;
  * @param faults what else is simulated: each fault in one more run of its scenario, which is one of
  *     the scenarios
  * @param attachment where to find the nodes that are run elsewhere; there with {@link
- *     Driver#DDS_ATTACHED} only
+ *     SimulationDriver#DDS_ATTACHED} only
  */
 public record SimulationRequest(
     EventChain chain,
@@ -44,82 +43,12 @@ public record SimulationRequest(
     List<Scenario> scenarios,
     int processes,
     Set<String> generated,
-    Limits limits,
+    NodeLimits limits,
     Predicate<Diagnostic> accepted,
     Optional<Path> recordings,
-    Driver driver,
+    SimulationDriver driver,
     FaultPlan faults,
-    Optional<Attachment> attachment) {
-
-  /** What brings messages from one to another, and lets time pass. */
-  public enum Driver {
-    /** All nodes in one process, messages in memory. */
-    LOCKSTEP("lock-step"),
-    /**
-     * Each node in its own process on Cyclone DDS, in simulated time. Faults that kill or stop a
-     * node act within its host, at an instant of simulated time, so that they do the same as in
-     * lock-step; the host itself continues.
-     */
-    DDS("Cyclone DDS in simulated time"),
-    /** The same in real time: one scenario after the other, and no node waits for another. */
-    DDS_IN_REAL_TIME("Cyclone DDS in real time"),
-    /** No node is started here: others run them, in real time. */
-    DDS_ATTACHED("Cyclone DDS, attached");
-
-    private final String words;
-
-    Driver(String words) {
-      this.words = words;
-    }
-
-    /** For people: what it is. */
-    public String words() {
-      return words;
-    }
-  }
-
-  /**
-   * Where to find nodes that are run elsewhere.
-   *
-   * @param domain the number of the DDS domain
-   * @param configuration of Cyclone DDS, XML or what {@code CYCLONEDDS_URI} may hold; empty for its
-   *     defaults
-   */
-  public record Attachment(int domain, String configuration) {
-
-    /**
-     * As the environment says, as for nodes of ROS 2: {@code ROS_DOMAIN_ID}, {@code
-     * CYCLONEDDS_URI}, and the loopback interface only if {@code ROS_LOCALHOST_ONLY} is 1 or {@code
-     * ROS_AUTOMATIC_DISCOVERY_RANGE} is LOCALHOST.
-     *
-     * @throws dev.eventchain.diagnostics.DiagnosticException (INPUT) {@code dds.domain.unusable}:
-     *     there is no such domain
-     */
-    public static Attachment of(Map<String, String> environment) {
-      return AttachedHosts.attachment(environment);
-    }
-
-    /** For people: what drives the nodes. */
-    String words() {
-      return Driver.DDS_ATTACHED.words() + " to domain " + domain;
-    }
-  }
-
-  /**
-   * What foreign code may use before it counts as hanging. Processor time does not depend on what
-   * else this machine does.
-   *
-   * @param processorTime of a component for one call, and of a node between two messages of a
-   *     sensor
-   * @param wallTime on the clock for the same, for code that waits: much longer
-   * @param run on the clock for all scenarios together
-   */
-  public record Limits(Duration processorTime, Duration wallTime, Duration run) {
-
-    /** Ten seconds of processor time, a minute for code that waits, an hour for all. */
-    public static final Limits DEFAULT =
-        new Limits(Duration.ofSeconds(10), Duration.ofMinutes(1), Duration.ofHours(1));
-  }
+    Optional<DdsAttachment> attachment) {
 
   /** Copies the lists; refuses a request without scenario or process. */
   public SimulationRequest {
@@ -129,7 +58,7 @@ public record SimulationRequest(
     if (scenarios.isEmpty() || processes < 1) {
       throw new IllegalArgumentException("a simulation needs a scenario and a process");
     }
-    if (attachment.isPresent() != (driver == Driver.DDS_ATTACHED)) {
+    if (attachment.isPresent() != (driver == SimulationDriver.DDS_ATTACHED)) {
       throw new IllegalArgumentException("attaching needs a domain");
     }
   }
@@ -151,10 +80,10 @@ public record SimulationRequest(
         scenarios,
         2,
         Set.of(),
-        Limits.DEFAULT,
+        NodeLimits.DEFAULT,
         finding -> false,
         Optional.empty(),
-        Driver.LOCKSTEP,
+        SimulationDriver.LOCKSTEP,
         FaultPlan.NONE,
         Optional.empty());
   }
@@ -170,7 +99,7 @@ public record SimulationRequest(
   }
 
   /** The same with other limits. */
-  public SimulationRequest withLimits(Limits other) {
+  public SimulationRequest withLimits(NodeLimits other) {
     return with(processes, generated, other, accepted, recordings, driver, faults, attachment);
   }
 
@@ -186,7 +115,7 @@ public record SimulationRequest(
   }
 
   /** The same with another driver, which starts the nodes. */
-  public SimulationRequest withDriver(Driver other) {
+  public SimulationRequest withDriver(SimulationDriver other) {
     return with(
         processes, generated, limits, accepted, recordings, other, faults, Optional.empty());
   }
@@ -197,32 +126,59 @@ public record SimulationRequest(
   }
 
   /** The same with nodes that are run elsewhere. */
-  public SimulationRequest withAttachment(Attachment where) {
+  public SimulationRequest withAttachment(DdsAttachment where) {
     return with(
         1,
         generated,
         limits,
         accepted,
         recordings,
-        Driver.DDS_ATTACHED,
+        SimulationDriver.DDS_ATTACHED,
         faults,
         Optional.of(where));
   }
 
   /** For people: what brings messages from one node to another. */
   String driverWords() {
-    return attachment.map(Attachment::words).orElse(driver.words());
+    return driver.words() + attachment.map(it -> " to domain " + it.domain()).orElse("");
+  }
+
+  /** Whether the nodes are run elsewhere, so that what happens inside is not visible. */
+  boolean isAttached() {
+    return driver == SimulationDriver.DDS_ATTACHED;
+  }
+
+  /** The files that the user's code is in. */
+  UserFiles userFiles() {
+    return new UserFiles(packageFolder);
+  }
+
+  /** The generated nodes. */
+  NodePackage nodePackage() {
+    return new NodePackage(packageFolder, manifest, messageFolders, generated, limits);
+  }
+
+  /**
+   * What of the chain is simulated.
+   *
+   * @throws dev.eventchain.diagnostics.DiagnosticException (INPUT) if the manifest is not that of
+   *     the chain ({@code simulation.manifest})
+   */
+  SimulatedChain simulatedChain() {
+    MessageCatalog catalog = MessageCatalog.of(messageFolders);
+    nodePackage().requireNodesOf(chain, SimulatedChain.components(chain));
+    return new SimulatedChain(chain, bench, catalog, isAttached());
   }
 
   private SimulationRequest with(
       int number,
       Set<String> names,
-      Limits newLimits,
+      NodeLimits newLimits,
       Predicate<Diagnostic> newAccepted,
       Optional<Path> newRecordings,
-      Driver newDriver,
+      SimulationDriver newDriver,
       FaultPlan newFaults,
-      Optional<Attachment> newAttachment) {
+      Optional<DdsAttachment> newAttachment) {
     return new SimulationRequest(
         chain,
         packageFolder,

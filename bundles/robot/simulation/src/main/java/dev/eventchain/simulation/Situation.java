@@ -6,7 +6,7 @@ import java.util.List;
  * What a scenario begins with: the vehicle, who drives it, the road, and all others on it.
  * Immutable.
  */
-record Situation(EgoVehicle ego, Driver driver, Road road, List<Actor> actors) {
+record Situation(EgoVehicle ego, HumanDriver driver, Road road, List<Actor> actors) {
 
   Situation {
     actors = List.copyOf(actors);
@@ -16,6 +16,6 @@ record Situation(EgoVehicle ego, Driver driver, Road road, List<Actor> actors) {
   static Situation straight(EgoVehicle ego, List<Actor> actors) {
     SpeedProfile speed = new SpeedProfile(ego.speed(), List.of());
     LateralProfile line = new LateralProfile(ego.chassis().offset(), List.of());
-    return new Situation(ego, new Driver(speed, line, false), Road.STRAIGHT, actors);
+    return new Situation(ego, new HumanDriver(speed, line, false), Road.STRAIGHT, actors);
   }
 }

@@ -67,6 +67,20 @@ final class Trace {
   /** A value that a message had, and when it was published, in ns. */
   record Sample(long time, double value) {}
 
+  /**
+   * The nearest echoes of a scan, but for those of the road.
+   *
+   * @param time since the start, in s
+   */
+  record Outline(double time, List<Double> x, List<Double> y) {
+
+    /** Copies the lists. */
+    Outline {
+      x = List.copyOf(x);
+      y = List.copyOf(y);
+    }
+  }
+
   private final Map<String, Script> inputs;
   private final Road road;
   private final List<State> states = new ArrayList<>();
@@ -74,7 +88,7 @@ final class Trace {
   private final List<Command> commands = new ArrayList<>();
   private final List<Contact> fromBehind = new ArrayList<>();
   private final Map<String, Long> dropped = new HashMap<>();
-  private final List<ScenarioVerdict.Scan> scans = new ArrayList<>();
+  private final List<Outline> outlines = new ArrayList<>();
   private OptionalDouble impactSpeed = OptionalDouble.empty();
   private String impact = "";
   private String ignored = "";
@@ -167,12 +181,12 @@ final class Trace {
   }
 
   /** What the lidar saw, for people. */
-  void scan(ScenarioVerdict.Scan scan) {
-    scans.add(scan);
+  void outline(Outline outline) {
+    outlines.add(outline);
   }
 
-  List<ScenarioVerdict.Scan> scans() {
-    return Collections.unmodifiableList(scans);
+  List<Outline> outlines() {
+    return Collections.unmodifiableList(outlines);
   }
 
   void state(State state) {

@@ -160,7 +160,7 @@ final class World {
 
   /** What the driver does until he looks again. */
   private void letDrive() {
-    Driver driver = situation.driver();
+    HumanDriver driver = situation.driver();
     if (ego.held()) {
       ego.drive(driver.acceleration(seconds(now), ego.speed()));
     }

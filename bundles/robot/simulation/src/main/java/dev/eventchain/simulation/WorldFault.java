@@ -25,7 +25,7 @@ final class WorldFault {
   private final Optional<Fault> fault;
   private final SplittableRandom random;
   private long affected;
-  private long first = Fault.NEVER;
+  private long first = RunLog.NEVER;
 
   WorldFault(Optional<Fault> fault) {
     this.fault = fault;
@@ -115,7 +115,7 @@ final class WorldFault {
     return affected;
   }
 
-  /** When that was first, in ns; {@link Fault#NEVER} if it never was. */
+  /** When that was first, in ns; {@link RunLog#NEVER} if it never was. */
   long first() {
     return first;
   }

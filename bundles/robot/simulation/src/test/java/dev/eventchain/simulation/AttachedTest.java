@@ -18,8 +18,6 @@ import dev.eventchain.messages.MessageType;
 import dev.eventchain.messages.MessageValue;
 import dev.eventchain.messages.QosSettings;
 import dev.eventchain.sandbox.PythonEnvironment;
-import dev.eventchain.simulation.SimulationRequest.Attachment;
-import dev.eventchain.simulation.SimulationRequest.Limits;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -50,12 +48,12 @@ class AttachedTest {
   private static final String CONTROL = "/carla/ego_vehicle/vehicle_control_cmd";
   private static final String CONTROL_TYPE = "carla_msgs/msg/CarlaEgoVehicleControl";
   private static final String NUMBER = "std_msgs/msg/Float32";
-  private static final Limits AT_ONCE =
-      new Limits(Duration.ofSeconds(10), Duration.ofMillis(1), Duration.ofHours(1));
+  private static final NodeLimits AT_ONCE =
+      new NodeLimits(Duration.ofSeconds(10), Duration.ofMillis(1), Duration.ofHours(1));
 
   private final DdsDomain domain = DdsDomain.find();
-  private final Attachment where =
-      new Attachment(domain.number(), DdsParticipant.loopbackConfiguration(domain.tag()));
+  private final DdsAttachment where =
+      new DdsAttachment(domain.number(), DdsParticipant.loopbackConfiguration(domain.tag()));
   private PythonEnvironment python;
   private DdsParticipant others;
 
@@ -282,18 +280,20 @@ class AttachedTest {
 
   @Test
   void environmentNamesDomainAndConfiguration() {
-    assertEquals(new Attachment(0, ""), Attachment.of(Map.of()));
+    assertEquals(new DdsAttachment(0, ""), DdsAttachment.of(Map.of()));
     Map<String, String> both = Map.of("ROS_DOMAIN_ID", "42", "CYCLONEDDS_URI", "file:///a.xml");
-    assertEquals(new Attachment(42, "file:///a.xml"), Attachment.of(both));
+    assertEquals(new DdsAttachment(42, "file:///a.xml"), DdsAttachment.of(both));
     String loopback = DdsParticipant.loopbackConfiguration();
-    assertEquals(new Attachment(0, loopback), Attachment.of(Map.of("ROS_LOCALHOST_ONLY", "1")));
+    assertEquals(
+        new DdsAttachment(0, loopback), DdsAttachment.of(Map.of("ROS_LOCALHOST_ONLY", "1")));
     Map<String, String> local = new TreeMap<>(both);
     local.put("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST");
-    assertEquals(new Attachment(42, loopback + ",file:///a.xml"), Attachment.of(local));
+    assertEquals(new DdsAttachment(42, loopback + ",file:///a.xml"), DdsAttachment.of(local));
     for (String number : List.of("231", "-1", "one", "9999")) {
       Diagnostic found =
           assertThrows(
-                  DiagnosticException.class, () -> Attachment.of(Map.of("ROS_DOMAIN_ID", number)))
+                  DiagnosticException.class,
+                  () -> DdsAttachment.of(Map.of("ROS_DOMAIN_ID", number)))
               .diagnostics()
               .get(0);
       assertEquals("dds.domain.unusable", found.id());
@@ -307,7 +307,7 @@ class AttachedTest {
     Diagnostic found =
         refusal(
             request("refused")
-                .withAttachment(new Attachment(free, "<CycloneDDS><No/></CycloneDDS>")));
+                .withAttachment(new DdsAttachment(free, "<CycloneDDS><No/></CycloneDDS>")));
     assertEquals("dds.domain.unusable", found.id());
     assertTrue(found.message().startsWith("Cyclone DDS refuses domain " + free), found::message);
   }

@@ -17,7 +17,8 @@ class BendTest {
 
   private static World world(double radius, double speed, LateralProfile line, Actor... actors) {
     Road road = new Road(radius == 0 ? 0 : 1 / radius, Road.USUAL_LANE_WIDTH);
-    Driver driver = new Driver(new SpeedProfile(speed, List.of()), line, !line.constant());
+    HumanDriver driver =
+        new HumanDriver(new SpeedProfile(speed, List.of()), line, !line.constant());
     Situation situation = new Situation(EgoVehicle.withSpeed(speed), driver, road, List.of(actors));
     return new World(situation, new Trace());
   }
@@ -90,8 +91,9 @@ class BendTest {
 
   @Test
   void driverChangesTheSpeedAsHisScriptSays() {
-    Driver driver =
-        new Driver(new SpeedProfile(10, List.of(new SpeedProfile.Change(1, 20, 2))), MIDDLE, false);
+    HumanDriver driver =
+        new HumanDriver(
+            new SpeedProfile(10, List.of(new SpeedProfile.Change(1, 20, 2))), MIDDLE, false);
     World world =
         new World(
             new Situation(EgoVehicle.withSpeed(10), driver, Road.STRAIGHT, List.of()), new Trace());

@@ -9,7 +9,6 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.sandbox.PythonEnvironment;
-import dev.eventchain.simulation.SimulationRequest.Driver;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -31,7 +30,7 @@ class DdsDriverTest {
 
   private static SimulationResult onDds(SimulationRequest request) throws InterruptedException {
     return Simulation.run(
-        request.withDriver(Driver.DDS),
+        request.withDriver(SimulationDriver.DDS),
         PythonEnvironment.ensureWithCycloneDds(line -> {}),
         verdict -> {});
   }
@@ -59,7 +58,7 @@ class DdsDriverTest {
     SimulationRequest request = project.request(List.of(AebProject.scenario("slow-approach")));
     SimulationResult result =
         Simulation.run(
-            request.withDriver(Driver.DDS_IN_REAL_TIME),
+            request.withDriver(SimulationDriver.DDS_IN_REAL_TIME),
             PythonEnvironment.ensureWithCycloneDds(line -> {}),
             verdict -> {});
     ScenarioVerdict verdict = result.verdicts().get(0);

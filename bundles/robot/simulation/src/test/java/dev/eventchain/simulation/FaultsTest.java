@@ -12,7 +12,6 @@ import dev.eventchain.sandbox.PythonEnvironment;
 import dev.eventchain.simulation.FaultVerdict.Detection;
 import dev.eventchain.simulation.FaultVerdict.Means;
 import dev.eventchain.simulation.ScenarioVerdict.CriterionResult;
-import dev.eventchain.simulation.SimulationRequest.Driver;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -296,7 +295,7 @@ class FaultsTest {
     names.forEach(name -> wanted.add(fault(name)));
     SimulationResult dds =
         Simulation.run(
-            request(text.toString()).withDriver(Driver.DDS),
+            request(text.toString()).withDriver(SimulationDriver.DDS),
             PythonEnvironment.ensureWithCycloneDds(line -> {}),
             verdict -> {});
     assertEquals(wanted.size(), dds.faults().size());
@@ -320,7 +319,7 @@ class FaultsTest {
 
   @Test
   void inRealTimeFaultsAreRefused() {
-    SimulationRequest request = request(FAULTS).withDriver(Driver.DDS_IN_REAL_TIME);
+    SimulationRequest request = request(FAULTS).withDriver(SimulationDriver.DDS_IN_REAL_TIME);
     DiagnosticException refused =
         assertThrows(DiagnosticException.class, () -> AebProject.simulate(request));
     assertEquals("fault.driver", refused.diagnostics().get(0).id());

@@ -75,15 +75,15 @@ class FormulaReferenceTest {
       Trace trace = trace();
       Case formula = formula(3);
       Value expected = formula.at(0, size);
-      Evaluation found =
-          Evaluation.of(
+      FormulaEvaluation found =
+          FormulaEvaluation.of(
               Formula.parse(SourceText.of("f", formula.text()).whole(), new WorldSignals(), 600)
                   .condition(),
               new SampledRun(trace));
       String about = formula.text() + " of " + size;
       assertEquals(expected.verdict(), (int) Math.signum(found.verdict()), about);
       if (oneUnit) {
-        assertEquals(Math.abs(expected.margin()), Truth.margin(found.verdict()), about);
+        assertEquals(Math.abs(expected.margin()), Robustness.margin(found.verdict()), about);
       }
       requireDecision(found, expected, about);
       verdicts.add(expected.verdict());
@@ -92,12 +92,12 @@ class FormulaReferenceTest {
   }
 
   /** What is said to decide has the margin of the formula, or else its own. */
-  private void requireDecision(Evaluation found, Value expected, String about) {
-    Evaluation.Decision decision = found.decision();
+  private void requireDecision(FormulaEvaluation found, Value expected, String about) {
+    FormulaEvaluation.Decision decision = found.decision();
     if (decision.comparison().isPresent()) {
       Case comparison = comparisons.get(decision.comparison().get().text());
       Value there = comparison.at(decision.sample(), size);
-      assertEquals(Math.abs(there.margin()), Truth.margin(decision.truth()), about);
+      assertEquals(Math.abs(there.margin()), Robustness.margin(decision.truth()), about);
       assertEquals(there.verdict(), (int) Math.signum(decision.truth()), about);
       if (oneUnit) {
         assertEquals(Math.abs(expected.margin()), Math.abs(there.margin()), about);

@@ -101,10 +101,10 @@ class LidarTest {
   }
 
   private static EgoVehicle with(double noise, double dropout) {
-    return with(new Lidar.Settings(2.4, 2.4, noise, dropout, 0.5));
+    return with(new LidarSettings(2.4, 2.4, noise, dropout, 0.5));
   }
 
-  private static EgoVehicle with(Lidar.Settings settings) {
+  private static EgoVehicle with(LidarSettings settings) {
     return new EgoVehicle(10, 0.2, 0.3, 9, 0.5, 3, settings, Chassis.USUAL);
   }
 
@@ -125,7 +125,7 @@ class LidarTest {
   @CsvSource({"1, 0.5", "0.5, 1", "2, 0.25"})
   void theNumberOfPointsGoesWithTheStepOfTheRays(double step, double part) {
     int usual = scan(with(0, 0), 3).size();
-    int points = scan(with(new Lidar.Settings(2.4, 2.4, 0, 0, step)), 3).size();
+    int points = scan(with(new LidarSettings(2.4, 2.4, 0, 0, step)), 3).size();
     assertEquals(part, (double) points / usual, 0.02);
   }
 

@@ -72,12 +72,17 @@ class RecordingTest {
   /** The nodes' own record says what was published, when; what the world sends is in it, too. */
   @Test
   void everyMessageIsReadBackAsItWasPublished() throws Exception {
-    NodeSetup setup = new NodeSetup(request());
+    SimulationRequest request = request();
+    SimulatedChain chain = request.simulatedChain();
     PythonEnvironment python = PythonEnvironment.ensure(line -> {});
-    ScenarioRunner.Run run;
+    ScenarioRun run;
+    HostProgram program = new HostProgram(request.nodePackage(), python, Confinement.detect());
+    NodeConfiguration nodes = new NodeConfiguration(chain, request.nodePackage());
     try (LockstepProcess process =
-        new LockstepProcess(request(), python, Confinement.detect(), 0)) {
-      run = new ScenarioRunner(setup, process.session()).run(AebProject.scenario(SCENARIO));
+        new LockstepProcess(program, request.chain().getSoftware().size(), 0)) {
+      run =
+          new ScenarioRunner(chain, nodes, request.recordings(), process.session())
+              .run(AebProject.scenario(SCENARIO));
     }
     JsonNode read = read(only());
     SortedMap<String, List<Long>> published = new TreeMap<>();
@@ -103,7 +108,7 @@ class RecordingTest {
     assertTrue(recorded.size() > 6, recorded.keySet().toString());
   }
 
-  private static long end(ScenarioRunner.Run run) {
+  private static long end(ScenarioRun run) {
     return run.trace().end().time();
   }
 

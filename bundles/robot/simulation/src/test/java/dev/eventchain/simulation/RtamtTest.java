@@ -30,9 +30,9 @@ class RtamtTest {
       }
       String text = recorded.get(0).asText();
       Formula formula = Formula.parse(SourceText.of("f", text).whole(), new WorldSignals(), 10);
-      double truth = Evaluation.of(formula.condition(), new SampledRun(trace)).verdict();
+      double truth = FormulaEvaluation.of(formula.condition(), new SampledRun(trace)).verdict();
       double expected = recorded.get(2).asDouble();
-      assertEquals(Math.abs(expected), Truth.margin(truth), 1e-9, text);
+      assertEquals(Math.abs(expected), Robustness.margin(truth), 1e-9, text);
       // At 0 the margin does not say which it is, and rtamt does not either.
       if (expected != 0) {
         assertEquals(Math.signum(expected), Math.signum(truth), text);

@@ -91,7 +91,7 @@ class ScenarioTest {
             Bench.carla());
     assertEquals(
         new EgoVehicle(
-            10, 0.1, 0.4, 8, 0.3, 3, new Lidar.Settings(1.5, 2, 0.02, 0, 0.5), Chassis.USUAL),
+            10, 0.1, 0.4, 8, 0.3, 3, new LidarSettings(1.5, 2, 0.02, 0, 0.5), Chassis.USUAL),
         scenario.situation().ego());
     Actor actor = scenario.situation().actors().get(0);
     assertEquals(new Actor.Size(12, 2.5, 0, 4), actor.size());

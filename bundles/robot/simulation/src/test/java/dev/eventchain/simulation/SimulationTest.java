@@ -176,8 +176,7 @@ class SimulationTest {
         project
             .request(List.of(AebProject.scenario("stopped-vehicle-50")))
             .withLimits(
-                new SimulationRequest.Limits(
-                    Duration.ofSeconds(1), Duration.ofMinutes(5), Duration.ofHours(1)));
+                new NodeLimits(Duration.ofSeconds(1), Duration.ofMinutes(5), Duration.ofHours(1)));
     DiagnosticException failure =
         assertThrows(DiagnosticException.class, () -> AebProject.simulate(request));
     assertEquals(DiagnosticException.Reason.FINDINGS, failure.reason());
@@ -192,19 +191,18 @@ class SimulationTest {
   void outputWithoutEndEndsTheSimulation() throws Exception {
     AebProject project =
         new AebProject(folder).with("Braking_Decision", "failing/writes_without_end.py");
-    assertEquals("simulation.limit", failure(project, SimulationRequest.Limits.DEFAULT));
+    assertEquals("simulation.limit", failure(project, NodeLimits.DEFAULT));
   }
 
   @Test
   void suiteThatTakesTooLongIsEnded() throws Exception {
     AebProject project = new AebProject(folder).with("Braking_Decision", "failing/hangs.py");
-    SimulationRequest.Limits limits =
-        new SimulationRequest.Limits(
-            Duration.ofHours(1), Duration.ofHours(1), Duration.ofSeconds(3));
+    NodeLimits limits =
+        new NodeLimits(Duration.ofHours(1), Duration.ofHours(1), Duration.ofSeconds(3));
     assertEquals("simulation.run.timeout", failure(project, limits));
   }
 
-  private static String failure(AebProject project, SimulationRequest.Limits limits) {
+  private static String failure(AebProject project, NodeLimits limits) {
     SimulationRequest request =
         project.request(List.of(AebProject.scenario("stopped-vehicle-50"))).withLimits(limits);
     DiagnosticException failure =

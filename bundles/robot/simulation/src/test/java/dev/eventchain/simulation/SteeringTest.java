@@ -18,7 +18,7 @@ class SteeringTest {
   private static final EgoVehicle USUAL = EgoVehicle.withSpeed(10);
 
   private static EgoVehicle with(double speed, Chassis chassis) {
-    return new EgoVehicle(speed, 0.0, 0.3, 9.0, 0.5, 3.0, Lidar.Settings.USUAL, chassis);
+    return new EgoVehicle(speed, 0.0, 0.3, 9.0, 0.5, 3.0, LidarSettings.USUAL, chassis);
   }
 
   private static Trace.State after(World world, double seconds) {
@@ -145,7 +145,7 @@ class SteeringTest {
   @Test
   void dragSlowsAFastVehicleDown() {
     Chassis drag = new Chassis(2.7, 0.6, 3, 0.001, 0, 0);
-    EgoVehicle ego = new EgoVehicle(40, 0, 0.3, 9, 0, 3, Lidar.Settings.USUAL, drag);
+    EgoVehicle ego = new EgoVehicle(40, 0, 0.3, 9, 0, 3, LidarSettings.USUAL, drag);
     World world = new World(ego, List.of());
     world.command(0, VehicleCommand.drive(1e-9));
     // v' = -c v^2 has the solution v0 / (1 + c v0 t); the ramp of the pedal takes a moment.
@@ -173,7 +173,7 @@ class SteeringTest {
     Road.Place ego = new Road.Place(0, 1, StrictMath.toRadians(10));
     double far = 20;
     Body box = new Body(ego.ahead(far + 0.5), 1, 1, 0, 1.5, 0.8f);
-    Lidar lidar = new Lidar(Lidar.Settings.USUAL, 1);
+    Lidar lidar = new Lidar(LidarSettings.USUAL, 1);
     byte[] points = lidar.scan(new RoadScene(Road.STRAIGHT, ego, List.of(box)));
     java.nio.ByteBuffer data =
         java.nio.ByteBuffer.wrap(points).order(java.nio.ByteOrder.LITTLE_ENDIAN);

@@ -161,7 +161,7 @@ class WorldTest {
       double impact) {
     EgoVehicle ego =
         new EgoVehicle(
-            kmh / 3.6, delay, buildUp, deceleration, 0, 3, Lidar.Settings.USUAL, Chassis.USUAL);
+            kmh / 3.6, delay, buildUp, deceleration, 0, 3, LidarSettings.USUAL, Chassis.USUAL);
     DoubleSummaryStatistics impacts = new DoubleSummaryStatistics();
     for (double early = 0.0005; early < 0.05; early += 0.007) {
       World world = new World(ego, List.of(Actor.passengerCar((4 + early) * ego.speed(), 0, 0)));

@@ -14,12 +14,13 @@ import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.sandbox.Confinement;
+import dev.eventchain.simulation.DdsAttachment;
 import dev.eventchain.simulation.FaultPlan;
 import dev.eventchain.simulation.Scenario;
 import dev.eventchain.simulation.ScenarioVerdict;
 import dev.eventchain.simulation.Simulation;
+import dev.eventchain.simulation.SimulationDriver;
 import dev.eventchain.simulation.SimulationRequest;
-import dev.eventchain.simulation.SimulationRequest.Attachment;
 import dev.eventchain.simulation.SimulationResult;
 import dev.eventchain.xmi.Origins;
 import dev.eventchain.xmi.XmiStore;
@@ -284,9 +285,9 @@ final class SimulateStage implements StageWork {
             .withAccepted(run.options().suppressions()::accepts);
     return switch (run.options().driver()) {
       case LOCKSTEP -> request;
-      case DDS -> request.withDriver(SimulationRequest.Driver.DDS);
-      case DDS_IN_REAL_TIME -> request.withDriver(SimulationRequest.Driver.DDS_IN_REAL_TIME);
-      case DDS_ATTACHED -> request.withAttachment(Attachment.of(System.getenv()));
+      case DDS -> request.withDriver(SimulationDriver.DDS);
+      case DDS_IN_REAL_TIME -> request.withDriver(SimulationDriver.DDS_IN_REAL_TIME);
+      case DDS_ATTACHED -> request.withAttachment(DdsAttachment.of(System.getenv()));
     };
   }
 

@@ -9,21 +9,21 @@ import java.util.Optional;
  * The truth of a condition in a run, and that of its parts. If all that it compares is of one
  * dimension, the truth has margins; if not, it is a verdict: 1, -1 or 0.
  */
-final class Evaluation {
+final class FormulaEvaluation {
 
   private final Condition condition;
   private final double[] truth;
-  private final List<Evaluation> parts;
+  private final List<FormulaEvaluation> parts;
   private final Optional<String> vacuity;
 
   /** The margins of a comparison, also where only verdicts go up to what it is a part of. */
   private final double[] margins;
 
-  private Evaluation(
+  private FormulaEvaluation(
       Condition condition,
       double[] margins,
       boolean oneUnit,
-      List<Evaluation> parts,
+      List<FormulaEvaluation> parts,
       Optional<String> vacuity) {
     this.condition = condition;
     this.margins = margins;
@@ -33,7 +33,7 @@ final class Evaluation {
   }
 
   /** Evaluates a condition at the start of a run. */
-  static Evaluation of(Condition condition, SampledRun run) {
+  static FormulaEvaluation of(Condition condition, SampledRun run) {
     return new Evaluator(run, false, condition.oneUnit()).evaluate(condition, 0, 0);
   }
 
@@ -41,7 +41,7 @@ final class Evaluation {
    * As {@link #of}, but what is true without saying anything of the software is not known: an
    * implication whose premise never came true, and what compares signals that say nothing.
    */
-  static Evaluation strictly(Condition condition, SampledRun run) {
+  static FormulaEvaluation strictly(Condition condition, SampledRun run) {
     return new Evaluator(run, true, condition.oneUnit()).evaluate(condition, 0, 0);
   }
 
@@ -58,9 +58,9 @@ final class Evaluation {
   private record Evaluator(SampledRun run, boolean strictly, boolean oneUnit) {
 
     /** Evaluates at all samples; it is looked at from the first to the last of those given. */
-    Evaluation evaluate(Condition condition, int first, int last) {
+    FormulaEvaluation evaluate(Condition condition, int first, int last) {
       int size = run.size();
-      List<Evaluation> parts = new ArrayList<>();
+      List<FormulaEvaluation> parts = new ArrayList<>();
       for (int i = 0; i < condition.parts().size(); i++) {
         Interval window = condition.window(i);
         int from = Math.max(0, first + window.from());
@@ -70,11 +70,11 @@ final class Evaluation {
       Optional<String> vacuity =
           strictly ? condition.vacuity(run, inner, first, last) : Optional.empty();
       double[] truth = vacuity.isPresent() ? new double[size] : condition.truth(run, inner);
-      return new Evaluation(condition, truth, oneUnit, parts, vacuity);
+      return new FormulaEvaluation(condition, truth, oneUnit, parts, vacuity);
     }
   }
 
-  /** The truth at the start, see {@link Truth}. */
+  /** The truth at the start, see {@link Robustness}. */
   double verdict() {
     return truth[0];
   }
@@ -95,7 +95,7 @@ final class Evaluation {
 
   /** Goes down from the condition at the start, each time to the part that decides. */
   Decision decision() {
-    Evaluation here = this;
+    FormulaEvaluation here = this;
     int sample = 0;
     while (here.vacuity.isEmpty()) {
       if (here.condition instanceof Condition.Comparison comparison) {
@@ -105,11 +105,11 @@ final class Evaluation {
       List<double[]> inner = here.parts.stream().map(part -> part.truth).toList();
       Condition.Step step = here.condition.decisive(inner, sample);
       if (step.part() < 0) {
-        return new Decision(Optional.empty(), sample, Truth.UNKNOWN, Optional.empty());
+        return new Decision(Optional.empty(), sample, Robustness.UNKNOWN, Optional.empty());
       }
       here = here.parts.get(step.part());
       sample = step.sample();
     }
-    return new Decision(Optional.empty(), sample, Truth.UNKNOWN, here.vacuity);
+    return new Decision(Optional.empty(), sample, Robustness.UNKNOWN, here.vacuity);
   }
 }

@@ -8,12 +8,12 @@ package dev.eventchain.simulation;
  * or} are the negative, the minimum and the maximum, both of Kleene's three-valued logic and of the
  * margins.
  */
-final class Truth {
+final class Robustness {
 
   static final double UNKNOWN = 0.0;
   private static final double NO_MARGIN = Double.MIN_VALUE;
 
-  private Truth() {}
+  private Robustness() {}
 
   /** Whether one value is less than another, or in a comparison that is not strict equal to it. */
   static double less(double smaller, double larger, boolean strict) {

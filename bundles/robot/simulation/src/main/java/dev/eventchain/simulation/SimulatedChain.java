@@ -1,32 +1,25 @@
 package dev.eventchain.simulation;
 
-import com.fasterxml.jackson.databind.node.ArrayNode;
-import com.fasterxml.jackson.databind.node.JsonNodeFactory;
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.messages.RosNames;
 import dev.eventchain.model.TopicIndex;
 import dev.eventchain.model.eventchain.ComponentImplementation;
 import dev.eventchain.model.eventchain.Data;
+import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.model.eventchain.SoftwareNode;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.SplittableRandom;
 import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import java.util.zip.CRC32;
 
-/** What of a chain is simulated, and how: the nodes that were generated, their times and topics. */
-final class NodeSetup {
+/** What of a chain is simulated: the nodes that are run, their times and their topics. */
+final class SimulatedChain {
 
   private static final double MILLISECONDS = 1e3;
   private static final double NANOSECONDS = 1e6;
@@ -34,52 +27,45 @@ final class NodeSetup {
   /** Periods of what writes a topic after which a sample is too old, where nothing else is said. */
   private static final double USUAL_PERIODS = 5;
 
-  private final SimulationRequest request;
   private final List<SoftwareNode> nodes;
   private final TopicIndex topics;
+  private final EventChain chain;
+  private final Bench bench;
   private final MessageCatalog catalog;
+  private final boolean attached;
 
   /**
-   * Finds the nodes of the request.
+   * Finds the nodes.
    *
-   * @throws DiagnosticException (INPUT) if the manifest is not that of the chain ({@code
-   *     simulation.manifest})
+   * @param bench how the nodes and the world are connected
+   * @param catalog the message types that the nodes use
+   * @param attached whether the nodes are run elsewhere
    */
-  NodeSetup(SimulationRequest request) {
-    this.request = request;
-    this.catalog = MessageCatalog.of(request.messageFolders());
-    List<SoftwareNode> components =
-        request.chain().getSoftware().stream()
-            .filter(node -> node.getImplementation() == ComponentImplementation.COMPONENT)
-            .toList();
+  SimulatedChain(EventChain chain, Bench bench, MessageCatalog catalog, boolean attached) {
+    this.chain = chain;
+    this.bench = bench;
+    this.catalog = catalog;
+    this.attached = attached;
     // Others may run whatever they like for what is a node by itself.
-    this.nodes = isAttached() ? List.copyOf(request.chain().getSoftware()) : components;
-    this.topics = TopicIndex.of(request.chain());
-    List<Diagnostic> problems =
-        request.manifest().problems(request.chain(), request.packageFolder(), components);
-    if (!problems.isEmpty()) {
-      throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
-    }
+    this.nodes = attached ? List.copyOf(chain.getSoftware()) : components(chain);
+    this.topics = TopicIndex.of(chain);
+  }
+
+  /** The nodes of a chain that are components, and not nodes by themselves. */
+  static List<SoftwareNode> components(EventChain chain) {
+    return chain.getSoftware().stream()
+        .filter(node -> node.getImplementation() == ComponentImplementation.COMPONENT)
+        .toList();
   }
 
   /** How the nodes and the world are connected. */
   Bench bench() {
-    return request.bench();
-  }
-
-  /** The files that the user's code is in. */
-  UserFiles userFiles() {
-    return new UserFiles(request.packageFolder());
-  }
-
-  /** How the nodes are run, for people. */
-  String driverWords() {
-    return request.driverWords();
+    return bench;
   }
 
   /** Whether the nodes are run elsewhere, so that what happens inside is not visible. */
   boolean isAttached() {
-    return request.driver() == SimulationRequest.Driver.DDS_ATTACHED;
+    return attached;
   }
 
   /** The message types that the nodes use. */
@@ -96,7 +82,7 @@ final class NodeSetup {
    * A finding for each node of the chain that is not simulated, so that it is not taken for tested.
    */
   List<Diagnostic> leftOut() {
-    return request.chain().getSoftware().stream()
+    return chain.getSoftware().stream()
         .filter(node -> !nodes.contains(node))
         .map(
             node ->
@@ -127,25 +113,24 @@ final class NodeSetup {
         .collect(Collectors.toCollection(TreeSet::new));
   }
 
-  /** Where recordings go; nowhere if none are wanted. */
-  Optional<Path> recordings() {
-    return request.recordings();
+  /** All topics that nodes write, with their types. */
+  List<TypedTopic> typedTopicsWritten() {
+    return topics.topics().stream().flatMap(topic -> written(topic).stream()).toList();
   }
 
-  /** All topics that nodes write, if they are recorded. */
-  List<BenchDriver.Topic> topicsToRecord() {
-    return recordings().isEmpty()
-        ? List.of()
-        : topics.topics().stream().flatMap(topic -> written(topic).stream()).toList();
+  /** The topics that nodes write and the vehicle takes, in the bench's order. */
+  List<String> taken() {
+    Set<String> written = topicsWritten();
+    return bench.consumed().keySet().stream().filter(written::contains).toList();
   }
 
-  private Optional<BenchDriver.Topic> written(TopicIndex.Topic topic) {
+  private Optional<TypedTopic> written(TopicIndex.Topic topic) {
     return topic.publishers().stream()
         .filter(this::isSimulated)
         .flatMap(endpoint -> endpoint.data().stream())
         .flatMap(data -> Optional.ofNullable(data.getMessageType()).stream())
         .findFirst()
-        .map(type -> new BenchDriver.Topic(topic.name(), RosNames.fullMessageType(type)));
+        .map(type -> new TypedTopic(topic.name(), RosNames.fullMessageType(type)));
   }
 
   /** What the simulated components write, for reports. */
@@ -155,13 +140,13 @@ final class NodeSetup {
             .filter(topic -> topic.publishers().stream().anyMatch(this::isSimulated))
             .toList(),
         catalog,
-        bench().consumed());
+        bench.consumed());
   }
 
   /** The first topic of the bench that a node reads; empty if none reads any. */
   String entry() {
     Set<String> read = topicsRead();
-    return bench().provided().keySet().stream().filter(read::contains).findFirst().orElse("");
+    return bench.provided().keySet().stream().filter(read::contains).findFirst().orElse("");
   }
 
   /**
@@ -169,7 +154,7 @@ final class NodeSetup {
    * receives, such as a lamp; empty if there is none.
    */
   String exit() {
-    return Stream.concat(commands().stream(), bench().consumed().keySet().stream())
+    return Stream.concat(commands().stream(), bench.consumed().keySet().stream())
         .filter(topicsWritten()::contains)
         .findFirst()
         .orElse("");
@@ -181,11 +166,11 @@ final class NodeSetup {
    */
   List<String> commands() {
     Set<String> written = topicsWritten();
-    return bench().consumed().values().stream()
+    return bench.consumed().values().stream()
         .filter(Bench.Consumed::commands)
         .filter(topic -> !written.contains(topic.topic()) || isDriven(topic))
         .map(Bench.Consumed::topic)
-        .filter(topic -> written.contains(topic) || bench().isOwn(topic))
+        .filter(topic -> written.contains(topic) || bench.isOwn(topic))
         .toList();
   }
 
@@ -199,7 +184,7 @@ final class NodeSetup {
   /** Whether a node writes a field that drives one of the actuators. */
   boolean drives(Actuator... actuators) {
     Set<Actuator> wanted = Set.of(actuators);
-    return bench().consumed().values().stream()
+    return bench.consumed().values().stream()
         .anyMatch(
             topic ->
                 topic.fields().stream()
@@ -215,14 +200,9 @@ final class NodeSetup {
         .anyMatch(written -> written != null && RosNames.overlap(written, path));
   }
 
-  /** Whether people have decided to live with a finding. */
-  boolean isAccepted(Diagnostic finding) {
-    return request.accepted().test(finding);
-  }
-
   /** The latency constraints of the chain. */
   List<LatencyConstraint> latencyConstraints() {
-    return request.chain().getLatencyConstraints();
+    return chain.getLatencyConstraints();
   }
 
   /** The full names of the topics that a node reads. */
@@ -311,80 +291,10 @@ final class NodeSetup {
     return Math.round(Math.max(stated, usualAge(topic)) * NANOSECONDS);
   }
 
-  /** The configuration of the process that runs the nodes. */
-  ObjectNode configuration(Scenario scenario, BenchDriver driver) {
-    ObjectNode json = JsonNodeFactory.instance.objectNode();
-    json.putArray("path").add(absolute(request.packageFolder()));
-    ArrayNode messages = json.putArray("messages");
-    request.messageFolders().forEach(folder -> messages.add(absolute(folder)));
-    ArrayNode configured = json.putArray("nodes");
-    if (!isAttached()) {
-      nodes.forEach(node -> configured.add(configuration(node, scenario.seed())));
-    }
-    ArrayNode publishes = json.putArray("world_publishes");
-    driver.published().forEach(topic -> publishes.add(configuration(topic)));
-    ArrayNode subscribes = json.putArray("world_subscribes");
-    driver.received().forEach(topic -> subscribes.add(configuration(topic)));
-    json.put("step_limit_s", request.limits().processorTime().toNanos() / 1e9);
-    json.put("wall_limit_s", request.limits().wallTime().toNanos() / 1e9);
-    return json;
-  }
-
-  private static String absolute(Path folder) {
-    return folder.toAbsolutePath().normalize().toString();
-  }
-
-  private ObjectNode configuration(SoftwareNode node, long seed) {
-    String name = node.getName();
-    ObjectNode json = JsonNodeFactory.instance.objectNode();
-    NodeManifest.Node generated = request.manifest().find(name).orElseThrow();
-    json.put("module", generated.module());
-    json.put("class", generated.className());
-    json.put("name", name);
-    json.put("execution_time_ms", executionTime(node));
-    json.put("phase_ms", phase(node, seed));
-    NodeManifest.Component known = generated.component();
-    ObjectNode component = json.putObject("component");
-    component.put("module", known.module());
-    component.put("class", known.className());
-    component.put("file", absolute(request.packageFolder().resolve(known.file())));
-    component.put("restricted", request.generated().contains(name));
-    ArrayNode inputs = component.putArray("inputs");
-    known.inputs().forEach(inputs::add);
-    ArrayNode outputs = component.putArray("outputs");
-    known
-        .outputs()
-        .forEach(
-            output -> outputs.addObject().put("name", output.name()).put("type", output.type()));
-    return json;
-  }
-
-  private static ObjectNode configuration(BenchDriver.Topic topic) {
-    ObjectNode json = JsonNodeFactory.instance.objectNode();
-    return json.put("topic", topic.name()).put("type", topic.type());
-  }
-
-  /** In ms: the model's worst case; none if it does not know one. */
-  private static double executionTime(SoftwareNode node) {
-    return node.isSetWorstCaseExecutionTime() ? node.getWorstCaseExecutionTime() : 0.0;
-  }
-
   /** In ms; empty period is taken for none. */
   static double period(SoftwareNode node) {
     return node.isSetFrequency() && node.getFrequency() > 0
         ? MILLISECONDS / node.getFrequency()
         : 0.0;
-  }
-
-  /**
-   * In ms: somewhere in the node's period, since nodes on a vehicle start when they start. It
-   * depends on the scenario's seed and the node's name only.
-   */
-  private static double phase(SoftwareNode node, long seed) {
-    CRC32 digest = new CRC32();
-    digest.update(node.getName().getBytes(StandardCharsets.UTF_8));
-    SplittableRandom random = new SplittableRandom(seed * 0x1_0000_0001L ^ digest.getValue());
-    long microseconds = (long) (random.nextDouble() * period(node) * 1000);
-    return microseconds / 1000.0;
   }
 }

@@ -8,7 +8,7 @@ package dev.eventchain.simulation;
  * @param line where in the lane he wants to be
  * @param scripted whether he steers; in a bend he always does
  */
-record Driver(SpeedProfile speed, LateralProfile line, boolean scripted) {
+record HumanDriver(SpeedProfile speed, LateralProfile line, boolean scripted) {
 
   /** How fast he corrects a wrong speed, in s. */
   private static final double SPEED_TIME = 0.3;

@@ -18,7 +18,7 @@ import java.util.OptionalDouble;
  * @param maximumAge how old what is read may be, in ms; empty if there is no limit
  * @param deadline the longest time between two messages, in ms; empty if none is stated
  */
-record Hop(
+record ChainHop(
     String topic,
     String writer,
     String reader,
@@ -29,45 +29,45 @@ record Hop(
    * All hops of the simulated components: by the components that read, in chain order, and then
    * those to the vehicle.
    */
-  static List<Hop> of(NodeSetup setup) {
-    List<Hop> hops = new ArrayList<>();
-    for (SoftwareNode node : setup.nodes()) {
-      Map<String, Double> ages = InputAges.limits(node, setup);
-      for (String topic : setup.topicsReadBy(node)) {
+  static List<ChainHop> of(SimulatedChain chain) {
+    List<ChainHop> hops = new ArrayList<>();
+    for (SoftwareNode node : chain.nodes()) {
+      Map<String, Double> ages = InputAges.limits(node, chain);
+      for (String topic : chain.topicsReadBy(node)) {
         OptionalDouble age =
             ages.containsKey(topic) ? OptionalDouble.of(ages.get(topic)) : OptionalDouble.empty();
         OptionalDouble requested = deadline(node.getInput(), node, topic);
-        if (setup.bench().provided().containsKey(topic)) {
-          hops.add(new Hop(topic, MessageFlow.VEHICLE, node.getName(), age, requested));
+        if (chain.bench().provided().containsKey(topic)) {
+          hops.add(new ChainHop(topic, MessageFlow.VEHICLE, node.getName(), age, requested));
         }
-        for (String writer : setup.writers(topic)) {
+        for (String writer : chain.writers(topic)) {
           OptionalDouble deadline =
-              requested.isPresent() ? requested : offered(writer, topic, setup);
-          hops.add(new Hop(topic, writer, node.getName(), age, deadline));
+              requested.isPresent() ? requested : offered(writer, topic, chain);
+          hops.add(new ChainHop(topic, writer, node.getName(), age, deadline));
         }
       }
     }
-    hops.addAll(toVehicle(setup));
+    hops.addAll(toVehicle(chain));
     return hops;
   }
 
-  private static List<Hop> toVehicle(NodeSetup setup) {
-    List<Hop> hops = new ArrayList<>();
-    for (SoftwareNode node : setup.nodes()) {
-      for (String topic : setup.topicsWrittenBy(node)) {
-        if (setup.bench().consumed().containsKey(topic)) {
+  private static List<ChainHop> toVehicle(SimulatedChain chain) {
+    List<ChainHop> hops = new ArrayList<>();
+    for (SoftwareNode node : chain.nodes()) {
+      for (String topic : chain.topicsWrittenBy(node)) {
+        if (chain.bench().consumed().containsKey(topic)) {
           OptionalDouble deadline = deadline(node.getOutput(), node, topic);
           OptionalDouble age = OptionalDouble.empty();
-          hops.add(new Hop(topic, node.getName(), MessageFlow.VEHICLE, age, deadline));
+          hops.add(new ChainHop(topic, node.getName(), MessageFlow.VEHICLE, age, deadline));
         }
       }
     }
     return hops;
   }
 
-  private static OptionalDouble offered(String writer, String topic, NodeSetup setup) {
+  private static OptionalDouble offered(String writer, String topic, SimulatedChain chain) {
     Optional<SoftwareNode> node =
-        setup.nodes().stream().filter(each -> each.getName().equals(writer)).findFirst();
+        chain.nodes().stream().filter(each -> each.getName().equals(writer)).findFirst();
     return node.map(each -> deadline(each.getOutput(), each, topic)).orElse(OptionalDouble.empty());
   }
 
