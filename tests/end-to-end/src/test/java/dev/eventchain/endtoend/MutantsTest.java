@@ -3,8 +3,8 @@ package dev.eventchain.endtoend;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
-import dev.eventchain.simulation.ScenarioVerdict;
-import dev.eventchain.simulation.ScenarioVerdict.CriterionResult;
+import dev.eventchain.simulation.verdict.ScenarioVerdict;
+import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
 import java.util.List;

@@ -1,6 +1,9 @@
 package dev.eventchain.simulation;
 
 import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.simulation.verdict.Measurements;
+import dev.eventchain.simulation.verdict.MessageFlow;
+import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import java.math.BigDecimal;
 import java.nio.charset.StandardCharsets;
 import java.util.List;

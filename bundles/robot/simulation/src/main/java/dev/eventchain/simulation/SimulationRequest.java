@@ -3,6 +3,15 @@ package dev.eventchain.simulation;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.simulation.bench.Bench;
+import dev.eventchain.simulation.chain.SimulatedChain;
+import dev.eventchain.simulation.fault.FaultPlan;
+import dev.eventchain.simulation.host.UserFiles;
+import dev.eventchain.simulation.node.DdsAttachment;
+import dev.eventchain.simulation.node.NodeLimits;
+import dev.eventchain.simulation.node.NodeManifest;
+import dev.eventchain.simulation.node.NodePackage;
+import dev.eventchain.simulation.scenario.Scenario;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;
@@ -154,7 +163,7 @@ public record SimulationRequest(
   }
 
   /** The generated nodes. */
-  NodePackage nodePackage() {
+  public NodePackage nodePackage() {
     return new NodePackage(packageFolder, manifest, messageFolders, generated, limits);
   }
 
@@ -164,7 +173,7 @@ public record SimulationRequest(
    * @throws dev.eventchain.diagnostics.DiagnosticException (INPUT) if the manifest is not that of
    *     the chain ({@code simulation.manifest})
    */
-  SimulatedChain simulatedChain() {
+  public SimulatedChain simulatedChain() {
     MessageCatalog catalog = MessageCatalog.of(messageFolders);
     nodePackage().requireNodesOf(chain, SimulatedChain.components(chain));
     return new SimulatedChain(chain, bench, catalog, isAttached());

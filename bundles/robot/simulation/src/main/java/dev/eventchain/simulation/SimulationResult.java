@@ -2,6 +2,10 @@ package dev.eventchain.simulation;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.simulation.measure.MeasuredModel;
+import dev.eventchain.simulation.verdict.FaultVerdict;
+import dev.eventchain.simulation.verdict.Measurements;
+import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import java.util.List;
 
 /**

@@ -1,4 +1,5 @@
 /**
- * Drives the generated nodes in a closed loop with a vehicle on a road, judges and measures them.
+ * Simulates the generated nodes of a chain in scenarios: the request, the run and its result. The
+ * top layer: it connects all other rooms, and none of them knows it.
  */
 package dev.eventchain.simulation;

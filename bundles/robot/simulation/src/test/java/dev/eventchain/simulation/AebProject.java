@@ -13,6 +13,9 @@ import dev.eventchain.model.Signal;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainPackage;
 import dev.eventchain.sandbox.PythonEnvironment;
+import dev.eventchain.simulation.bench.Bench;
+import dev.eventchain.simulation.node.NodeManifest;
+import dev.eventchain.simulation.scenario.Scenario;
 import dev.eventchain.xmi.XmiStore;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -32,11 +35,11 @@ import org.eclipse.emf.ecore.EPackage;
  * The AEB example with nodes generated for it and hand-written components in the place of those
  * that a language model writes, in a folder where tests can change components.
  */
-final class AebProject {
+public final class AebProject {
 
   private static final Path RESOURCES = Path.of("src/test/resources");
-  static final Path EXAMPLE = Path.of("../../../examples/aeb");
-  static final Bench BENCH =
+  public static final Path EXAMPLE = Path.of("../../../examples/aeb");
+  public static final Bench BENCH =
       Bench.read(
           Optional.of(EXAMPLE.resolve(Bench.FILE)),
           declared(),
@@ -58,7 +61,7 @@ final class AebProject {
   private final Path folder;
   private final EventChain chain;
 
-  AebProject(Path folder) throws IOException {
+  public AebProject(Path folder) throws IOException {
     this(folder, load(), Generated.FILES);
   }
 
@@ -107,7 +110,7 @@ final class AebProject {
   }
 
   /** The project with the nodes of another chain of the same components. */
-  static AebProject of(Path folder, Consumer<EventChain> change) throws IOException {
+  public static AebProject of(Path folder, Consumer<EventChain> change) throws IOException {
     EventChain chain = load();
     change.accept(chain);
     return new AebProject(folder, chain, Generated.filesOf(chain));
@@ -150,12 +153,12 @@ final class AebProject {
   }
 
   /** The chain; tests may change it. */
-  EventChain chain() {
+  public EventChain chain() {
     return chain;
   }
 
   /** Where the file of a component is. */
-  Path component(String name) {
+  public Path component(String name) {
     return folder.resolve("aeb/aeb/components").resolve(name + ".py");
   }
 
@@ -166,30 +169,30 @@ final class AebProject {
   }
 
   /** Some of the example's: enough for what is tested here, and not too many to be simulated. */
-  static List<Scenario> scenarios() {
+  public static List<Scenario> scenarios() {
     return Scenario.readFolder(EXAMPLE.resolve("scenarios"), BENCH, warning -> {}).stream()
         .filter(each -> SCENARIOS.contains(each.name()))
         .toList();
   }
 
-  static Scenario scenario(String name) {
+  public static Scenario scenario(String name) {
     return scenarios().stream().filter(s -> s.name().equals(name)).findFirst().orElseThrow();
   }
 
-  SimulationRequest request(List<Scenario> scenarios) {
+  public SimulationRequest request(List<Scenario> scenarios) {
     return SimulationRequest.of(
         chain, folder.resolve("aeb"), manifest(), List.of(messages()), BENCH, scenarios);
   }
 
-  NodeManifest manifest() {
+  public NodeManifest manifest() {
     return NodeManifest.read(SourceText.read(folder.resolve("aeb").resolve(NodeManifest.FILE)));
   }
 
-  SimulationResult simulate(List<Scenario> scenarios) throws InterruptedException {
+  public SimulationResult simulate(List<Scenario> scenarios) throws InterruptedException {
     return simulate(request(scenarios));
   }
 
-  static SimulationResult simulate(SimulationRequest request) throws InterruptedException {
+  public static SimulationResult simulate(SimulationRequest request) throws InterruptedException {
     return Simulation.run(request, PythonEnvironment.ensure(line -> {}), verdict -> {});
   }
 }

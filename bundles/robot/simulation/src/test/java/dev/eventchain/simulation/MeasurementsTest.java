@@ -20,6 +20,8 @@ import dev.eventchain.model.eventchain.Measurement;
 import dev.eventchain.model.eventchain.NodeMeasurement;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.model.eventchain.StatisticKind;
+import dev.eventchain.simulation.scenario.Scenario;
+import dev.eventchain.simulation.verdict.Measurements;
 import dev.eventchain.xmi.XmiStore;
 import java.nio.file.Path;
 import java.util.List;

@@ -6,7 +6,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.project.ProjectFolder;
-import dev.eventchain.simulation.NodeManifest;
+import dev.eventchain.simulation.node.NodeManifest;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -1,7 +1,7 @@
 package dev.eventchain.pipeline;
 
 import dev.eventchain.project.ProjectFolder;
-import dev.eventchain.simulation.Bench;
+import dev.eventchain.simulation.bench.Bench;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;

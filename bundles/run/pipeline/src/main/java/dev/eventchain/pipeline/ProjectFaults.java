@@ -1,8 +1,8 @@
 package dev.eventchain.pipeline;
 
 import dev.eventchain.model.eventchain.EventChain;
-import dev.eventchain.simulation.FaultPlan;
-import dev.eventchain.simulation.Scenario;
+import dev.eventchain.simulation.fault.FaultPlan;
+import dev.eventchain.simulation.scenario.Scenario;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;

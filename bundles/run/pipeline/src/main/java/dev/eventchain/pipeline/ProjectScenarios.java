@@ -6,7 +6,7 @@ import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.project.ProjectFolder;
-import dev.eventchain.simulation.Scenario;
+import dev.eventchain.simulation.scenario.Scenario;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;

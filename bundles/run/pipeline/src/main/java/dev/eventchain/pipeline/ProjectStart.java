@@ -18,7 +18,7 @@ import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.ProjectSettings;
 import dev.eventchain.project.Requirements;
 import dev.eventchain.project.SoftwareBase;
-import dev.eventchain.simulation.Bench;
+import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.xmi.XmiStore;
 import java.io.IOException;
 import java.io.InputStream;

@@ -1,7 +1,7 @@
 package dev.eventchain.pipeline;
 
-import dev.eventchain.simulation.Scenario;
 import dev.eventchain.simulation.SimulationRequest;
+import dev.eventchain.simulation.scenario.Scenario;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;

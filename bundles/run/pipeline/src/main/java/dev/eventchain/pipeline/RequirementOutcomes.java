@@ -4,7 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import dev.eventchain.model.WrittenRequirement;
-import dev.eventchain.simulation.ScenarioVerdict;
+import dev.eventchain.simulation.verdict.ScenarioVerdict;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;

@@ -11,7 +11,7 @@ import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.Requirements;
 import dev.eventchain.project.SoftwareBase;
 import dev.eventchain.sandbox.PythonEnvironment;
-import dev.eventchain.simulation.Bench;
+import dev.eventchain.simulation.bench.Bench;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -2,10 +2,10 @@ package dev.eventchain.pipeline;
 
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.SoftwareNode;
-import dev.eventchain.simulation.ScenarioVerdict;
-import dev.eventchain.simulation.ScenarioVerdict.CriterionResult;
-import dev.eventchain.simulation.ScenarioVerdict.Curve;
-import dev.eventchain.simulation.ScenarioVerdict.Margin;
+import dev.eventchain.simulation.verdict.ScenarioVerdict;
+import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
+import dev.eventchain.simulation.verdict.ScenarioVerdict.Curve;
+import dev.eventchain.simulation.verdict.ScenarioVerdict.Margin;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;

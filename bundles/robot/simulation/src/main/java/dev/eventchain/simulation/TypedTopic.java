@@ -1,4 +1,0 @@
-package dev.eventchain.simulation;
-
-/** A topic and its message type. */
-record TypedTopic(String name, String type) {}

@@ -1,0 +1,269 @@
+package dev.eventchain.simulation.bench;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.messages.RosNames;
+import dev.eventchain.messages.Unit;
+import dev.eventchain.model.Signal.Direction;
+import dev.eventchain.model.TopicIndex;
+import dev.eventchain.model.TopicIndex.Endpoint;
+import dev.eventchain.model.TopicIndex.Topic;
+import dev.eventchain.model.eventchain.ComponentImplementation;
+import dev.eventchain.model.eventchain.Data;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.simulation.bench.Bench.Consumed;
+import dev.eventchain.simulation.bench.Bench.Effect;
+import dev.eventchain.simulation.bench.Bench.Field;
+import dev.eventchain.simulation.bench.Bench.Provided;
+import dev.eventchain.simulation.world.Actuator;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import org.eclipse.emf.ecore.EObject;
+
+/** Compares what a chain reads from the vehicle and writes to it with what the bench connects. */
+final class BenchCheck {
+
+  private static final Set<String> STAMPS = Set.of("stamp.sec", "stamp.nanosec", "stamp");
+
+  private final Bench bench;
+  private final TopicIndex topics;
+  private final Function<EObject, SourceLocation> locator;
+  private final List<Diagnostic> found = new ArrayList<>();
+
+  BenchCheck(Bench bench, EventChain chain, Function<EObject, SourceLocation> locator) {
+    this.bench = bench;
+    this.topics = TopicIndex.of(chain);
+    this.locator = locator;
+  }
+
+  List<Diagnostic> check() {
+    for (Topic topic : topics.topics()) {
+      Provided provided = bench.provided().get(topic.name());
+      if (topic.publishers().isEmpty()) {
+        checkRead(topic, provided);
+      }
+      Consumed consumed = bench.consumed().get(topic.name());
+      if (consumed == null) {
+        checkUntaken(topic);
+      }
+    }
+    bench.consumed().values().forEach(this::checkRequired);
+    bench.consumed().values().forEach(this::checkWritten);
+    checkAnythingTaken();
+    checkConflicts();
+    return List.copyOf(found);
+  }
+
+  /** A topic that no component writes must come from the vehicle, and each field of it, too. */
+  private void checkRead(Topic topic, Provided provided) {
+    Data first = topic.subscribers().get(0).data().get(0);
+    if (provided == null) {
+      boolean known =
+          bench
+              .declared()
+              .find(topic.name())
+              .filter(it -> it.direction() == Direction.PROVIDED)
+              .isPresent();
+      find(
+          "bench.topic.unconnected",
+          "%s reads %s, which %s."
+              .formatted(
+                  names(topic.subscribers()),
+                  topic.name(),
+                  known
+                      ? "no entry of the bench provides"
+                      : "nothing sends: no component writes it, and the bench does not provide it"),
+          first,
+          "Say under `provides` of bench.yaml where its fields come from.");
+      return;
+    }
+    for (Endpoint reader : topic.subscribers()) {
+      reader.data().forEach(data -> checkField(provided, data));
+    }
+  }
+
+  private void checkField(Provided provided, Data data) {
+    String path = data.getFieldName();
+    checkType(data, provided.topic(), provided.type());
+    if (path == null || provided.lidar() || isStamp(path)) {
+      return;
+    }
+    provided.fields().stream()
+        .filter(field -> field.path().equals(path))
+        .map(Field::source)
+        .filter(Bench.Quantity.class::isInstance)
+        .forEach(source -> checkUnit(data, provided.topic(), ((Bench.Quantity) source).unit()));
+    provided.objects().stream()
+        .flatMap(objects -> objects.columns().stream())
+        .filter(column -> column.path().equals(path))
+        .forEach(column -> checkUnit(data, provided.topic(), column.unit()));
+    boolean set = provided.paths().anyMatch(it -> RosNames.overlap(it, path));
+    if (!set) {
+      find(
+          "bench.field.unset",
+          "'%s' of %s is read, but the bench leaves it at its default."
+              .formatted(path, provided.topic()),
+          data,
+          "Give it a source in bench.yaml, or a constant if it is always the same.");
+    }
+  }
+
+  /** Both ends must mean the same number; signals.json, which else tells them, may say nothing. */
+  private void checkUnit(Data data, String topic, Unit unit) {
+    Optional<Unit> other = Optional.ofNullable(data.getUnit()).flatMap(Unit::parse);
+    if (other.isPresent() && other.get().relationTo(unit) != Unit.Relation.SAME) {
+      find(
+          "bench.unit",
+          "'%s' of %s is in %s here, but in another unit in the bench."
+              .formatted(data.getFieldName(), topic, data.getUnit()),
+          data,
+          "Write the same unit in signals.json, the bench and the component.");
+    }
+  }
+
+  private void checkType(Data data, String topic, String type) {
+    String other = data.getMessageType();
+    if (other != null && !RosNames.fullMessageType(other).equals(type)) {
+      find(
+          "bench.type",
+          "The messages of %s are %s here, but %s in the bench.".formatted(topic, other, type),
+          data,
+          "Write the same type in both.");
+    }
+  }
+
+  private void checkWritten(Consumed consumed) {
+    for (Topic topic : topics.find(consumed.topic()).stream().toList()) {
+      for (Endpoint writer : topic.publishers()) {
+        for (Data data : writer.data()) {
+          checkType(data, consumed.topic(), consumed.type());
+          consumed.fields().stream()
+              .filter(effect -> effect.actuator().isPresent())
+              .filter(effect -> effect.path().equals(data.getFieldName()))
+              .forEach(
+                  effect ->
+                      checkUnit(data, consumed.topic(), Unit.parse(effect.unit()).orElseThrow()));
+        }
+      }
+    }
+  }
+
+  /** The time of a header is set by itself. */
+  private static boolean isStamp(String path) {
+    return STAMPS.stream().anyMatch(stamp -> path.endsWith("header." + stamp));
+  }
+
+  /** What is written for the vehicle must do something, or be said to do nothing. */
+  private void checkUntaken(Topic topic) {
+    boolean forVehicle =
+        bench
+            .declared()
+            .find(topic.name())
+            .filter(it -> it.direction() == Direction.CONSUMED)
+            .isPresent();
+    if (forVehicle && !topic.publishers().isEmpty()) {
+      find(
+          "bench.topic.unconnected",
+          "%s writes %s to the vehicle, but the bench does not take it."
+              .formatted(names(topic.publishers()), topic.name()),
+          topic.publishers().get(0).data().get(0),
+          "Say under `consumes` of bench.yaml what its fields do, or `observed: true`.");
+    }
+  }
+
+  /** The paths of a topic's fields that simulated components write. */
+  private List<String> written(Consumed consumed) {
+    return topics.find(consumed.topic()).stream()
+        .flatMap(topic -> topic.publishers().stream())
+        .filter(writer -> writer.node().getImplementation() == ComponentImplementation.COMPONENT)
+        .flatMap(endpoint -> endpoint.data().stream())
+        .map(Data::getFieldName)
+        .filter(path -> path != null)
+        .toList();
+  }
+
+  private void checkRequired(Consumed consumed) {
+    for (Effect effect : consumed.fields()) {
+      if (effect.required() && !isWritten(consumed, effect)) {
+        found.add(
+            Diagnostic.error(
+                    "bench.field.unwritten",
+                    "No component writes '%s' of %s, which the bench requires."
+                        .formatted(effect.path(), consumed.topic()),
+                    effect.location())
+                .withHint("Let a component write it, or leave `required` out."));
+      }
+    }
+  }
+
+  /** Software that neither commands the vehicle nor tells it anything cannot be judged. */
+  private void checkAnythingTaken() {
+    boolean expected =
+        bench.consumed().values().stream()
+            .anyMatch(
+                topic -> bench.isOwn(topic.topic()) || topics.find(topic.topic()).isPresent());
+    if (!expected && found.isEmpty()) {
+      found.add(
+          Diagnostic.error(
+                  "bench.topic.unconnected",
+                  "Nothing that the chain writes reaches the vehicle.",
+                  bench.location())
+              .withHint("Say under `consumes` of bench.yaml what the vehicle takes."));
+    }
+  }
+
+  /** What one file lets drive the same thing is refused when it is read; here it is about two. */
+  private void checkConflicts() {
+    Map<Actuator, String> driven = new EnumMap<>(Actuator.class);
+    for (Consumed consumed : bench.consumed().values()) {
+      for (Effect effect : consumed.fields()) {
+        Set<String> others = new TreeSet<>();
+        if (effect.actuator().isPresent() && isWritten(consumed, effect)) {
+          Actuator actuator = effect.actuator().get();
+          driven.forEach(
+              (other, topic) -> {
+                if (other.excludes(actuator)) {
+                  others.add(topic);
+                }
+              });
+          driven.putIfAbsent(actuator, consumed.topic());
+        }
+        others.remove(consumed.topic());
+        others.forEach(other -> find(consumed, effect, other));
+      }
+    }
+  }
+
+  private boolean isWritten(Consumed consumed, Effect effect) {
+    return written(consumed).stream().anyMatch(it -> RosNames.overlap(it, effect.path()));
+  }
+
+  private void find(Consumed consumed, Effect effect, String other) {
+    found.add(
+        Diagnostic.error(
+                "bench.actuator.conflict",
+                "'%s' of %s drives %s, and so does %s: the vehicle can follow only one of them."
+                    .formatted(
+                        effect.path(), consumed.topic(), effect.actuator().get().id(), other),
+                effect.location())
+            .withHint("Mark one of them as `observed`."));
+  }
+
+  private void find(String id, String message, Data place, String hint) {
+    found.add(Diagnostic.error(id, message, locator.apply(place)).withHint(hint));
+  }
+
+  private static String names(List<Endpoint> endpoints) {
+    return endpoints.stream()
+        .map(endpoint -> "'" + endpoint.node().getName() + "'")
+        .distinct()
+        .collect(Collectors.joining(", "));
+  }
+}

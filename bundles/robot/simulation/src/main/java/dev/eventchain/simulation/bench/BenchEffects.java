@@ -1,0 +1,120 @@
+package dev.eventchain.simulation.bench;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.documents.ObjectReader;
+import dev.eventchain.messages.FieldType;
+import dev.eventchain.messages.MessageType;
+import dev.eventchain.messages.Unit;
+import dev.eventchain.simulation.bench.Bench.Effect;
+import dev.eventchain.simulation.world.Actuator;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** Reads what single fields do that the vehicle consumes. */
+final class BenchEffects {
+
+  private static final String OBSERVED = "observed";
+  private static final String DRIVES = "drives";
+
+  private final DeclaredSignals declared;
+  private final BenchFields fields;
+
+  BenchEffects(DeclaredSignals declared, BenchFields fields) {
+    this.declared = declared;
+    this.fields = fields;
+  }
+
+  /** What a field that the vehicle consumes does; nothing if that is wrong. */
+  Optional<Effect> read(
+      ObjectReader part, String topic, String path, Optional<MessageType> message) {
+    Optional<FieldType> type = BenchFields.type(part, path, message);
+    Optional<JsonNode> value = part.value(path);
+    if (value.isEmpty()) {
+      part.find("bench.value.range", BenchFields.NO_VALUE, part.at(path));
+    }
+    if (value.isEmpty() || (message.isPresent() && type.isEmpty())) {
+      return Optional.empty();
+    }
+    if (!value.get().isObject()) {
+      Optional<String> unit = unit(part, value.get(), topic, path);
+      return part.text(path)
+          .flatMap(name -> effect(part, path, name, unit, type))
+          .map(it -> new Effect(path, it.actuator(), it.unit(), false, part.atKey(path)));
+    }
+    Optional<ObjectReader> section = part.object(path);
+    return section.flatMap(
+        it -> {
+          Optional<String> unit = fields.unit(it, it.text("unit"), topic, path);
+          boolean required = it.has("required");
+          it.requireTrue("required");
+          String name = it.requiredText(DRIVES);
+          it.refuseOthers();
+          return effect(it, DRIVES, name, unit, type)
+              .map(
+                  effect ->
+                      new Effect(
+                          path, effect.actuator(), effect.unit(), required, part.atKey(path)));
+        });
+  }
+
+  /** The unit of a field; one that nobody understands may be observed, but drives nothing. */
+  private Optional<String> unit(ObjectReader part, JsonNode does, String topic, String path) {
+    return does.asText().equals(OBSERVED)
+        ? declared.unit(topic, path).filter(text -> Unit.parse(text).isPresent())
+        : fields.unit(part, Optional.empty(), topic, path);
+  }
+
+  /** What a field drives, and in which unit. */
+  private record Driven(Optional<Actuator> actuator, String unit) {}
+
+  /** What an effect is about; nothing if it is wrong. */
+  private static Optional<Driven> effect(
+      ObjectReader section,
+      String key,
+      String name,
+      Optional<String> unitText,
+      Optional<FieldType> type) {
+    Optional<Actuator> actuator = Actuator.find(name);
+    if (actuator.isEmpty() && !name.equals(OBSERVED)) {
+      List<String> known = new ArrayList<>(Actuator.ids());
+      known.add(OBSERVED);
+      section.find(
+          Diagnostic.error(
+                  "bench.actuator.unknown", "The vehicle takes no '" + name + "'.", section.at(key))
+              .withHint(NearestName.hint(name, known)));
+      return Optional.empty();
+    }
+    if (actuator.isEmpty()) {
+      return Optional.of(new Driven(actuator, unitText.orElse("1")));
+    }
+    if (type.isPresent() && !BenchFields.takes(type.get(), actuator.get().truth())) {
+      String wanted = actuator.get().truth() ? "true or false" : "a number";
+      section.find(
+          "bench.value.type",
+          "'" + name + "' is " + wanted + ", but the field is " + type.get() + ".",
+          section.at(key));
+      return Optional.empty();
+    }
+    return unitFits(section, key, actuator.get(), unitText)
+        ? Optional.of(new Driven(actuator, unitText.orElse("1")))
+        : Optional.empty();
+  }
+
+  private static boolean unitFits(
+      ObjectReader section, String key, Actuator actuator, Optional<String> unitText) {
+    Unit unit = Unit.parse(unitText.orElse("1")).orElseThrow();
+    Unit.Relation relation = unit.relationTo(actuator.unit());
+    boolean fits = relation == Unit.Relation.SAME || relation == Unit.Relation.CONVERTIBLE;
+    if (!fits) {
+      String found = unitText.map(text -> "in " + text).orElse("without a unit");
+      section.find(
+          "bench.unit",
+          "'%s' is in %s, but the field %s.".formatted(actuator.id(), actuator.unitText(), found),
+          section.at(key));
+    }
+    return fits;
+  }
+}

@@ -1,0 +1,203 @@
+package dev.eventchain.simulation.bench;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.documents.NumberRange;
+import dev.eventchain.documents.ObjectReader;
+import dev.eventchain.messages.Unit;
+import dev.eventchain.simulation.formula.FormulaParser;
+import dev.eventchain.simulation.formula.FormulaTokens;
+import dev.eventchain.simulation.formula.SampledRun;
+import dev.eventchain.simulation.formula.Signal;
+import dev.eventchain.simulation.formula.Term;
+import dev.eventchain.simulation.formula.WorldSignals;
+import java.util.ArrayDeque;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.Deque;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.IntToDoubleFunction;
+
+/**
+ * Reads the inputs of a bench: values that a scenario may script, and values that are computed from
+ * others. Each is read when one that needs it is, so that their order in the file does not count.
+ */
+final class BenchInputs implements Signal.Source {
+
+  private static final WorldSignals WORLD = new WorldSignals();
+  private static final String FORMULA = "formula";
+  private static final String VALUE = "value";
+  private static final String UNIT = "unit";
+  private static final int DEEPEST = 50;
+  private static final NumberRange ANY = NumberRange.of(-1e12, 1e12);
+
+  private final ObjectReader section;
+  private final YamlText source;
+  private final Map<String, Signal> known = new LinkedHashMap<>();
+  private final Deque<String> reading = new ArrayDeque<>();
+
+  private BenchInputs(ObjectReader section, YamlText source) {
+    this.section = section;
+    this.source = source;
+  }
+
+  /** Reads all, in the order of the file; an input in which something is wrong is left out. */
+  static Map<String, Signal> read(ObjectReader section, YamlText source) {
+    BenchInputs inputs = new BenchInputs(section, source);
+    Map<String, Signal> ordered = new LinkedHashMap<>();
+    Set<String> refused = new HashSet<>();
+    for (String name : section.names()) {
+      try {
+        if (!refused.contains(name)) {
+          inputs.input(name).ifPresent(signal -> ordered.put(name, signal));
+        }
+      } catch (DiagnosticException e) {
+        e.diagnostics().forEach(section::find);
+        refused.addAll(inputs.reading);
+        inputs.reading.clear();
+      }
+    }
+    return ordered;
+  }
+
+  @Override
+  public Collection<String> names() {
+    Set<String> names = new LinkedHashSet<>(WORLD.names());
+    names.addAll(section.names());
+    return names;
+  }
+
+  @Override
+  public Optional<Signal> find(String name) {
+    return WORLD
+        .find(name)
+        .or(() -> section.names().contains(name) ? input(name) : Optional.empty());
+  }
+
+  /** An input, read now if it was not yet. */
+  private Optional<Signal> input(String name) {
+    if (known.containsKey(name)) {
+      return Optional.of(known.get(name));
+    }
+    if (reading.contains(name)) {
+      throw cycle(name);
+    }
+    if (reading.size() > DEEPEST) {
+      throw new DiagnosticException(
+          DiagnosticException.Reason.INPUT,
+          Diagnostic.error(
+              "bench.value.range",
+              "More than " + DEEPEST + " inputs are computed from one another.",
+              section.atKey(name)));
+    }
+    reading.addLast(name);
+    Optional<Signal> signal = section.object(name).flatMap(input -> input(name, input));
+    reading.removeLast();
+    signal.ifPresent(found -> known.put(name, found));
+    return signal;
+  }
+
+  private DiagnosticException cycle(String name) {
+    List<String> names = reading.stream().dropWhile(each -> !each.equals(name)).toList();
+    String message = "The input '%s' is computed from itself: %s needs %s.";
+    return new DiagnosticException(
+        DiagnosticException.Reason.INPUT,
+        Diagnostic.error(
+                "bench.input.cycle",
+                message.formatted(name, String.join(" needs ", names), name),
+                section.atKey(name))
+            .withHint("Give one of them a value."));
+  }
+
+  private Optional<Signal> input(String name, ObjectReader input) {
+    checkName(name);
+    String unitText = input.text(UNIT).orElse("1");
+    Optional<Unit> unit = unit(input, unitText);
+    if (input.has(FORMULA) == input.has(VALUE)) {
+      String message = "An input has either '" + VALUE + "' or '" + FORMULA + "'.";
+      input.find("bench.key.missing", message, input.location());
+    }
+    double value = input.number(VALUE, ANY).orElse(0.0);
+    boolean computed = input.has(FORMULA);
+    Optional<String> formula = input.text(FORMULA);
+    input.refuseOthers();
+    if (unit.isEmpty() || (computed && formula.isEmpty())) {
+      return Optional.empty();
+    }
+    return computed
+        ? term(input, formula.get(), unit.get()).map(term -> computed(name, unitText, term))
+        : Optional.of(scripted(name, unitText, unit.get().coherent(value)));
+  }
+
+  private void checkName(String name) {
+    if (WORLD.find(name).isPresent()) {
+      String message = "The world already has a '" + name + "'.";
+      section.find("bench.value.range", message, section.atKey(name));
+    } else if (!FormulaTokens.isName(name)) {
+      String message = "No formula can name an input '" + name + "'.";
+      section.find("bench.value.range", message, section.atKey(name));
+    }
+  }
+
+  /** A unit; that there is none of the name is a finding. */
+  static Optional<Unit> unit(ObjectReader section, String text) {
+    Optional<Unit> unit = Unit.parse(text);
+    if (unit.isEmpty()) {
+      section.find("bench.unit", "There is no unit '" + text + "'.", section.at(UNIT));
+    }
+    return unit;
+  }
+
+  private Optional<Term> term(ObjectReader input, String text, Unit unit) {
+    FormulaParser.Part part =
+        FormulaParser.parseMoment(source.range(input.at(FORMULA), text), this);
+    if (part instanceof Term term && fits(term, unit)) {
+      return Optional.of(term);
+    }
+    String message = "'" + text + "' is not a quantity in " + input.text(UNIT).orElse("1") + ".";
+    input.find("bench.unit", message, input.at(FORMULA));
+    return Optional.empty();
+  }
+
+  /** Whether the values of a quantity can be converted to a unit. */
+  static boolean fits(Term term, Unit unit) {
+    Unit.Relation relation = term.dimension().relationTo(unit);
+    return relation == Unit.Relation.SAME || relation == Unit.Relation.CONVERTIBLE;
+  }
+
+  private static Signal scripted(String name, String unit, double usual) {
+    return new Signal(
+        name,
+        unit,
+        false,
+        BenchSignals.SCRIPTED,
+        trace ->
+            trace.states().stream()
+                .mapToDouble(
+                    state -> trace.input(name).map(it -> it.at(state.time())).orElse(usual))
+                .toArray(),
+        trace -> Optional.empty());
+  }
+
+  private static Signal computed(String name, String unit, Term term) {
+    return new Signal(
+        name,
+        unit,
+        false,
+        "computed",
+        trace -> {
+          IntToDoubleFunction values = term.values().in(new SampledRun(trace));
+          double[] samples = new double[trace.states().size()];
+          Arrays.setAll(samples, values);
+          return samples;
+        },
+        term::absence,
+        term.signals());
+  }
+}

@@ -1,0 +1,195 @@
+package dev.eventchain.simulation.bench;
+
+import dev.eventchain.messages.FieldType;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.messages.MessageType;
+import dev.eventchain.messages.RosNames;
+import dev.eventchain.messages.Unit;
+import dev.eventchain.model.Signal.Direction;
+import dev.eventchain.model.Signal.Field;
+import dev.eventchain.simulation.world.Actuator;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+import java.util.regex.Pattern;
+
+/**
+ * Proposes a bench for described signals. A field whose name and unit say what it is gets
+ * connected; any other one is in a comment, so that a chain that reads it is told.
+ */
+final class BenchProposal {
+
+  /** What a field is that has a unit of the quantity's dimension and such a name. */
+  private record Guess(Pattern name, String quantity, String unit) {
+
+    static Guess of(String name, String quantity, String unit) {
+      return new Guess(Pattern.compile(name), quantity, unit);
+    }
+  }
+
+  private static final List<Guess> QUANTITIES =
+      List.of(
+          Guess.of(
+              "(range|distance|gap).*rate|relative.*(speed|velocity)",
+              "lead.speed - ego.speed",
+              "m/s"),
+          Guess.of("(lead|target|object).*(speed|velocity)", "lead.speed", "m/s"),
+          Guess.of("speed|velocity|twist.linear.x", "ego.speed", "m/s"),
+          Guess.of("accel", "ego.acceleration", "m/s2"),
+          Guess.of("range|distance|gap|headway", "min(gap, 200 m)", "m"),
+          Guess.of("ttc|time_to_collision", "min(ttc, 1000 s)", "s"),
+          Guess.of("offset|lateral|position.y", "ego.offset", "m"),
+          Guess.of("position.x|odometer", "ego.position", "m"),
+          Guess.of("yaw_rate|angular.z", "ego.yaw_rate", "rad/s"),
+          Guess.of("heading|yaw", "ego.heading", "rad"));
+
+  private static final Pattern PRESENT = Pattern.compile("valid|present|detected");
+
+  private final List<dev.eventchain.model.Signal> signals;
+  private final MessageCatalog catalog;
+  private final StringBuilder text = new StringBuilder();
+
+  BenchProposal(List<dev.eventchain.model.Signal> signals, MessageCatalog catalog) {
+    this.signals = signals;
+    this.catalog = catalog;
+  }
+
+  String text() {
+    text.append(
+        "# How the simulated road and this project are connected; `eventchain bench DIR` lists\n");
+    text.append("# what there is. What is commented out could not be guessed.\n");
+    section("provides:", Direction.PROVIDED);
+    section("consumes:", Direction.CONSUMED);
+    return text.toString();
+  }
+
+  private void section(String heading, Direction direction) {
+    List<String> lines = new ArrayList<>();
+    signals.stream()
+        .filter(signal -> signal.direction() == direction)
+        .forEach(
+            signal ->
+                lines.addAll(
+                    direction == Direction.PROVIDED ? provided(signal) : consumed(signal)));
+    if (lines.isEmpty()) {
+      text.append("# No signal of software-base/signals.json has \"direction\": \"")
+          .append(direction.name().toLowerCase(Locale.ROOT))
+          .append("\".\n");
+    }
+    boolean connected = lines.stream().anyMatch(line -> !line.startsWith("#"));
+    text.append(heading).append(connected ? "\n" : " {}\n");
+    lines.forEach(line -> text.append(line).append('\n'));
+  }
+
+  private List<String> provided(dev.eventchain.model.Signal signal) {
+    if (RosNames.fullMessageType(signal.messageType()).equals("sensor_msgs/msg/PointCloud2")) {
+      return List.of(topic(signal), "    sensor: lidar", "    rate_hz: 20");
+    }
+    List<String> fields = new ArrayList<>();
+    boolean any = false;
+    for (Field field : signal.fields()) {
+      Optional<String> source = source(signal, field);
+      any |= source.isPresent();
+      fields.add(
+          source
+              .map(it -> "      " + field.path() + ": " + it)
+              .orElse("#      " + field.path() + ": " + unit(field)));
+    }
+    List<String> lines = new ArrayList<>(List.of(topic(signal), "    rate_hz: 20", "    fields:"));
+    lines.addAll(fields);
+    return any ? lines : commented(lines);
+  }
+
+  private static List<String> commented(List<String> lines) {
+    return lines.stream().map(line -> line.startsWith("#") ? line : "#" + line).toList();
+  }
+
+  private static String topic(dev.eventchain.model.Signal signal) {
+    return "  " + RosNames.resolve(signal.topic(), "") + ":";
+  }
+
+  private static String unit(Field field) {
+    return field.unit().isEmpty() ? "?" : "? # " + field.unit();
+  }
+
+  private Optional<String> source(dev.eventchain.model.Signal signal, Field field) {
+    String name = nameOf(signal, field);
+    Optional<FieldType.Kind> kind = kind(signal, field.path());
+    if (kind.equals(Optional.of(FieldType.Kind.BOOL))) {
+      return PRESENT.matcher(name).find() ? Optional.of("lead.present") : Optional.empty();
+    }
+    return Unit.parse(field.unit())
+        .filter(unit -> kind.isPresent())
+        .flatMap(
+            unit ->
+                QUANTITIES.stream()
+                    .filter(guess -> guess.name().matcher(name).find())
+                    .filter(guess -> convertible(unit, guess.unit()))
+                    .map(Guess::quantity)
+                    .findFirst());
+  }
+
+  /** What says what a field is: in messages of std_msgs that is the topic, the field is "data". */
+  private static String nameOf(dev.eventchain.model.Signal signal, Field field) {
+    String name = field.path().equals("data") ? signal.topic() : field.path();
+    return name.toLowerCase(Locale.ROOT);
+  }
+
+  private static boolean convertible(Unit unit, String other) {
+    Unit.Relation relation = unit.relationTo(Unit.parse(other).orElseThrow());
+    return relation == Unit.Relation.SAME || relation == Unit.Relation.CONVERTIBLE;
+  }
+
+  /** The kind of a field that is one number or Boolean; empty for any other one. */
+  private Optional<FieldType.Kind> kind(dev.eventchain.model.Signal signal, String path) {
+    Optional<MessageType> type = catalog.find(signal.messageType());
+    return type.flatMap(known -> known.resolve(path).type())
+        .filter(BenchSignals::isNumberOrTruth)
+        .map(FieldType::kind);
+  }
+
+  private List<String> consumed(dev.eventchain.model.Signal signal) {
+    List<String> lines = new ArrayList<>(List.of(topic(signal)));
+    List<String> fields = new ArrayList<>();
+    List<Actuator> used = new ArrayList<>();
+    for (Field field : signal.fields()) {
+      Optional<Actuator> actuator = actuator(signal, field);
+      boolean free = actuator.isPresent() && used.stream().noneMatch(actuator.get()::excludes);
+      actuator.filter(it -> free).ifPresent(used::add);
+      fields.add("      " + field.path() + ": " + (free ? actuator.get().id() : "observed"));
+    }
+    if (used.isEmpty()) {
+      lines.add("    observed: true");
+    } else {
+      lines.add("    fields:");
+      lines.addAll(fields);
+    }
+    return lines;
+  }
+
+  private Optional<Actuator> actuator(dev.eventchain.model.Signal signal, Field field) {
+    String name = nameOf(signal, field);
+    Optional<FieldType.Kind> kind = kind(signal, field.path());
+    if (kind.isEmpty()) {
+      return Optional.empty();
+    }
+    boolean truth = kind.get() == FieldType.Kind.BOOL;
+    Unit unit = Unit.parse(field.unit().isEmpty() ? "1" : field.unit()).orElse(null);
+    return List.of(
+            Actuator.HAND_BRAKE,
+            Actuator.ACCELERATION,
+            Actuator.THROTTLE,
+            Actuator.BRAKE,
+            Actuator.STEERING,
+            Actuator.REVERSE)
+        .stream()
+        .filter(each -> name.contains(stem(each)) && each.truth() == truth)
+        .filter(each -> truth || (unit != null && convertible(unit, each.unitText())))
+        .findFirst();
+  }
+
+  private static String stem(Actuator actuator) {
+    return actuator == Actuator.STEERING ? "steer" : actuator.id();
+  }
+}

@@ -1,0 +1,181 @@
+package dev.eventchain.simulation.bench;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.Document;
+import dev.eventchain.documents.DocumentFormat;
+import dev.eventchain.documents.FindingIds;
+import dev.eventchain.documents.ObjectReader;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.messages.RosNames;
+import dev.eventchain.model.Signal.Direction;
+import dev.eventchain.simulation.bench.Bench.Consumed;
+import dev.eventchain.simulation.bench.Bench.Provided;
+import dev.eventchain.simulation.formula.Signal;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+
+/** Reads {@code bench.yaml}, and what it extends. */
+public final class BenchReader {
+
+  private static final String RESOURCES = "/dev/eventchain/simulation/";
+
+  private static final FindingIds IDS =
+      new FindingIds(
+          "bench.syntax",
+          "bench.key.duplicate",
+          "bench.value.type",
+          "bench.key.missing",
+          "bench.key.unknown",
+          "bench.value.range");
+  private static final String CARLA = "carla";
+
+  private final DeclaredSignals declared;
+  private final MessageCatalog catalog;
+  private final List<Diagnostic> problems = new ArrayList<>();
+  private final Map<String, Provided> provided = new LinkedHashMap<>();
+  private final Map<String, Consumed> consumed = new LinkedHashMap<>();
+  private final Set<String> own = new LinkedHashSet<>();
+  private final Map<String, Signal> inputs = new LinkedHashMap<>();
+
+  private BenchReader(DeclaredSignals declared, MessageCatalog catalog) {
+    this.declared = declared;
+    this.catalog = catalog;
+  }
+
+  /** As {@link Bench#read}. */
+  static Bench read(Optional<Path> file, DeclaredSignals declared, MessageCatalog messages) {
+    BenchReader reader = new BenchReader(declared, messages);
+    if (file.isPresent()) {
+      reader.project(SourceText.read(file.get()));
+    } else {
+      reader.carla();
+    }
+    if (!reader.problems.isEmpty()) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, reader.problems);
+    }
+    return reader.bench(file.map(SourceLocation::of).orElse(SourceLocation.NONE));
+  }
+
+  private Bench bench(SourceLocation location) {
+    BenchSignals signals = new BenchSignals(inputs, topics(), catalog);
+    return new Bench(provided, consumed, own, signals, declared, location);
+  }
+
+  /** The topics that are known: those of the bench, and those that the project declares. */
+  private Map<String, BenchSignals.Topic> topics() {
+    Map<String, BenchSignals.Topic> topics = new TreeMap<>();
+    for (String name : declared.names()) {
+      dev.eventchain.model.Signal signal = declared.find(name).orElseThrow();
+      Map<String, String> units = new LinkedHashMap<>();
+      signal.fields().forEach(field -> units.put(field.path(), field.unit()));
+      topics.put(name, new BenchSignals.Topic(name, signal.messageType(), units));
+    }
+    consumed.forEach(
+        (name, topic) -> {
+          Map<String, String> units = new LinkedHashMap<>();
+          topic.fields().forEach(field -> units.put(field.path(), field.unit()));
+          if (topics.containsKey(name)) {
+            Map<String, String> said = topics.get(name).units();
+            units.forEach((path, unit) -> said.merge(path, unit, (a, b) -> a.isEmpty() ? b : a));
+          } else {
+            topics.put(name, new BenchSignals.Topic(name, topic.type(), units));
+          }
+        });
+    return topics;
+  }
+
+  private void carla() {
+    SourceText text = SourceText.of("carla.yaml", resource("carla.yaml"));
+    Document document = Document.parse(text, DocumentFormat.YAML, IDS, problems::add);
+    ObjectReader section = document.object("", problems::add).orElseThrow();
+    // Who does not use CARLA's topics need not have its message types.
+    new BenchTopics(declared, Optional.empty(), inputs.values(), new YamlText(text))
+        .read(section, provided, consumed);
+  }
+
+  /** The text of a resource of this bundle. */
+  public static String resource(String name) {
+    try (InputStream input = BenchReader.class.getResourceAsStream(RESOURCES + name)) {
+      return new String(input.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private void project(SourceText text) {
+    Document document = Document.parse(text, DocumentFormat.YAML, IDS, problems::add);
+    YamlText source = new YamlText(text);
+    document.object("", problems::add).ifPresent(section -> project(section, source));
+  }
+
+  private void project(ObjectReader section, YamlText source) {
+    Optional<String> base = section.text("extends");
+    if (base.isPresent() && !base.get().equals(CARLA)) {
+      section.find(
+          Diagnostic.error(
+                  "bench.value.range",
+                  "There is no bench '" + base.get() + "' to extend.",
+                  section.at("extends"))
+              .withHint("Write `extends: carla`, or leave it out."));
+    }
+    section.object("inputs").ifPresent(part -> inputs.putAll(BenchInputs.read(part, source)));
+    if (!problems.isEmpty()) {
+      return; // What needs an input that was refused would be refused for it.
+    }
+    if (base.isPresent()) {
+      carla();
+    }
+    Map<String, Provided> ownProvided = new LinkedHashMap<>();
+    Map<String, Consumed> ownConsumed = new LinkedHashMap<>();
+    new BenchTopics(declared, Optional.of(catalog), inputs.values(), source)
+        .read(section, ownProvided, ownConsumed);
+    ownProvided.forEach((topic, read) -> checkTopic(topic, read.location(), Direction.PROVIDED));
+    ownConsumed.forEach((topic, read) -> checkTopic(topic, read.location(), Direction.CONSUMED));
+    own.addAll(ownProvided.keySet());
+    own.addAll(ownConsumed.keySet());
+    provided.putAll(ownProvided);
+    consumed.putAll(ownConsumed);
+  }
+
+  private void checkTopic(String topic, SourceLocation place, Direction direction) {
+    String wanted = direction == Direction.PROVIDED ? "provided" : "consumed";
+    boolean isDeclared =
+        declared.find(topic).filter(signal -> signal.direction() == direction).isPresent();
+    if (declared.isEmpty() || isDeclared || isOfItsOwn(topic, direction)) {
+      return;
+    }
+    problems.add(
+        Diagnostic.error(
+                "bench.topic.unknown",
+                "signals.json has no " + wanted + " signal " + topic + ".",
+                place)
+            .withHint(NearestName.hint(topic, declared.names(direction))));
+  }
+
+  /** A signal that leaves the chain may be observed, unless it is another one by a wrong name. */
+  private boolean isOfItsOwn(String topic, Direction direction) {
+    return direction == Direction.CONSUMED
+        && declared.find(topic).isEmpty()
+        && NearestName.of(topic, declared.names()).isEmpty();
+  }
+
+  /** The full name of a topic as it is written. */
+  static String fullName(String topic) {
+    return RosNames.resolve(topic, "");
+  }
+}

@@ -1,0 +1,142 @@
+package dev.eventchain.simulation.bench;
+
+import dev.eventchain.messages.FieldType;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.messages.MessageType;
+import dev.eventchain.messages.Unit;
+import dev.eventchain.simulation.formula.Signal;
+import dev.eventchain.simulation.formula.WorldSignals;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+
+/**
+ * What formulas may read: the world, the inputs of the bench, and each field of each topic that is
+ * known, as {@code /topic.field}. A field without a unit is taken for a plain number.
+ */
+public final class BenchSignals implements Signal.Source {
+
+  /** A topic whose messages formulas read. */
+  public record Topic(String name, String type, Map<String, String> units) {}
+
+  /** The meaning of inputs that are not computed. */
+  static final String SCRIPTED = "set by scenarios";
+
+  /** Another form of the heading, for messages only. */
+  private static final String QUATERNION = "ego.orientation.";
+
+  private static final WorldSignals WORLD = new WorldSignals();
+
+  private final Map<String, Signal> inputs;
+  private final Map<String, Topic> topics;
+  private final MessageCatalog catalog;
+
+  BenchSignals(Map<String, Signal> inputs, Map<String, Topic> topics, MessageCatalog catalog) {
+    this.inputs = new LinkedHashMap<>(inputs);
+    this.topics = new LinkedHashMap<>(topics);
+    this.catalog = catalog;
+  }
+
+  @Override
+  public Optional<Signal> find(String name) {
+    return name.startsWith("/")
+        ? ofTopic(name)
+        : WORLD.find(name).or(() -> Optional.ofNullable(inputs.get(name)));
+  }
+
+  @Override
+  public Collection<String> names() {
+    List<String> names = new ArrayList<>(WORLD.names());
+    names.addAll(inputs.keySet());
+    topics.values().forEach(topic -> names.addAll(fields(topic)));
+    return names;
+  }
+
+  /** The inputs that a scenario may set, by name. */
+  public Map<String, Signal> inputs() {
+    return inputs;
+  }
+
+  /** Whether a scenario may say what people do with an input. */
+  public boolean isScripted(String name) {
+    return inputs.containsKey(name) && inputs.get(name).meaning().equals(SCRIPTED);
+  }
+
+  /** The names of the inputs that a scenario may set. */
+  public List<String> scripted() {
+    return inputs.keySet().stream().filter(this::isScripted).toList();
+  }
+
+  /**
+   * What a report tells of a scenario, by name: the world, the inputs, and what formulas read.
+   *
+   * @param read by the formulas of the scenario
+   */
+  public List<Signal> reported(Collection<Signal> read) {
+    Map<String, Signal> reported = new TreeMap<>();
+    WorldSignals.all().stream()
+        .filter(signal -> !signal.name().startsWith(QUATERNION))
+        .forEach(signal -> reported.put(signal.name(), signal));
+    reported.putAll(inputs);
+    read.forEach(signal -> reported.put(signal.name(), signal));
+    return List.copyOf(reported.values());
+  }
+
+  /** The topic that a signal is a field of; empty if it is of none. */
+  public Optional<Topic> topicOf(Signal signal) {
+    return signal.topic().map(topics::get);
+  }
+
+  private List<String> fields(Topic topic) {
+    return topic.units().keySet().stream()
+        .map(field -> topic.name() + "." + field)
+        .filter(name -> ofTopic(name).isPresent())
+        .toList();
+  }
+
+  private Optional<Signal> ofTopic(String name) {
+    Topic topic = topics.get(Signal.topicOf(name));
+    if (topic == null || name.indexOf('.') < 0) {
+      return Optional.empty();
+    }
+    String path = name.substring(name.indexOf('.') + 1);
+    Optional<MessageType> type = catalog.find(topic.type());
+    return type.flatMap(known -> known.resolve(path).type())
+        .filter(BenchSignals::isNumberOrTruth)
+        .map(field -> signal(topic, path, field.kind() == FieldType.Kind.BOOL));
+  }
+
+  private static Signal signal(Topic topic, String path, boolean truth) {
+    String unit = topic.units().getOrDefault(path, "");
+    boolean known = !unit.isEmpty() && Unit.parse(unit).isPresent();
+    return ofField(topic.name(), path, topic.type(), known ? unit : "1", truth);
+  }
+
+  /** The signal that a field of a topic is. */
+  public static Signal ofField(String topic, String path, String type, String unit, boolean truth) {
+    String name = topic + "." + path;
+    return new Signal(
+        name,
+        unit,
+        truth,
+        "field of " + type,
+        trace -> Signal.held(trace, trace.samples(name), Double.NaN),
+        trace ->
+            trace.samples(name).isEmpty()
+                ? Optional.of("nothing came on " + topic)
+                : Optional.empty());
+  }
+
+  /** Whether a field is one number, or one Boolean. */
+  public static boolean isNumberOrTruth(FieldType type) {
+    return type.shape() == FieldType.Shape.SINGLE
+        && switch (type.kind()) {
+          case STRING, WSTRING, MESSAGE -> false;
+          default -> true;
+        };
+  }
+}

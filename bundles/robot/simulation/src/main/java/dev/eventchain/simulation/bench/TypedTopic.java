@@ -1,0 +1,4 @@
+package dev.eventchain.simulation.bench;
+
+/** A topic and its message type. */
+public record TypedTopic(String name, String type) {}

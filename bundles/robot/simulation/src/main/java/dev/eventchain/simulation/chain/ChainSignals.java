@@ -1,0 +1,100 @@
+package dev.eventchain.simulation.chain;
+
+import dev.eventchain.messages.FieldType;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.messages.MessageType;
+import dev.eventchain.messages.Unit;
+import dev.eventchain.model.TopicIndex;
+import dev.eventchain.model.eventchain.Data;
+import dev.eventchain.simulation.bench.Bench;
+import dev.eventchain.simulation.bench.BenchSignals;
+import dev.eventchain.simulation.bench.TypedTopic;
+import dev.eventchain.simulation.formula.Signal;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+
+/**
+ * What the components of a chain tell each other, for reports: the fields of the topics on which
+ * they write nothing but single numbers and Booleans. What drives the vehicle is a quantity of the
+ * world already, and what is read from sensors is too much to be shown.
+ */
+public final class ChainSignals {
+
+  private final Map<TypedTopic, List<Signal>> signals = new LinkedHashMap<>();
+
+  private ChainSignals() {}
+
+  /** The signals of the topics that components write. */
+  static ChainSignals of(
+      Collection<TopicIndex.Topic> topics, MessageCatalog catalog, Map<String, Bench.Consumed> by) {
+    ChainSignals chain = new ChainSignals();
+    for (TopicIndex.Topic topic : topics) {
+      List<Data> written =
+          topic.publishers().stream().flatMap(each -> each.data().stream()).toList();
+      type(written, catalog).ifPresent(type -> chain.add(topic.name(), type, written, by));
+    }
+    return chain;
+  }
+
+  private static Optional<MessageType> type(List<Data> written, MessageCatalog catalog) {
+    return written.isEmpty()
+        ? Optional.empty()
+        : Optional.ofNullable(written.get(0).getMessageType()).flatMap(catalog::find);
+  }
+
+  private void add(
+      String topic, MessageType type, List<Data> written, Map<String, Bench.Consumed> consumed) {
+    Map<String, Signal> found = new TreeMap<>();
+    for (Data data : written) {
+      Optional<FieldType> field =
+          Optional.ofNullable(data.getFieldName()).flatMap(path -> type.resolve(path).type());
+      if (field.filter(BenchSignals::isNumberOrTruth).isEmpty()) {
+        return;
+      }
+      if (!drives(consumed.get(topic), data.getFieldName())) {
+        boolean truth = field.get().kind() == FieldType.Kind.BOOL;
+        Signal signal = signal(topic, data, type.name(), truth);
+        found.put(signal.name(), signal);
+      }
+    }
+    signals.put(new TypedTopic(topic, type.name()), List.copyOf(found.values()));
+  }
+
+  private static boolean drives(Bench.Consumed consumed, String path) {
+    return consumed != null
+        && consumed.fields().stream()
+            .anyMatch(each -> each.path().equals(path) && each.actuator().isPresent());
+  }
+
+  private static Signal signal(String topic, Data data, String type, boolean truth) {
+    boolean known = data.getUnit() != null && Unit.parse(data.getUnit()).isPresent();
+    return BenchSignals.ofField(
+        topic, data.getFieldName(), type, known ? data.getUnit() : "1", truth);
+  }
+
+  /** The topics that have any. */
+  public List<TypedTopic> topics() {
+    return signals.keySet().stream().filter(topic -> !signals.get(topic).isEmpty()).toList();
+  }
+
+  /** The signals of a topic. */
+  public List<Signal> on(String topic) {
+    return signals.entrySet().stream()
+        .filter(each -> each.getKey().name().equals(topic))
+        .flatMap(each -> each.getValue().stream())
+        .toList();
+  }
+
+  /** These signals next to others, of which each name is one; by name. */
+  public List<Signal> with(List<Signal> others) {
+    Map<String, Signal> all = new TreeMap<>();
+    signals.values().forEach(each -> each.forEach(signal -> all.put(signal.name(), signal)));
+    others.forEach(signal -> all.put(signal.name(), signal));
+    return new ArrayList<>(all.values());
+  }
+}

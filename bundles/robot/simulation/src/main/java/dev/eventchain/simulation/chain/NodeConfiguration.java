@@ -1,0 +1,107 @@
+package dev.eventchain.simulation.chain;
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.simulation.bench.TypedTopic;
+import dev.eventchain.simulation.node.NodeManifest;
+import dev.eventchain.simulation.node.NodePackage;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.SplittableRandom;
+import java.util.zip.CRC32;
+
+/** The configuration of the process that runs the nodes. */
+public final class NodeConfiguration {
+
+  private final SimulatedChain chain;
+  private final NodePackage generated;
+
+  /**
+   * A configuration of the nodes of a chain.
+   *
+   * @param generated what was generated for it
+   */
+  public NodeConfiguration(SimulatedChain chain, NodePackage generated) {
+    this.chain = chain;
+    this.generated = generated;
+  }
+
+  /**
+   * What the process is told at the start of a scenario.
+   *
+   * @param seed the scenario's
+   * @param published the topics that the world publishes
+   * @param received the topics that the world receives
+   */
+  public ObjectNode of(long seed, List<TypedTopic> published, List<TypedTopic> received) {
+    ObjectNode json = JsonNodeFactory.instance.objectNode();
+    json.putArray("path").add(absolute(generated.folder()));
+    ArrayNode messages = json.putArray("messages");
+    generated.messageFolders().forEach(folder -> messages.add(absolute(folder)));
+    ArrayNode configured = json.putArray("nodes");
+    if (!chain.isAttached()) {
+      chain.nodes().forEach(node -> configured.add(configuration(node, seed)));
+    }
+    ArrayNode publishes = json.putArray("world_publishes");
+    published.forEach(topic -> publishes.add(configuration(topic)));
+    ArrayNode subscribes = json.putArray("world_subscribes");
+    received.forEach(topic -> subscribes.add(configuration(topic)));
+    json.put("step_limit_s", generated.limits().processorTime().toNanos() / 1e9);
+    json.put("wall_limit_s", generated.limits().wallTime().toNanos() / 1e9);
+    return json;
+  }
+
+  private static String absolute(Path folder) {
+    return folder.toAbsolutePath().normalize().toString();
+  }
+
+  private ObjectNode configuration(SoftwareNode software, long seed) {
+    String name = software.getName();
+    ObjectNode json = JsonNodeFactory.instance.objectNode();
+    NodeManifest.Node node = generated.manifest().find(name).orElseThrow();
+    json.put("module", node.module());
+    json.put("class", node.className());
+    json.put("name", name);
+    json.put("execution_time_ms", executionTime(software));
+    json.put("phase_ms", phase(software, seed));
+    NodeManifest.Component known = node.component();
+    ObjectNode component = json.putObject("component");
+    component.put("module", known.module());
+    component.put("class", known.className());
+    component.put("file", absolute(generated.folder().resolve(known.file())));
+    component.put("restricted", generated.restricted().contains(name));
+    ArrayNode inputs = component.putArray("inputs");
+    known.inputs().forEach(inputs::add);
+    ArrayNode outputs = component.putArray("outputs");
+    known
+        .outputs()
+        .forEach(
+            output -> outputs.addObject().put("name", output.name()).put("type", output.type()));
+    return json;
+  }
+
+  private static ObjectNode configuration(TypedTopic topic) {
+    ObjectNode json = JsonNodeFactory.instance.objectNode();
+    return json.put("topic", topic.name()).put("type", topic.type());
+  }
+
+  /** In ms: the model's worst case; none if it does not know one. */
+  private static double executionTime(SoftwareNode node) {
+    return node.isSetWorstCaseExecutionTime() ? node.getWorstCaseExecutionTime() : 0.0;
+  }
+
+  /**
+   * In ms: somewhere in the node's period, since nodes on a vehicle start when they start. It
+   * depends on the scenario's seed and the node's name only.
+   */
+  private static double phase(SoftwareNode node, long seed) {
+    CRC32 digest = new CRC32();
+    digest.update(node.getName().getBytes(StandardCharsets.UTF_8));
+    SplittableRandom random = new SplittableRandom(seed * 0x1_0000_0001L ^ digest.getValue());
+    long microseconds = (long) (random.nextDouble() * SimulatedChain.period(node) * 1000);
+    return microseconds / 1000.0;
+  }
+}

@@ -1,0 +1,303 @@
+package dev.eventchain.simulation.chain;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.messages.RosNames;
+import dev.eventchain.model.TopicIndex;
+import dev.eventchain.model.eventchain.ComponentImplementation;
+import dev.eventchain.model.eventchain.Data;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.LatencyConstraint;
+import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.simulation.bench.Bench;
+import dev.eventchain.simulation.bench.TypedTopic;
+import dev.eventchain.simulation.world.Actuator;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** What of a chain is simulated: the nodes that are run, their times and their topics. */
+public final class SimulatedChain {
+
+  private static final double MILLISECONDS = 1e3;
+  private static final double NANOSECONDS = 1e6;
+
+  /** Periods of what writes a topic after which a sample is too old, where nothing else is said. */
+  private static final double USUAL_PERIODS = 5;
+
+  private final List<SoftwareNode> nodes;
+  private final TopicIndex topics;
+  private final EventChain chain;
+  private final Bench bench;
+  private final MessageCatalog catalog;
+  private final boolean attached;
+
+  /**
+   * Finds the nodes.
+   *
+   * @param bench how the nodes and the world are connected
+   * @param catalog the message types that the nodes use
+   * @param attached whether the nodes are run elsewhere
+   */
+  public SimulatedChain(EventChain chain, Bench bench, MessageCatalog catalog, boolean attached) {
+    this.chain = chain;
+    this.bench = bench;
+    this.catalog = catalog;
+    this.attached = attached;
+    // Others may run whatever they like for what is a node by itself.
+    this.nodes = attached ? List.copyOf(chain.getSoftware()) : components(chain);
+    this.topics = TopicIndex.of(chain);
+  }
+
+  /** The nodes of a chain that are components, and not nodes by themselves. */
+  public static List<SoftwareNode> components(EventChain chain) {
+    return chain.getSoftware().stream()
+        .filter(node -> node.getImplementation() == ComponentImplementation.COMPONENT)
+        .toList();
+  }
+
+  /** How the nodes and the world are connected. */
+  public Bench bench() {
+    return bench;
+  }
+
+  /** Whether the nodes are run elsewhere, so that what happens inside is not visible. */
+  public boolean isAttached() {
+    return attached;
+  }
+
+  /** The message types that the nodes use. */
+  public MessageCatalog catalog() {
+    return catalog;
+  }
+
+  /** The nodes, in chain order. */
+  public List<SoftwareNode> nodes() {
+    return nodes;
+  }
+
+  /**
+   * A finding for each node of the chain that is not simulated, so that it is not taken for tested.
+   */
+  public List<Diagnostic> leftOut() {
+    return chain.getSoftware().stream()
+        .filter(node -> !nodes.contains(node))
+        .map(
+            node ->
+                Diagnostic.warning(
+                        "simulation.node.left-out",
+                        "The component '"
+                            + node.getName()
+                            + "' is a node itself, so it is not simulated.",
+                        SourceLocation.NONE.withElement(node.getName()))
+                    .withHint("Describe it as a component to simulate it; see the rule's page."))
+        .toList();
+  }
+
+  /** The full names of all topics that a node reads. */
+  public Set<String> topicsRead() {
+    return topicsOfAll(TopicIndex.Topic::subscribers);
+  }
+
+  /** The full names of all topics that a node writes. */
+  public Set<String> topicsWritten() {
+    return topicsOfAll(TopicIndex.Topic::publishers);
+  }
+
+  private Set<String> topicsOfAll(Function<TopicIndex.Topic, List<TopicIndex.Endpoint>> side) {
+    return topics.topics().stream()
+        .filter(topic -> side.apply(topic).stream().anyMatch(this::isSimulated))
+        .map(TopicIndex.Topic::name)
+        .collect(Collectors.toCollection(TreeSet::new));
+  }
+
+  /** All topics that nodes write, with their types. */
+  public List<TypedTopic> typedTopicsWritten() {
+    return topics.topics().stream().flatMap(topic -> written(topic).stream()).toList();
+  }
+
+  /** The topics that nodes write and the vehicle takes, in the bench's order. */
+  public List<String> taken() {
+    Set<String> written = topicsWritten();
+    return bench.consumed().keySet().stream().filter(written::contains).toList();
+  }
+
+  private Optional<TypedTopic> written(TopicIndex.Topic topic) {
+    return topic.publishers().stream()
+        .filter(this::isSimulated)
+        .flatMap(endpoint -> endpoint.data().stream())
+        .flatMap(data -> Optional.ofNullable(data.getMessageType()).stream())
+        .findFirst()
+        .map(type -> new TypedTopic(topic.name(), RosNames.fullMessageType(type)));
+  }
+
+  /** What the simulated components write, for reports. */
+  public ChainSignals chainSignals() {
+    return ChainSignals.of(
+        topics.topics().stream()
+            .filter(topic -> topic.publishers().stream().anyMatch(this::isSimulated))
+            .toList(),
+        catalog,
+        bench.consumed());
+  }
+
+  /** The first topic of the bench that a node reads; empty if none reads any. */
+  public String entry() {
+    Set<String> read = topicsRead();
+    return bench.provided().keySet().stream().filter(read::contains).findFirst().orElse("");
+  }
+
+  /**
+   * The first topic by which a node commands the vehicle, or else the first that the vehicle only
+   * receives, such as a lamp; empty if there is none.
+   */
+  public String exit() {
+    return Stream.concat(commands().stream(), bench.consumed().keySet().stream())
+        .filter(topicsWritten()::contains)
+        .findFirst()
+        .orElse("");
+  }
+
+  /**
+   * The topics that the vehicle is commanded by in this project: those that its bench or its
+   * signals name, or that its nodes write.
+   */
+  public List<String> commands() {
+    Set<String> written = topicsWritten();
+    return bench.consumed().values().stream()
+        .filter(Bench.Consumed::commands)
+        .filter(topic -> !written.contains(topic.topic()) || isDriven(topic))
+        .map(Bench.Consumed::topic)
+        .filter(topic -> written.contains(topic) || bench.isOwn(topic))
+        .toList();
+  }
+
+  /** Whether a node writes a field of the topic that drives something. */
+  private boolean isDriven(Bench.Consumed topic) {
+    return topic.fields().stream()
+        .filter(field -> field.actuator().isPresent())
+        .anyMatch(field -> isWritten(topic.topic(), field.path()));
+  }
+
+  /** Whether a node writes a field that drives one of the actuators. */
+  public boolean drives(Actuator... actuators) {
+    Set<Actuator> wanted = Set.of(actuators);
+    return bench.consumed().values().stream()
+        .anyMatch(
+            topic ->
+                topic.fields().stream()
+                    .filter(field -> field.actuator().filter(wanted::contains).isPresent())
+                    .anyMatch(field -> isWritten(topic.topic(), field.path())));
+  }
+
+  /** Whether a node writes a field. */
+  public boolean isWritten(String topic, String path) {
+    return endpoints(topic, TopicIndex.Topic::publishers)
+        .flatMap(endpoint -> endpoint.data().stream())
+        .map(Data::getFieldName)
+        .anyMatch(written -> written != null && RosNames.overlap(written, path));
+  }
+
+  /** The latency constraints of the chain. */
+  public List<LatencyConstraint> latencyConstraints() {
+    return chain.getLatencyConstraints();
+  }
+
+  /** The full names of the topics that a node reads. */
+  public Set<String> topicsReadBy(SoftwareNode node) {
+    return topicsOf(node, TopicIndex.Topic::subscribers);
+  }
+
+  /** The full names of the topics that a node writes. */
+  public Set<String> topicsWrittenBy(SoftwareNode node) {
+    return topicsOf(node, TopicIndex.Topic::publishers);
+  }
+
+  private Set<String> topicsOf(
+      SoftwareNode node, Function<TopicIndex.Topic, List<TopicIndex.Endpoint>> side) {
+    return topics.topics().stream()
+        .filter(topic -> side.apply(topic).stream().anyMatch(end -> end.node() == node))
+        .map(TopicIndex.Topic::name)
+        .collect(Collectors.toCollection(TreeSet::new));
+  }
+
+  /** The components of the chain that write a topic, simulated or not. */
+  public List<String> writers(String topic) {
+    return topics.find(topic).stream()
+        .flatMap(found -> found.publishers().stream())
+        .map(endpoint -> endpoint.node().getName())
+        .distinct()
+        .toList();
+  }
+
+  /** Name of the first node that reads a topic; empty if none does. */
+  public String reader(String topic) {
+    return endpoints(topic, TopicIndex.Topic::subscribers)
+        .findFirst()
+        .map(endpoint -> endpoint.node().getName())
+        .orElse("");
+  }
+
+  /** Name of the last node that writes a topic; empty if none does. */
+  public String writer(String topic) {
+    return endpoints(topic, TopicIndex.Topic::publishers)
+        .reduce((first, second) -> second)
+        .map(endpoint -> endpoint.node().getName())
+        .orElse("");
+  }
+
+  private Stream<TopicIndex.Endpoint> endpoints(
+      String topic, Function<TopicIndex.Topic, List<TopicIndex.Endpoint>> side) {
+    return topics.find(topic).stream()
+        .flatMap(found -> side.apply(found).stream())
+        .filter(this::isSimulated);
+  }
+
+  private boolean isSimulated(TopicIndex.Endpoint endpoint) {
+    return nodes.contains(endpoint.node());
+  }
+
+  /**
+   * How old a sample of a topic may be where the model does not say it, in ms: five periods of the
+   * slowest of its writers; 0, which is not a limit, if they are not known.
+   */
+  public double usualAge(String topic) {
+    List<Double> periods =
+        topics.find(topic).stream()
+            .flatMap(found -> found.publishers().stream())
+            .map(end -> period(end.node()))
+            .toList();
+    return periods.isEmpty() || periods.contains(0.0)
+        ? 0
+        : USUAL_PERIODS * periods.stream().mapToDouble(Double::doubleValue).max().orElseThrow();
+  }
+
+  /**
+   * For how long a sample of a topic says something, in ns: as long as the most patient of its ends
+   * takes it, see {@link #usualAge}; 0 is for ever.
+   */
+  public long lifetime(String topic) {
+    double stated =
+        topics.find(topic).stream()
+            .flatMap(
+                found -> Stream.concat(found.publishers().stream(), found.subscribers().stream()))
+            .flatMap(end -> end.data().stream())
+            .filter(Data::isSetMaximumAge)
+            .mapToDouble(Data::getMaximumAge)
+            .max()
+            .orElse(0);
+    return Math.round(Math.max(stated, usualAge(topic)) * NANOSECONDS);
+  }
+
+  /** In ms; empty period is taken for none. */
+  public static double period(SoftwareNode node) {
+    return node.isSetFrequency() && node.getFrequency() > 0
+        ? MILLISECONDS / node.getFrequency()
+        : 0.0;
+  }
+}

@@ -1,0 +1,183 @@
+package dev.eventchain.simulation.formula;
+
+import static dev.eventchain.simulation.formula.RootLocale.format;
+
+import dev.eventchain.diagnostics.SourceRange;
+import dev.eventchain.messages.Unit;
+import dev.eventchain.simulation.verdict.ScenarioVerdict.Limit;
+import dev.eventchain.simulation.verdict.ScenarioVerdict.Margin;
+import dev.eventchain.simulation.world.Trace;
+import dev.eventchain.simulation.world.World;
+import java.math.BigDecimal;
+import java.math.MathContext;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/**
+ * A formula of Signal Temporal Logic over what happens in a scenario. A run is a sequence of
+ * samples, see {@link SampledRun}; the formula is judged at the first of them.
+ *
+ * <p>The verdict is exact and three-valued: what lies beyond the end of a run that ended early is
+ * not known, nor is a comparison of what has no value, such as the difference of two infinite
+ * times. A true formula that depends on an implication whose premise never came true, or on signals
+ * that say nothing in the run, is not tested either.
+ *
+ * <p>The margin is that of the comparison that decides, in its own unit. In a formula of one
+ * dimension that is the robustness of Signal Temporal Logic, the smallest (or largest) margin that
+ * decides. Margins of several dimensions have no order, so in other formulas verdicts decide: the
+ * comparison is the first one, in time and then in the text, without which the verdict would be
+ * another; of an implication that fails it is the conclusion. Scaling them to numbers without units
+ * would need a scale for each, on which what people are told would depend.
+ */
+public final class Formula {
+
+  private static final MathContext DIGITS = new MathContext(4);
+
+  private final Condition condition;
+  private final String text;
+
+  private Formula(Condition condition, String text) {
+    this.condition = condition;
+    this.text = text;
+  }
+
+  /**
+   * Reads a formula.
+   *
+   * @param duration of the scenario, in s
+   * @throws dev.eventchain.diagnostics.DiagnosticException (INPUT) with the first problem: {@code
+   *     scenario.formula.syntax}, {@code scenario.formula.unit}, {@code scenario.formula.signal}
+   */
+  public static Formula parse(SourceRange range, Signal.Source signals, double duration) {
+    Condition condition = FormulaParser.parse(range, signals, duration);
+    return new Formula(condition, FormulaParser.plain(range.text()));
+  }
+
+  /** What a bench sends as true or false, see {@link FormulaParser#parseMoment}. */
+  public static Formula ofMoment(FormulaParser.Part part, String text) {
+    Condition condition =
+        part instanceof Term term ? Condition.Comparison.isTrue(term, text) : (Condition) part;
+    return new Formula(condition, FormulaParser.plain(text));
+  }
+
+  /** Whether it is certainly true at the start of a run. */
+  public boolean holds(SampledRun run) {
+    return FormulaEvaluation.of(condition, run).verdict() > 0.0;
+  }
+
+  /** The formula on one line. */
+  public String text() {
+    return text;
+  }
+
+  /** All that it reads. */
+  public Set<Signal> signals() {
+    return condition
+        .comparisons()
+        .flatMap(Condition.Comparison::signals)
+        .collect(Collectors.toCollection(LinkedHashSet::new));
+  }
+
+  /** Until when a run is needed to judge it, in ns: as far as its intervals reach. */
+  public long horizon() {
+    return condition.horizon(0) * World.TRACE_STEP;
+  }
+
+  /** What the formula is made of. */
+  Condition condition() {
+    return condition;
+  }
+
+  /** The numbers that it compares single signals with. */
+  public List<Limit> limits() {
+    SampledRun none = new SampledRun(new Trace());
+    return condition.comparisons().flatMap(each -> each.limit(none).stream()).distinct().toList();
+  }
+
+  public Outcome judge(Trace trace) {
+    SampledRun run = new SampledRun(trace);
+    FormulaEvaluation evaluation = FormulaEvaluation.of(condition, run);
+    if (evaluation.verdict() == Robustness.UNKNOWN) {
+      return Outcome.untested(unknown(evaluation, run));
+    }
+    if (evaluation.verdict() < 0.0) {
+      return outcome(false, evaluation, run);
+    }
+    FormulaEvaluation strict = FormulaEvaluation.strictly(condition, run);
+    return strict.verdict() > 0.0
+        ? outcome(true, strict, run)
+        : Outcome.untested(unknown(strict, run));
+  }
+
+  private static String unknown(FormulaEvaluation evaluation, SampledRun run) {
+    FormulaEvaluation.Decision decision = evaluation.decision();
+    if (decision.vacuity().isPresent()) {
+      return decision.vacuity().get();
+    }
+    return decision
+        .comparison()
+        .map(it -> valueless(it, run, decision.sample()))
+        .orElse(format("the run ended %s, before it was decided", after(run, run.size() - 1)));
+  }
+
+  private static String valueless(Condition.Comparison comparison, SampledRun run, int sample) {
+    String text = format("'%s' has no value %s", comparison.text(), after(run, sample));
+    return comparison
+        .signals()
+        .flatMap(Signal::origins)
+        .filter(signal -> Double.isNaN(run.of(signal)[sample]))
+        .flatMap(signal -> signal.topic().stream())
+        .findFirst()
+        .map(topic -> text + ", since there was no current message on " + topic)
+        .orElse(text);
+  }
+
+  private static Outcome outcome(boolean passed, FormulaEvaluation evaluation, SampledRun run) {
+    FormulaEvaluation.Decision decision = evaluation.decision();
+    if (decision.comparison().isEmpty()) {
+      return new Outcome(passed, "nothing comes before the start");
+    }
+    Condition.Comparison comparison = decision.comparison().get();
+    boolean holds = decision.truth() > 0.0;
+    if (comparison.ofTruth()) {
+      String when = after(run, decision.sample());
+      return new Outcome(
+          passed, format("'%s' %s %s", comparison.text(), holds ? "holds" : "is missed", when));
+    }
+    String unit = comparison.left().commonUnit(comparison.right());
+    double margin = Robustness.margin(decision.truth());
+    String text =
+        format(
+            "'%s' %s by %s %s",
+            comparison.text(),
+            holds ? "holds" : "is missed",
+            number(margin, unit),
+            after(run, decision.sample()));
+    double signed = inUnit(passed ? margin : -margin, unit);
+    return new Outcome(passed, text, new Margin(signed, unit, run.seconds(decision.sample())));
+  }
+
+  private static String after(SampledRun run, int sample) {
+    return format("after %.2f s", run.seconds(sample));
+  }
+
+  private static double inUnit(double margin, String unit) {
+    if (unit.isEmpty()) {
+      return margin;
+    }
+    Unit shown = Unit.parse(unit).orElseThrow();
+    return margin / (shown.coherent(1.0) - shown.coherent(0.0));
+  }
+
+  private static String number(double margin, String unit) {
+    if (Double.isInfinite(margin)) {
+      return "infinity";
+    }
+    String digits =
+        new BigDecimal(inUnit(margin, unit)).round(DIGITS).stripTrailingZeros().toPlainString();
+    String name = unit.isEmpty() ? " (in SI units)" : unit.equals("1") ? "" : " " + unit;
+    return digits + name;
+  }
+}

@@ -1,0 +1,252 @@
+package dev.eventchain.simulation.formula;
+
+import dev.eventchain.diagnostics.SourceRange;
+import dev.eventchain.simulation.formula.FormulaTokens.Kind;
+import dev.eventchain.simulation.formula.FormulaTokens.Token;
+import java.util.Map;
+
+/**
+ * Reads what is true or false in a formula. From loose to tight: {@code implies} (to the right),
+ * {@code or}, {@code and}, {@code until}, the operators in front, comparisons; {@link TermParser}
+ * reads the rest.
+ */
+public final class FormulaParser {
+
+  /** A part of a formula: a {@link Condition} or a {@link Term}, which parentheses do not tell. */
+  public interface Part {}
+
+  private static final Map<String, String> NO_EQUALITY =
+      Map.of("=", "<=", "==", "<=", "<>", ">", "!=", ">");
+
+  private final FormulaTokens tokens;
+  private final TermParser terms;
+  private final IntervalParser intervals;
+
+  private FormulaParser(
+      SourceRange range, FormulaTokens.Place place, Signal.Source signals, double duration) {
+    this.tokens = new FormulaTokens(range, place);
+    this.terms = new TermParser(tokens, signals, this::part);
+    this.intervals = new IntervalParser(tokens, duration);
+  }
+
+  static Condition parse(SourceRange range, Signal.Source signals, double duration) {
+    Part part =
+        new FormulaParser(range, FormulaTokens.Place.SCENARIO, signals, duration).formula(true);
+    return (Condition) part;
+  }
+
+  /** Reads a quantity or a condition of the bench, which has no past and no future. */
+  public static Part parseMoment(SourceRange range, Signal.Source signals) {
+    FormulaParser parser = new FormulaParser(range, FormulaTokens.Place.BENCH, signals, 0);
+    Token first = parser.tokens.peek();
+    Part part = parser.formula(false);
+    if (part instanceof Condition condition && !condition.ofOneMoment()) {
+      throw parser.tokens.syntax(
+          first,
+          "Only what holds at one moment can be sent.",
+          "Leave out operators such as `always`.");
+    }
+    return part;
+  }
+
+  /** A text on one line. */
+  static String plain(String text) {
+    return text.strip().replaceAll("\\s+", " ");
+  }
+
+  private Part formula(boolean isCondition) {
+    Token first = tokens.peek();
+    if (first.kind() == Kind.END) {
+      throw tokens.syntax(
+          first, "The formula is empty.", "Write, for example, `always gap > 1 m`.");
+    }
+    Part part = part();
+    Part formula = isCondition ? condition(part, first) : part;
+    Token rest = tokens.peek();
+    if (tokens.nextIs(")") || tokens.nextIs("]")) {
+      throw tokens.syntax(rest, "There is nothing for '" + rest.text() + "' to close.", "");
+    }
+    if (rest.kind() != Kind.END) {
+      String message = "Expected the end of the formula, but found " + FormulaTokens.shown(rest);
+      throw tokens.syntax(rest, message + ".", rest.text().equals("until") ? CHAINED_UNTIL : "");
+    }
+    if (formula instanceof Condition condition) {
+      intervals.requireReached(condition);
+    }
+    return formula;
+  }
+
+  private static final String CHAINED_UNTIL = "Put the first `until` into parentheses.";
+
+  private Condition condition(Part part, Token first) {
+    if (part instanceof Condition condition) {
+      return condition;
+    }
+    if (part instanceof Term term && term.truth()) {
+      return Condition.Comparison.isTrue(term, tokens.textSince(first));
+    }
+    throw tokens.syntax(
+        first,
+        "'" + tokens.textSince(first) + "' is a quantity, not true or false.",
+        "Compare it with another quantity by <, <=, > or >=.");
+  }
+
+  private Term term(Part part, Token first) {
+    if (part instanceof Term term) {
+      return term;
+    }
+    throw tokens.syntax(
+        first, "'" + tokens.textSince(first) + "' is true or false, not a quantity.", "");
+  }
+
+  private Part part() {
+    Token first = tokens.peek();
+    Part left = alternatives();
+    if (!tokens.nextIs("implies")) {
+      return left;
+    }
+    Condition premise = condition(left, first);
+    String text = tokens.textSince(first);
+    tokens.next();
+    Token second = tokens.peek();
+    return new Condition.Implication(premise, condition(part(), second), text);
+  }
+
+  private Part alternatives() {
+    Token first = tokens.peek();
+    Part left = conjunction();
+    while (tokens.nextIs("or")) {
+      Condition before = condition(left, first);
+      String text = tokens.textSince(first);
+      tokens.next();
+      Token second = tokens.peek();
+      left = alternative(before, text, condition(conjunction(), second), second);
+    }
+    return left;
+  }
+
+  /** {@code not p or q} is how some write {@code p implies q}, and says as little without p. */
+  private Condition alternative(Condition before, String text, Condition after, Token second) {
+    boolean isPremise = before instanceof Condition.Negation;
+    if (isPremise == after instanceof Condition.Negation) {
+      return new Condition.Junction(false, before, after);
+    }
+    String negated = isPremise ? text : tokens.textSince(second);
+    Condition.Negation negation = (Condition.Negation) (isPremise ? before : after);
+    return new Condition.Implication(
+        negation.operand(), isPremise ? after : before, negated.replaceFirst("^not\\s*", ""));
+  }
+
+  private Part conjunction() {
+    Token first = tokens.peek();
+    Part left = until();
+    while (tokens.nextIs("and")) {
+      Condition before = condition(left, first);
+      tokens.next();
+      Token second = tokens.peek();
+      left = new Condition.Junction(true, before, condition(until(), second));
+    }
+    return left;
+  }
+
+  private Part until() {
+    Token first = tokens.peek();
+    Part left = prefixed();
+    if (!tokens.nextIs("until")) {
+      return left;
+    }
+    Condition kept = condition(left, first);
+    tokens.next();
+    Interval interval = intervals.parse();
+    Token second = tokens.peek();
+    return new Condition.Until(kept, interval, condition(prefixed(), second));
+  }
+
+  private Part prefixed() {
+    Token first = tokens.peek();
+    if (first.kind() != Kind.WORD) {
+      return comparison();
+    }
+    return switch (first.text()) {
+      case "not" -> {
+        tokens.next();
+        Token operand = tokens.peek();
+        yield new Condition.Negation(condition(prefixed(), operand));
+      }
+      case "always", "eventually" -> temporal(tokens.next());
+      case "rise" -> new Condition.Rise(edgeOf(tokens.next()));
+      case "fall" -> new Condition.Rise(new Condition.Negation(edgeOf(tokens.next())));
+      default -> comparison();
+    };
+  }
+
+  private Condition edgeOf(Token operator) {
+    String hint = "Write, for example, `" + operator.text() + "(brake > 0)`.";
+    tokens.require("(", hint);
+    Token first = tokens.peek();
+    Condition operand = condition(part(), first);
+    tokens.require(")", "");
+    return operand;
+  }
+
+  /** People disagree how far an operator in front reaches, so they have to say it. */
+  private Condition temporal(Token operator) {
+    Interval interval = intervals.parse();
+    int start = tokens.position();
+    Token first = tokens.peek();
+    Condition operand = condition(prefixed(), first);
+    boolean clear =
+        operand instanceof Condition.Temporal
+            || operand instanceof Condition.Rise
+            || tokens.enclosedSince(start);
+    Token next = tokens.peek();
+    boolean goesOn =
+        tokens.nextIs("and")
+            || tokens.nextIs("or")
+            || tokens.nextIs("implies")
+            || tokens.nextIs("until");
+    if (goesOn && !clear) {
+      throw tokens.syntax(
+          next,
+          "It is not clear whether '" + operator.text() + "' reaches beyond this.",
+          "Put all that it reaches into parentheses.");
+    }
+    return new Condition.Temporal(operator.text().equals("always"), interval, operand);
+  }
+
+  private Part comparison() {
+    Token first = tokens.peek();
+    Part left = terms.sum();
+    Token relation = tokens.peek();
+    if (!isRelation(relation)) {
+      return left;
+    }
+    Term before = term(left, first);
+    tokens.next();
+    Token second = tokens.peek();
+    Term after = term(terms.sum(), second);
+    terms.requireSameDimension(before, after, second);
+    String text = tokens.textSince(first);
+    if (isRelation(tokens.peek())) {
+      throw tokens.syntax(tokens.peek(), "Comparisons cannot be chained.", "Join two by `and`.");
+    }
+    boolean strict = relation.text().length() == 1;
+    return relation.text().startsWith("<")
+        ? new Condition.Comparison(before, after, strict, text)
+        : new Condition.Comparison(after, before, strict, text);
+  }
+
+  private boolean isRelation(Token token) {
+    if (token.kind() != Kind.SIGN) {
+      return false;
+    }
+    String better = NO_EQUALITY.get(token.text());
+    if (better != null) {
+      throw tokens.syntax(
+          token,
+          "Measured quantities are hardly ever equal, so there is no '" + token.text() + "'.",
+          "Allow a tolerance: `abs(a - b) " + better + " 0.1 m`.");
+    }
+    return token.text().startsWith("<") || token.text().startsWith(">");
+  }
+}

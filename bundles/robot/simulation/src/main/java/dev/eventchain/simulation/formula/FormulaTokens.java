@@ -1,0 +1,213 @@
+package dev.eventchain.simulation.formula;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceRange;
+import dev.eventchain.diagnostics.SourceText;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/** The tokens of a formula, one after the other. */
+public final class FormulaTokens {
+
+  /** Words with a meaning of their own, which no unit and no signal has. */
+  static final Set<String> KEYWORDS =
+      Set.of(
+          "always",
+          "eventually",
+          "until",
+          "and",
+          "or",
+          "not",
+          "implies",
+          "rise",
+          "fall",
+          "abs",
+          "min",
+          "max");
+
+  /** Beyond it, parentheses could be nested deeper than a thread's stack is. */
+  private static final int MOST = 300;
+
+  private static final Pattern TOKEN =
+      Pattern.compile(
+          "(?<number>[0-9]+(?:\\.[0-9]+)?(?:[eE][-+]?[0-9]+)?)"
+              + "|(?<word>[A-Za-z_]\\w*(?:\\.[A-Za-z_]\\w*)*)"
+              + "|(?<sign><=|>=|<>|==|!=|[=<>+*/()\\[\\],-])");
+
+  /** A field of a topic; only where no operand stands before it, or it would be a division. */
+  private static final Pattern TOPIC = Pattern.compile("(?:/[A-Za-z_]\\w*)+(?:\\.[A-Za-z_]\\w*)+");
+
+  /** A division of units has no blanks; between a number and its unit there may be some. */
+  private static final Pattern UNIT =
+      Pattern.compile("\\s*(%|\u00b0|[A-Za-z]\\w*(?:\\^[0-9]+)?(?:/[A-Za-z]\\w*(?:\\^[0-9]+)?)*)");
+
+  enum Kind {
+    NUMBER,
+    UNIT,
+    WORD,
+    SIGN,
+    END
+  }
+
+  /** A token and its offsets in the text. */
+  record Token(Kind kind, String text, int start, int end) {}
+
+  /** Where formulas are, as the ids of their problems begin. */
+  enum Place {
+    SCENARIO("scenario.formula."),
+    BENCH("bench.formula.");
+
+    private final String prefix;
+
+    Place(String prefix) {
+      this.prefix = prefix;
+    }
+  }
+
+  private final Place place;
+  private final SourceText source;
+  private final List<Token> tokens = new ArrayList<>();
+  private int position;
+
+  FormulaTokens(SourceRange range, Place place) {
+    this.place = place;
+    this.source = range.source();
+    SourceRange inner = range.strip();
+    Matcher token = TOKEN.matcher(source.text()).region(inner.start(), inner.end());
+    int at = inner.start();
+    while (at < inner.end()) {
+      at = read(token, at, inner.end());
+    }
+    tokens.add(new Token(Kind.END, "", inner.end(), inner.end()));
+    if (tokens.size() > MOST) {
+      throw syntax(tokens.get(MOST), "The formula is too long.", "Split it at an `and`.");
+    }
+  }
+
+  private int read(Matcher token, int at, int end) {
+    if (Character.isWhitespace(source.text().charAt(at))) {
+      return at + 1;
+    }
+    Matcher topic = TOPIC.matcher(source.text()).region(at, end);
+    if (!afterOperand() && topic.lookingAt()) {
+      tokens.add(new Token(Kind.WORD, topic.group(), at, topic.end()));
+      return topic.end();
+    }
+    token.region(at, end);
+    if (!token.lookingAt()) {
+      String character = new String(Character.toChars(source.text().codePointAt(at)));
+      Token wrong = new Token(Kind.SIGN, character, at, at + character.length());
+      throw syntax(wrong, "Formulas have no '" + character + "'.", "");
+    }
+    Kind kind =
+        token.group("number") != null
+            ? Kind.NUMBER
+            : token.group("word") != null ? Kind.WORD : Kind.SIGN;
+    tokens.add(new Token(kind, token.group(), at, token.end()));
+    return kind == Kind.NUMBER ? unit(token.end(), end) : token.end();
+  }
+
+  /** Whether formulas can name something so. */
+  public static boolean isName(String text) {
+    return text.matches("[A-Za-z_]\\w*(?:\\.[A-Za-z_]\\w*)*") && !KEYWORDS.contains(text);
+  }
+
+  private boolean afterOperand() {
+    if (tokens.isEmpty()) {
+      return false;
+    }
+    Token last = tokens.get(tokens.size() - 1);
+    return last.kind() == Kind.SIGN ? last.text().equals(")") : !KEYWORDS.contains(last.text());
+  }
+
+  private int unit(int at, int end) {
+    Matcher unit = UNIT.matcher(source.text()).region(at, end);
+    if (!unit.lookingAt() || KEYWORDS.contains(unit.group(1))) {
+      return at;
+    }
+    tokens.add(new Token(Kind.UNIT, unit.group(1), unit.start(1), unit.end()));
+    return unit.end();
+  }
+
+  Token peek() {
+    return tokens.get(position);
+  }
+
+  Token next() {
+    Token token = peek();
+    if (token.kind() != Kind.END) {
+      position++;
+    }
+    return token;
+  }
+
+  /** How many tokens were read. */
+  int position() {
+    return position;
+  }
+
+  boolean nextIs(String text) {
+    Token token = peek();
+    return token.text().equals(text) && (token.kind() == Kind.WORD || token.kind() == Kind.SIGN);
+  }
+
+  boolean take(String text) {
+    boolean is = nextIs(text);
+    if (is) {
+      next();
+    }
+    return is;
+  }
+
+  void require(String text, String hint) {
+    Token token = peek();
+    if (!take(text)) {
+      throw syntax(token, "Expected '" + text + "', but found " + shown(token) + ".", hint);
+    }
+  }
+
+  /** Whether the tokens read since a position are one pair of parentheses and what is in it. */
+  boolean enclosedSince(int start) {
+    int depth = 0;
+    for (int i = start; i < position; i++) {
+      depth += tokens.get(i).text().equals("(") ? 1 : tokens.get(i).text().equals(")") ? -1 : 0;
+      if (depth == 0) {
+        return i == position - 1 && i > start;
+      }
+    }
+    return false;
+  }
+
+  /** What was read from a token on, on one line. */
+  String textSince(Token first) {
+    int end = tokens.get(position - 1).end();
+    return FormulaParser.plain(source.text().substring(first.start(), end));
+  }
+
+  static String shown(Token token) {
+    return token.kind() == Kind.END ? "the end of the formula" : "'" + token.text() + "'";
+  }
+
+  DiagnosticException syntax(Token token, String message, String hint) {
+    return problem("syntax", token, message, hint);
+  }
+
+  DiagnosticException unitProblem(Token token, String message, String hint) {
+    return problem("unit", token, message, hint);
+  }
+
+  DiagnosticException unknownSignal(Token token, String message, String hint) {
+    return problem("signal", token, message, hint);
+  }
+
+  private DiagnosticException problem(String kind, Token token, String message, String hint) {
+    String id = place.prefix + kind;
+    return new DiagnosticException(
+        DiagnosticException.Reason.INPUT,
+        Diagnostic.error(id, message, source.at(token.start())).withHint(hint));
+  }
+}

@@ -1,0 +1,132 @@
+package dev.eventchain.simulation.formula;
+
+/**
+ * Truth with a margin, in one number: true above zero, false below, and zero if it is not known.
+ * The size is how far the values compared are from changing the verdict (the robustness of Signal
+ * Temporal Logic). Where both are equal, the margin is nothing and the verdict is none the less
+ * exact: it is in the sign of the smallest number there is. So {@code not}, {@code and} and {@code
+ * or} are the negative, the minimum and the maximum, both of Kleene's three-valued logic and of the
+ * margins.
+ */
+final class Robustness {
+
+  static final double UNKNOWN = 0.0;
+  private static final double NO_MARGIN = Double.MIN_VALUE;
+
+  private Robustness() {}
+
+  /** Whether one value is less than another, or in a comparison that is not strict equal to it. */
+  static double less(double smaller, double larger, boolean strict) {
+    if (Double.isNaN(smaller) || Double.isNaN(larger)) {
+      return UNKNOWN;
+    }
+    if (smaller == larger) {
+      return strict ? -NO_MARGIN : NO_MARGIN;
+    }
+    return larger - smaller;
+  }
+
+  /** The margin without a sign. */
+  static double margin(double truth) {
+    double size = Math.abs(truth);
+    return size == NO_MARGIN ? 0.0 : size;
+  }
+
+  static double[] not(double[] values) {
+    double[] negatives = new double[values.length];
+    for (int i = 0; i < values.length; i++) {
+      negatives[i] = -values[i];
+    }
+    return negatives;
+  }
+
+  static double[] and(double[] first, double[] second) {
+    double[] least = new double[first.length];
+    for (int i = 0; i < least.length; i++) {
+      least[i] = Math.min(first[i], second[i]);
+    }
+    return least;
+  }
+
+  static double[] or(double[] first, double[] second) {
+    return not(and(not(first), not(second)));
+  }
+
+  /** Whether it is true at one of the samples of an interval after each. */
+  static double[] eventually(double[] values, Interval interval) {
+    if (!interval.bounded()) {
+      return eventuallyUntilTheEnd(values);
+    }
+    int size = values.length;
+    double[] result = new double[size];
+    // Samples of the window whose values fall with the time that they are still in it.
+    int[] candidates = new int[size];
+    int first = 0;
+    int end = 0;
+    for (int i = size - 1; i >= 0; i--) {
+      int entering = i + interval.from();
+      if (entering < size) {
+        while (end > first && values[candidates[end - 1]] <= values[entering]) {
+          end--;
+        }
+        candidates[end++] = entering;
+      }
+      while (end > first && candidates[first] > i + interval.to()) {
+        first++;
+      }
+      double most = end > first ? values[candidates[first]] : Double.NEGATIVE_INFINITY;
+      result[i] = i + interval.to() < size ? most : Math.max(most, UNKNOWN);
+    }
+    return result;
+  }
+
+  private static double[] eventuallyUntilTheEnd(double[] values) {
+    double[] result = values.clone();
+    for (int i = values.length - 2; i >= 0; i--) {
+      result[i] = Math.max(values[i], result[i + 1]);
+    }
+    return result;
+  }
+
+  static double[] always(double[] values, Interval interval) {
+    return not(eventually(not(values), interval));
+  }
+
+  /**
+   * Whether the second is true at a sample in an interval and the first at all samples before it.
+   * That is as much as: the second comes within the interval at all, and the first holds from now
+   * until the second, be it ever so late. Each of the two takes one pass.
+   */
+  static double[] until(double[] first, double[] second, Interval interval) {
+    int size = first.length;
+    double[] whenever = new double[size];
+    double after = interval.bounded() ? UNKNOWN : Double.NEGATIVE_INFINITY;
+    for (int i = size - 1; i >= 0; i--) {
+      after = Math.max(second[i], Math.min(first[i], after));
+      whenever[i] = after;
+    }
+    if (!interval.bounded()) {
+      return whenever;
+    }
+    int from = interval.from();
+    double[] soon = eventually(second, new Interval(0, interval.to() - from, true));
+    double[] fromThere = and(whenever, soon);
+    if (from == 0) {
+      return fromThere;
+    }
+    double[] shifted = new double[size];
+    for (int i = 0; i + from < size; i++) {
+      shifted[i] = fromThere[i + from];
+    }
+    return and(always(first, new Interval(0, from - 1, true)), shifted);
+  }
+
+  /** Whether it is true and was false one sample before; nothing comes before the first one. */
+  static double[] rise(double[] values) {
+    double[] result = new double[values.length];
+    for (int i = 0; i < values.length; i++) {
+      result[i] = i == 0 ? Double.NEGATIVE_INFINITY : Math.min(values[i], -values[i - 1]);
+    }
+    return result;
+  }
+}

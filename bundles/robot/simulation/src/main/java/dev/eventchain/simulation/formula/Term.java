@@ -1,0 +1,128 @@
+package dev.eventchain.simulation.formula;
+
+import dev.eventchain.messages.Unit;
+import dev.eventchain.simulation.verdict.ScenarioVerdict;
+import dev.eventchain.simulation.world.Trace;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.DoubleBinaryOperator;
+import java.util.function.DoubleUnaryOperator;
+import java.util.function.IntToDoubleFunction;
+
+/**
+ * Something that has a value at each sample.
+ *
+ * @param dimension its unit; of the values only the dimension counts, since they are coherent
+ * @param unit the unit in which people wrote it or read it; empty if that cannot be told
+ * @param truth whether it is a signal that is true or false, and nothing is computed from it
+ * @param signals what it depends on
+ * @param values its values in coherent units
+ */
+public record Term(Unit dimension, String unit, boolean truth, Set<Signal> signals, Values values)
+    implements FormulaParser.Part {
+
+  /** Gives the values in a run. */
+  public interface Values {
+    IntToDoubleFunction in(SampledRun run);
+  }
+
+  static Term number(double number, Unit unit, String text) {
+    double value = unit.coherent(number);
+    return new Term(unit, text, false, Set.of(), run -> sample -> value);
+  }
+
+  static Term of(Signal signal) {
+    return new Term(
+        signal.dimension(), signal.unit(), signal.truth(), Set.of(signal), new Reading(signal));
+  }
+
+  /** What a signal says, as it is. */
+  private record Reading(Signal signal) implements Values {
+
+    @Override
+    public IntToDoubleFunction in(SampledRun run) {
+      double[] samples = run.of(signal);
+      return sample -> samples[sample];
+    }
+  }
+
+  /** What a plain signal is compared with, if this is one and the other depends on none. */
+  Optional<ScenarioVerdict.Limit> limit(Term other, SampledRun run) {
+    return values instanceof Reading reading && other.signals.isEmpty()
+        ? Optional.of(
+            new ScenarioVerdict.Limit(
+                reading.signal().name(),
+                reading.signal().inUnit(other.values.in(run).applyAsDouble(0))))
+        : Optional.empty();
+  }
+
+  Term mapped(DoubleUnaryOperator operator) {
+    return new Term(
+        dimension,
+        unit,
+        false,
+        signals,
+        run -> {
+          IntToDoubleFunction inner = values.in(run);
+          return sample -> operator.applyAsDouble(inner.applyAsDouble(sample));
+        });
+  }
+
+  /** Of two terms of one dimension: their sum, or the smaller of them. */
+  Term with(Term other, DoubleBinaryOperator operator) {
+    return combined(other, dimension, commonUnit(other), operator);
+  }
+
+  /** A product, or with power -1 a quotient. */
+  Term times(Term other, int power) {
+    String name = other.isPlain() ? unit : isPlain() && power == 1 ? other.unit : "";
+    return combined(
+        other,
+        dimension.times(other.dimension, power),
+        name,
+        power == 1 ? (a, b) -> a * b : (a, b) -> a / b);
+  }
+
+  private Term combined(Term other, Unit newDimension, String name, DoubleBinaryOperator operator) {
+    Set<Signal> all = new LinkedHashSet<>(signals);
+    all.addAll(other.signals);
+    return new Term(
+        newDimension,
+        name,
+        false,
+        all,
+        run -> {
+          IntToDoubleFunction first = values.in(run);
+          IntToDoubleFunction second = other.values.in(run);
+          return sample ->
+              operator.applyAsDouble(first.applyAsDouble(sample), second.applyAsDouble(sample));
+        });
+  }
+
+  /** What a number of the other term or of this one is written in: numbers go before signals. */
+  String commonUnit(Term other) {
+    List<Term> numbersFirst = signals.isEmpty() ? List.of(this, other) : List.of(other, this);
+    return numbersFirst.stream()
+        .map(Term::unit)
+        .filter(name -> !name.isEmpty())
+        .findFirst()
+        .orElse("");
+  }
+
+  boolean comparesWith(Term other) {
+    Unit.Relation relation = dimension.relationTo(other.dimension);
+    return relation == Unit.Relation.SAME || relation == Unit.Relation.CONVERTIBLE;
+  }
+
+  private boolean isPlain() {
+    return dimension.relationTo(Unit.parse("1").orElseThrow()) == Unit.Relation.SAME
+        || unit.equals("%");
+  }
+
+  /** Why it says nothing in a trace; empty if it does. */
+  public Optional<String> absence(Trace trace) {
+    return signals.stream().flatMap(signal -> signal.absence().apply(trace).stream()).findFirst();
+  }
+}

@@ -1,0 +1,183 @@
+package dev.eventchain.simulation.formula;
+
+import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.messages.Unit;
+import dev.eventchain.simulation.formula.FormulaParser.Part;
+import dev.eventchain.simulation.formula.FormulaTokens.Kind;
+import dev.eventchain.simulation.formula.FormulaTokens.Token;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.DoubleBinaryOperator;
+import java.util.function.Supplier;
+
+/** Reads the quantities of a formula, and checks their units. */
+final class TermParser {
+
+  private static final List<String> UNITS =
+      List.of("m", "km", "cm", "s", "ms", "m/s", "km/h", "m/s2", "deg", "rad", "%", "1");
+
+  private final FormulaTokens tokens;
+  private final Signal.Source signals;
+  private final Supplier<Part> parenthesized;
+
+  /**
+   * A parser of quantities.
+   *
+   * @param parenthesized reads what is in parentheses, which need not be a quantity
+   */
+  TermParser(FormulaTokens tokens, Signal.Source signals, Supplier<Part> parenthesized) {
+    this.tokens = tokens;
+    this.signals = signals;
+    this.parenthesized = parenthesized;
+  }
+
+  /** A sum; or what is in parentheses, if that is true or false. */
+  Part sum() {
+    Token first = tokens.peek();
+    Part left = product();
+    while (tokens.nextIs("+") || tokens.nextIs("-")) {
+      Term before = term(left, first);
+      boolean plus = tokens.next().text().equals("+");
+      Token second = tokens.peek();
+      Term after = term(product(), second);
+      requireSameDimension(before, after, second);
+      left = before.with(after, plus ? Double::sum : (a, b) -> a - b);
+    }
+    return left;
+  }
+
+  private Part product() {
+    Token first = tokens.peek();
+    Part left = negative();
+    while (tokens.nextIs("*") || tokens.nextIs("/")) {
+      Term before = term(left, first);
+      int power = tokens.next().text().equals("*") ? 1 : -1;
+      Token second = tokens.peek();
+      left = before.times(term(negative(), second), power);
+    }
+    return left;
+  }
+
+  private Part negative() {
+    if (!tokens.take("-")) {
+      return primary();
+    }
+    Token first = tokens.peek();
+    return term(negative(), first).mapped(value -> 0.0 - value);
+  }
+
+  private Part primary() {
+    Token token = tokens.next();
+    if (token.kind() == Kind.NUMBER) {
+      return number(token);
+    }
+    if (token.kind() == Kind.SIGN && token.text().equals("(")) {
+      Part inner = parenthesized.get();
+      tokens.require(")", "");
+      return inner;
+    }
+    if (token.kind() == Kind.WORD) {
+      return switch (token.text()) {
+        case "abs" -> absolute();
+        case "min" -> extreme(Math::min);
+        case "max" -> extreme(Math::max);
+        default -> signal(token);
+      };
+    }
+    String found = FormulaTokens.shown(token);
+    throw tokens.syntax(token, "Expected a quantity or a condition, but found " + found + ".", "");
+  }
+
+  private Term number(Token token) {
+    double value = Double.parseDouble(token.text());
+    if (Double.isInfinite(value)) {
+      throw tokens.syntax(token, "The number " + token.text() + " is too large.", "");
+    }
+    if (tokens.peek().kind() != Kind.UNIT) {
+      return Term.number(value, unit("1", token), "1");
+    }
+    Token unit = tokens.next();
+    return Term.number(value, unit(unit.text(), unit), unit.text());
+  }
+
+  private Unit unit(String text, Token token) {
+    Optional<Unit> unit = Unit.parse(text);
+    if (unit.isEmpty()) {
+      String hint = NearestName.hint(text, UNITS);
+      String blanks = text.contains("/") ? " Any other division needs spaces." : "";
+      throw tokens.unitProblem(token, "There is no unit '" + text + "'.", hint + blanks);
+    }
+    return unit.get();
+  }
+
+  private Term absolute() {
+    tokens.require("(", "Write, for example, `abs(ego.acceleration)`.");
+    Term inner = argument();
+    tokens.require(")", "`abs` takes one argument.");
+    return inner.mapped(Math::abs);
+  }
+
+  private Term extreme(DoubleBinaryOperator operator) {
+    tokens.require("(", "Write, for example, `min(gap, 10 m)`.");
+    Term all = argument();
+    tokens.require(",", "`min` and `max` take two or more arguments.");
+    do {
+      Token second = tokens.peek();
+      Term other = argument();
+      requireSameDimension(all, other, second);
+      all = all.with(other, operator);
+    } while (tokens.take(","));
+    tokens.require(")", "");
+    return all;
+  }
+
+  private Term argument() {
+    Token first = tokens.peek();
+    return term(parenthesized.get(), first);
+  }
+
+  private Term signal(Token token) {
+    if (FormulaTokens.KEYWORDS.contains(token.text())) {
+      String message = "Expected a quantity, but found '" + token.text() + "'.";
+      throw tokens.syntax(token, message, "Put what follows into parentheses.");
+    }
+    Optional<Signal> signal = signals.find(token.text());
+    if (signal.isEmpty()) {
+      String message = "There is no signal '" + token.text() + "'.";
+      String described =
+          token.text().startsWith("/")
+              ? " Topics are known if signals.json or bench.yaml describes them."
+              : "";
+      String hint = NearestName.hint(token.text(), signals.names()) + described;
+      throw tokens.unknownSignal(token, message, hint);
+    }
+    return Term.of(signal.get());
+  }
+
+  private Term term(Part part, Token first) {
+    if (part instanceof Term term) {
+      return term;
+    }
+    String text = tokens.textSince(first);
+    throw tokens.syntax(first, "'" + text + "' is true or false, not a quantity.", "");
+  }
+
+  /** Refuses metres next to seconds. */
+  void requireSameDimension(Term before, Term after, Token second) {
+    if (!before.comparesWith(after)) {
+      String message =
+          "'" + tokens.textSince(second) + "' is in " + named(after) + ", what is before it in ";
+      boolean plain = isPlainNumber(after) || isPlainNumber(before);
+      String hint = plain ? "Each number needs its unit: `0 m`, and not `0`." : "";
+      throw tokens.unitProblem(second, message + named(before) + ".", hint);
+    }
+  }
+
+  private static boolean isPlainNumber(Term term) {
+    return term.signals().isEmpty() && named(term).equals("1");
+  }
+
+  private static String named(Term term) {
+    return term.unit().isEmpty() ? "another unit" : term.unit();
+  }
+}

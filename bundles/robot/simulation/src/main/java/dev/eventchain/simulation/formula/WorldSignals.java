@@ -1,0 +1,138 @@
+package dev.eventchain.simulation.formula;
+
+import dev.eventchain.simulation.world.Road;
+import dev.eventchain.simulation.world.Trace;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.BiFunction;
+import java.util.function.Function;
+import java.util.function.Predicate;
+import java.util.function.ToDoubleFunction;
+
+/** What the road and the vehicle have to say, and what the vehicle is told. */
+public final class WorldSignals implements Signal.Source {
+
+  private static final Map<String, Signal> SIGNALS = new LinkedHashMap<>();
+
+  static {
+    add(
+        "ego.position",
+        "m",
+        "how far along the road the front bumper is",
+        ofStates(Trace.State::position));
+    add("ego.speed", "m/s", "speed along its own axis", ofStates(Trace.State::speed));
+    // 0.0 - x and not -x, since nobody wants to read of an acceleration of -0.
+    add("ego.acceleration", "m/s2", "negative in braking", ofStates(s -> 0.0 - s.deceleration()));
+    add("ego.offset", "m", "front bumper left of the lane's centre", ofPose(Trace.Pose::offset));
+    add("ego.heading", "rad", "to the left of the road", ofPose(Trace.Pose::heading));
+    add("ego.yaw_rate", "rad/s", "to the left", ofPose(Trace.Pose::yawRate));
+    add(
+        "ego.orientation.z",
+        "1",
+        "heading as quaternion, z",
+        ofPose(pose -> StrictMath.sin(pose.heading() / 2)));
+    add(
+        "ego.orientation.w",
+        "1",
+        "heading as quaternion, w",
+        ofPose(pose -> StrictMath.cos(pose.heading() / 2)));
+    addLane("lane.left", "m", "front bumper's middle to the left line", Road::toTheLeft);
+    addLane("lane.right", "m", "front bumper's middle to the right line", Road::toTheRight);
+    addLane("lane.width", "m", "from line to line", (road, offset) -> road.laneWidth());
+    addLane("lane.curvature", "1/m", "of the road, to the left", (road, it) -> road.curvature());
+    addTruth("lead.present", "whether a vehicle is in the path", s -> Double.isFinite(s.gap()));
+    addAhead("gap", "m", "bumper to bumper", Trace.State::gap);
+    addAhead("lead.speed", "m/s", "speed of the nearest in the path", Trace.State::leadSpeed);
+    addAhead("ttc", "s", "true time to collision", Trace.State::timeToCollision);
+    addCommand("brake", "last brake command, 0 to 1", Trace.Command::pedal);
+    addCommand("throttle", "last throttle command, 0 to 1", Trace.Command::throttle);
+    addCommand("steering", "last steering command, -1 (left) to 1", Trace.Command::steering);
+  }
+
+  private static void add(
+      String name, String unit, String meaning, Function<Trace, double[]> samples) {
+    Function<Trace, Optional<String>> never = trace -> Optional.empty();
+    SIGNALS.put(name, new Signal(name, unit, false, meaning, samples, never));
+  }
+
+  private static void addTruth(String name, String meaning, Predicate<Trace.State> value) {
+    Function<Trace, Optional<String>> never = trace -> Optional.empty();
+    SIGNALS.put(
+        name,
+        new Signal(name, "1", true, meaning, ofStates(s -> value.test(s) ? 1.0 : 0.0), never));
+  }
+
+  private static void addAhead(
+      String name, String unit, String meaning, ToDoubleFunction<Trace.State> value) {
+    SIGNALS.put(
+        name, new Signal(name, unit, false, meaning, ofStates(value), WorldSignals::nothingAhead));
+  }
+
+  private static void addLane(
+      String name, String unit, String meaning, BiFunction<Road, Double, Double> value) {
+    add(
+        name,
+        unit,
+        meaning,
+        trace ->
+            trace.states().stream()
+                .mapToDouble(state -> value.apply(trace.road(), state.pose().offset()))
+                .toArray());
+  }
+
+  private static void addCommand(
+      String name, String meaning, ToDoubleFunction<Trace.Command> value) {
+    SIGNALS.put(
+        name, new Signal(name, "1", false, meaning, ofCommands(value), WorldSignals::noCommand));
+  }
+
+  private static Function<Trace, double[]> ofStates(ToDoubleFunction<Trace.State> value) {
+    return trace -> trace.states().stream().mapToDouble(value).toArray();
+  }
+
+  private static Function<Trace, double[]> ofPose(ToDoubleFunction<Trace.Pose> value) {
+    return ofStates(state -> value.applyAsDouble(state.pose()));
+  }
+
+  /** A command holds until the next one; before the first one the pedals are not pressed. */
+  private static Function<Trace, double[]> ofCommands(ToDoubleFunction<Trace.Command> value) {
+    return trace ->
+        Signal.held(
+            trace,
+            trace.commands().stream()
+                .map(each -> new Trace.Sample(each.time(), value.applyAsDouble(each)))
+                .toList(),
+            0.0);
+  }
+
+  private static Optional<String> nothingAhead(Trace trace) {
+    return trace.minimalGap().isEmpty() ? Optional.of("nothing ahead") : Optional.empty();
+  }
+
+  private static Optional<String> noCommand(Trace trace) {
+    return trace.commands().isEmpty() ? Optional.of("no command came") : Optional.empty();
+  }
+
+  @Override
+  public Optional<Signal> find(String name) {
+    return Optional.ofNullable(SIGNALS.get(name));
+  }
+
+  @Override
+  public Collection<String> names() {
+    return SIGNALS.keySet();
+  }
+
+  /** Whether a signal is one of the world, and no input. */
+  public static boolean isKnown(String name) {
+    return SIGNALS.containsKey(name);
+  }
+
+  /** All of them, in the order in which people read of them. */
+  public static List<Signal> all() {
+    return List.copyOf(SIGNALS.values());
+  }
+}

@@ -1,0 +1,103 @@
+package dev.eventchain.simulation.host;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Printable;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.sandbox.ConfinedProcess;
+import java.util.List;
+import java.util.function.Supplier;
+
+/**
+ * What went wrong in a process that runs nodes, as findings that point to the place in the user's
+ * code, as far as that is known.
+ *
+ * @param who the process, for people, as the subject of a sentence
+ * @param lastWords ends the process and says how it ended
+ * @param files turns the process's file names into those that people know
+ */
+public record HostFailures(String who, Supplier<LastWords> lastWords, UserFiles files) {
+
+  private static final int LAST_LINES = 12;
+
+  /**
+   * What there is to say of a process that has ended.
+   *
+   * @param standardError what it complained about
+   */
+  public record LastWords(ConfinedProcess.Cause cause, String standardError) {
+
+    /** Ends a process and hears what it has to say. */
+    public static LastWords of(ConfinedProcess process) {
+      process.close();
+      ConfinedProcess.Cause cause = process.await().cause();
+      return new LastWords(cause, process.standardError());
+    }
+  }
+
+  /** The process said what went wrong in the user's code. */
+  public DiagnosticException failed(JsonNode failure) {
+    return finding(inUserCode(failure, files));
+  }
+
+  /** What went wrong in the user's code, as a finding. */
+  public static Diagnostic inUserCode(JsonNode failure, UserFiles files) {
+    String node = failure.path("node").asText("");
+    String message = Printable.line(failure.path("message").asText(""));
+    SourceLocation location =
+        new SourceLocation(
+            files.name(failure.path("file").asText("")),
+            failure.path("line").asInt(0),
+            failure.path("column").asInt(0),
+            node,
+            failure.path("excerpt").asText(""));
+    String text = node.isEmpty() ? message : "Node " + node + ": " + message;
+    return Diagnostic.error(failure.path("id").asText("node.failed"), text, location)
+        .withHint(failure.path("hint").asText(""));
+  }
+
+  /**
+   * The process has ended, or was ended.
+   *
+   * @param usedUp the time that it may use for an answer, if it was ended for that; else empty
+   */
+  public DiagnosticException ended(String usedUp) {
+    LastWords last = lastWords.get();
+    if (!usedUp.isEmpty()) {
+      String message = "The nodes did not answer within " + usedUp + " and were ended.";
+      return finding(
+          Diagnostic.error("simulation.step.timeout", message, files.folder())
+              .withHint("Look for an endless loop or a wait in a node."));
+    }
+    return switch (last.cause()) {
+      case OUTPUT ->
+          ended("simulation.limit", "The nodes write to standard error endlessly.", last);
+      case WALL_TIME, CPU_TIME ->
+          ended("simulation.run.timeout", "The simulation took longer than allowed.", last);
+      default -> ended("simulation.process.ended", who + " ended before the scenario did.", last);
+    };
+  }
+
+  private DiagnosticException ended(String id, String message, LastWords last) {
+    return finding(Diagnostic.error(id, message, files.folder()).withHint(text(last)));
+  }
+
+  /** The process broke the protocol. */
+  public DiagnosticException garbage(String what) {
+    String message = who + " sent " + what + ".";
+    return finding(
+        Diagnostic.error("simulation.protocol", message, files.folder())
+            .withHint(text(lastWords.get())));
+  }
+
+  private static String text(LastWords words) {
+    List<String> lines = words.standardError().lines().toList();
+    List<String> last = lines.subList(Math.max(0, lines.size() - LAST_LINES), lines.size());
+    return last.isEmpty() ? "It gave no reason." : "Its last output:\n" + String.join("\n", last);
+  }
+
+  private static DiagnosticException finding(Diagnostic diagnostic) {
+    return new DiagnosticException(DiagnosticException.Reason.FINDINGS, diagnostic);
+  }
+}

@@ -1,0 +1,119 @@
+package dev.eventchain.simulation.host;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+
+/** What the nodes did in a scenario: each activation with the samples that it read and wrote. */
+public record RunLog(
+    Map<String, List<Activation>> nodes,
+    Map<String, Map<Long, Long>> publications,
+    Map<String, Affected> affected) {
+
+  /** A time, in ns, that no scenario reaches. */
+  public static final long NEVER = 1L << 62;
+
+  /** Of a run without a fault. */
+  public RunLog(Map<String, List<Activation>> nodes, Map<String, Map<Long, Long>> publications) {
+    this(nodes, publications, Map.of());
+  }
+
+  /**
+   * What a fault has done to a node.
+   *
+   * @param count how many activations or messages it has changed
+   * @param first when it was first, in ns
+   * @param loss why the node is no more, as the process said it; missing if it is
+   */
+  public record Affected(long count, long first, JsonNode loss) {}
+
+  /** The sample with this sequence number on a topic. */
+  public record SampleId(String topic, long sequence) {}
+
+  /** One execution of a node; times in ns, simulated except {@code host}. */
+  public record Activation(
+      long start, long end, long host, List<SampleId> reads, List<SampleId> writes) {}
+
+  /**
+   * From the content of a FINISHED frame.
+   *
+   * @throws IllegalArgumentException if it is not as the protocol says
+   */
+  public static RunLog parse(JsonNode json) {
+    Map<String, List<Activation>> nodes = new LinkedHashMap<>();
+    Map<String, Affected> affected = new LinkedHashMap<>();
+    for (JsonNode node : json.required("nodes")) {
+      List<Activation> activations = new ArrayList<>();
+      for (JsonNode activation : node.required("activations")) {
+        activations.add(
+            new Activation(
+                number(activation, 0),
+                number(activation, 1),
+                number(activation, 2),
+                samples(activation.required(3)),
+                samples(activation.required(4))));
+      }
+      if (nodes.put(text(node.required("name")), activations) != null) {
+        throw new IllegalArgumentException("a node twice");
+      }
+      if (node.has("affected")) {
+        affected.put(text(node.required("name")), affected(node));
+      }
+    }
+    Map<String, Map<Long, Long>> publications = new LinkedHashMap<>();
+    json.required("publications")
+        .properties()
+        .forEach(topic -> publications.put(topic.getKey(), times(topic.getValue())));
+    return new RunLog(nodes, publications, affected);
+  }
+
+  private static Affected affected(JsonNode node) {
+    long count = node.path("affected").longValue();
+    return new Affected(count, node.path("affected_first").longValue(), node.path("loss"));
+  }
+
+  private static long number(JsonNode array, int index) {
+    JsonNode number = array.required(index);
+    if (!number.isIntegralNumber() || !number.canConvertToLong()) {
+      throw new IllegalArgumentException("something that is not a whole number");
+    }
+    return number.longValue();
+  }
+
+  private static String text(JsonNode json) {
+    if (!json.isTextual()) {
+      throw new IllegalArgumentException("something that is not a string");
+    }
+    return json.textValue();
+  }
+
+  private static List<SampleId> samples(JsonNode json) {
+    List<SampleId> samples = new ArrayList<>(json.size());
+    for (JsonNode sample : json) {
+      samples.add(new SampleId(text(sample.required(0)), number(sample, 1)));
+    }
+    return samples;
+  }
+
+  private static Map<Long, Long> times(JsonNode json) {
+    Map<Long, Long> times = new LinkedHashMap<>();
+    for (JsonNode publication : json) {
+      times.put(number(publication, 0), number(publication, 1));
+    }
+    return times;
+  }
+
+  /**
+   * When the samples of a topic could be seen, in ns, by their numbers; empty if there are none.
+   */
+  public Map<Long, Long> publicationsOf(String topic) {
+    return publications.getOrDefault(topic, Map.of());
+  }
+
+  /** When a sample could be seen, in ns. */
+  public long time(SampleId sample) {
+    return publications.get(sample.topic()).get(sample.sequence());
+  }
+}

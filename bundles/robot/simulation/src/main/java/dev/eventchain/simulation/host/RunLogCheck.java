@@ -1,0 +1,165 @@
+package dev.eventchain.simulation.host;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.simulation.host.NodeSession.Outbound;
+import dev.eventchain.simulation.host.RunLog.Activation;
+import dev.eventchain.simulation.host.RunLog.SampleId;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+
+/**
+ * Whether a record can be one of the scenario that was driven: its nodes are those of the
+ * configuration, times are those that the protocol gives, and what was read and written is what was
+ * published. A measurement rests on it, so that it is not believed without.
+ */
+public final class RunLogCheck {
+
+  private static final double NANOSECONDS = 1e6;
+
+  private final RunLog log;
+  private final JsonNode configuration;
+  private final long end;
+  private final Set<SampleId> written = new HashSet<>();
+
+  /**
+   * A check of one record.
+   *
+   * @param configuration what the process was told
+   * @param end until when the scenario was driven, in ns
+   */
+  public RunLogCheck(RunLog log, JsonNode configuration, long end) {
+    this.log = log;
+    this.configuration = configuration;
+    this.end = end;
+  }
+
+  /**
+   * Checks.
+   *
+   * @param commands all that was received from the nodes
+   * @throws IllegalArgumentException says what cannot be
+   */
+  public void check(List<Outbound> commands) {
+    List<String> names = new ArrayList<>();
+    for (JsonNode node : configuration.path("nodes")) {
+      String name = node.path("name").asText();
+      names.add(name);
+      long executionTime = Math.round(node.path("execution_time_ms").asDouble() * NANOSECONDS);
+      long earliest = 0;
+      for (Activation activation : log.nodes().getOrDefault(name, List.of())) {
+        check(name, activation, earliest, executionTime);
+        earliest = activation.end();
+      }
+    }
+    require(names.equals(List.copyOf(log.nodes().keySet())), "nodes other than those configured");
+    checkPublications();
+    checkCommands(commands);
+  }
+
+  /**
+   * Checks a record of real time, in which execution times are what they are, samples get lost and
+   * nothing happens exactly when it should.
+   *
+   * @throws IllegalArgumentException says what cannot be
+   */
+  public void checkInRealTime() {
+    List<String> names = new ArrayList<>();
+    for (JsonNode node : configuration.path("nodes")) {
+      String name = node.path("name").asText();
+      names.add(name);
+      long earliest = 0;
+      for (Activation activation : log.nodes().getOrDefault(name, List.of())) {
+        boolean inOrder = activation.start() >= earliest && activation.end() >= activation.start();
+        require(inOrder && activation.host() >= 0, "an impossible time of " + name);
+        activation.reads().forEach(read -> time(read, name));
+        activation.writes().forEach(sample -> require(written.add(sample), "a sample twice"));
+        earliest = activation.end();
+      }
+    }
+    require(names.equals(List.copyOf(log.nodes().keySet())), "nodes other than those configured");
+    checkPublications();
+  }
+
+  private void time(SampleId read, String node) {
+    require(time(read) != Long.MAX_VALUE, "a sample that " + node + " could not read");
+  }
+
+  private void check(String node, Activation activation, long earliest, long executionTime) {
+    boolean inTime = activation.start() >= earliest && activation.start() < Math.max(end, 1);
+    boolean asLong = activation.end() == end(node, activation.start(), executionTime);
+    require(inTime && asLong && activation.host() >= 0, "an impossible time of " + node);
+    for (SampleId read : activation.reads()) {
+      require(time(read) <= activation.start(), "a sample that " + node + " could not read");
+    }
+    for (SampleId sample : activation.writes()) {
+      boolean first = written.add(sample);
+      require(
+          first && time(sample) == activation.end(), "a sample that " + node + " could not write");
+    }
+  }
+
+  /** When an activation ends: a fault may stop it on its way, or let it take longer. */
+  private long end(String node, long start, long executionTime) {
+    JsonNode fault = configuration.path("fault");
+    long usual = start + executionTime;
+    if (!fault.path("target").asText().equals(node)) {
+      return usual;
+    }
+    long from = fault.path("start").asLong();
+    long until = fault.path("end").asLong(RunLog.NEVER);
+    return switch (fault.path("kind").asText()) {
+      case "stop" -> start < from && from <= usual ? usual + until - from : usual;
+      case "delay" ->
+          start >= from && start < until ? usual + fault.path("amount").asLong() : usual;
+      default -> usual;
+    };
+  }
+
+  /** When a sample could be seen; never if it was not published. */
+  private long time(SampleId sample) {
+    Long time = log.publications().getOrDefault(sample.topic(), Map.of()).get(sample.sequence());
+    return time == null ? Long.MAX_VALUE : time;
+  }
+
+  private void checkPublications() {
+    log.publications()
+        .forEach(
+            (topic, times) -> {
+              long sequence = 0;
+              for (Map.Entry<Long, Long> publication : times.entrySet()) {
+                boolean next = publication.getKey() == sequence++;
+                require(
+                    next && publication.getValue() >= 0, "samples of " + topic + " are missing");
+              }
+            });
+  }
+
+  /** What moved the vehicle has to be in the record. */
+  private void checkCommands(List<Outbound> commands) {
+    Map<Integer, Map<Long, Integer>> known = new HashMap<>();
+    int index = 0;
+    for (JsonNode topic : configuration.path("world_subscribes")) {
+      Map<Long, Integer> times = new HashMap<>();
+      String name = topic.path("topic").asText();
+      log.publications()
+          .getOrDefault(name, Map.of())
+          .values()
+          .forEach(time -> times.merge(time, 1, Integer::sum));
+      known.put(index++, times);
+    }
+    for (Outbound command : commands) {
+      int left = known.get(command.topic()).merge(command.time(), -1, Integer::sum);
+      require(left >= 0, "a command that was never published");
+    }
+  }
+
+  private static void require(boolean condition, String problem) {
+    if (!condition) {
+      throw new IllegalArgumentException(problem);
+    }
+  }
+}

@@ -1,0 +1,220 @@
+package dev.eventchain.simulation.judge;
+
+import dev.eventchain.model.eventchain.LatencyConstraint;
+import dev.eventchain.model.eventchain.LatencyKind;
+import dev.eventchain.simulation.bench.BenchSignals;
+import dev.eventchain.simulation.chain.SimulatedChain;
+import dev.eventchain.simulation.formula.Outcome;
+import dev.eventchain.simulation.formula.RootLocale;
+import dev.eventchain.simulation.formula.Signal;
+import dev.eventchain.simulation.formula.WorldSignals;
+import dev.eventchain.simulation.host.RunLog;
+import dev.eventchain.simulation.measure.ChainLatency;
+import dev.eventchain.simulation.measure.MessageFlows;
+import dev.eventchain.simulation.run.ScenarioRun;
+import dev.eventchain.simulation.scenario.Criterion;
+import dev.eventchain.simulation.scenario.CriterionKind;
+import dev.eventchain.simulation.scenario.Expectation;
+import dev.eventchain.simulation.scenario.FormulaCriterion;
+import dev.eventchain.simulation.scenario.Scenario;
+import dev.eventchain.simulation.verdict.Measurements;
+import dev.eventchain.simulation.verdict.ScenarioVerdict;
+import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
+import dev.eventchain.simulation.world.Actuator;
+import dev.eventchain.simulation.world.Trace;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+
+/** Judges what happened in a scenario. */
+public final class ScenarioJudge {
+
+  private static final double MILLISECOND = 1e6;
+
+  private final SimulatedChain chain;
+
+  public ScenarioJudge(SimulatedChain chain) {
+    this.chain = chain;
+  }
+
+  /**
+   * Judges a scenario.
+   *
+   * @param worked whether every component worked, or people accept that it did not
+   */
+  public ScenarioVerdict verdict(ScenarioRun run, boolean worked) {
+    Scenario scenario = run.scenario();
+    Trace trace = run.trace();
+    List<Signal> signals =
+        chain.chainSignals().with(chain.bench().signals().reported(scenario.signals()));
+    List<CriterionResult> criteria = criteria(run, worked);
+    boolean passed = criteria.stream().allMatch(CriterionResult::passed);
+    boolean failed = criteria.stream().anyMatch(each -> each.tested() && !each.passed());
+    boolean tested = failed || criteria.stream().allMatch(CriterionResult::tested);
+    return new ScenarioVerdict(
+        scenario.name(),
+        scenario.title(),
+        scenario.requirements(),
+        worked,
+        tested,
+        passed,
+        criteria,
+        WhatHappened.figures(trace, signals),
+        latency(run.log(), chain),
+        chain.latencyConstraints().stream().map(each -> latency(run.log(), each)).toList(),
+        MessageFlows.of(List.of(run), chain),
+        WhatHappened.series(scenario.situation(), trace, signals));
+  }
+
+  /** The criteria of the run's scenario, as far as they apply, as {@link #verdict} has them. */
+  List<CriterionResult> criteria(ScenarioRun run, boolean worked) {
+    return run.scenario().criteria().stream()
+        .filter(this::applies)
+        .map(each -> judge(each, run, worked))
+        .toList();
+  }
+
+  /** What holds for every scenario holds for software that commands the vehicle. */
+  private boolean applies(Expectation expectation) {
+    if (!(expectation instanceof Criterion criterion) || !criterion.kind().always()) {
+      return true;
+    }
+    return criterion.kind() == CriterionKind.BRAKE_NORMALIZED
+        ? chain.drives(Actuator.BRAKE)
+        : !chain.commands().isEmpty();
+  }
+
+  private CriterionResult judge(Expectation criterion, ScenarioRun run, boolean worked) {
+    Trace trace = run.trace();
+    Outcome outcome;
+    if (run.isOverrun()) {
+      outcome = overrun(run);
+    } else if (!worked) {
+      outcome = Outcome.untested("not all components worked");
+    } else if (needsBrake(criterion)) {
+      outcome = Outcome.untested("no component's output drives the brake");
+    } else if (criterion instanceof FormulaCriterion formula && !dependsOnSoftware(formula)) {
+      outcome = Outcome.untested("no component's output changes what it reads");
+    } else {
+      outcome = criterion.judge(trace);
+      if (outcome.passed() && criterion instanceof FormulaCriterion formula) {
+        outcome = unlessItHoldsAnyway(formula, trace).orElse(outcome);
+      } else if (outcome.passed() && isAboutMotion(criterion)) {
+        outcome = unlessNothingWasDone(run).orElse(outcome);
+      }
+    }
+    return result(criterion, outcome);
+  }
+
+  private static Outcome overrun(ScenarioRun run) {
+    return Outcome.untested(
+        RootLocale.format(
+            "this machine was %.0f ms behind the clock", run.overrun() / MILLISECOND));
+  }
+
+  static CriterionResult result(Expectation criterion, Outcome outcome) {
+    return new CriterionResult(
+        criterion.text(),
+        outcome.tested(),
+        outcome.passed(),
+        outcome.detail(),
+        outcome.margin(),
+        criterion.limits(),
+        criterion.location());
+  }
+
+  /** A formula that reads what components write is about that only if it would not hold without. */
+  private Optional<Outcome> unlessItHoldsAnyway(FormulaCriterion formula, Trace trace) {
+    Set<String> written =
+        formula.signals().stream()
+            .flatMap(Signal::origins)
+            .filter(it -> it.topic().isPresent() && dependsOnSoftware(it))
+            .map(Signal::name)
+            .collect(Collectors.toCollection(TreeSet::new));
+    return !written.isEmpty() && formula.holds(trace.without(written))
+        ? Optional.of(Outcome.untested("it holds whatever is in " + String.join(" and ", written)))
+        : Optional.empty();
+  }
+
+  private static boolean isAboutMotion(Expectation expectation) {
+    return expectation instanceof Criterion criterion && criterion.kind().isAboutMotion();
+  }
+
+  /** Where the software changed nothing, how the vehicle moved is the merit of the scenario. */
+  private static Optional<Outcome> unlessNothingWasDone(ScenarioRun run) {
+    return UntouchedVehicle.movedAs(run.trace(), run.scenario().situation())
+        ? Optional.of(
+            Outcome.untested(
+                "it holds without any command, as the software did not change how the vehicle"
+                    + " moves"))
+        : Optional.empty();
+  }
+
+  /** Whether the chain can make a difference to something that a formula reads. */
+  private boolean dependsOnSoftware(FormulaCriterion criterion) {
+    return criterion.signals().stream().flatMap(Signal::origins).anyMatch(this::dependsOnSoftware);
+  }
+
+  private boolean dependsOnSoftware(Signal signal) {
+    Optional<BenchSignals.Topic> topic = chain.bench().signals().topicOf(signal);
+    if (topic.isPresent()) {
+      return chain.isWritten(topic.get().name(), signal.field());
+    }
+    return switch (signal.name()) {
+      case "brake" -> chain.drives(Actuator.BRAKE, Actuator.ACCELERATION);
+      case "throttle" -> chain.drives(Actuator.THROTTLE, Actuator.ACCELERATION);
+      case "lane.width" -> false;
+      case "steering", "ego.offset", "ego.heading", "ego.yaw_rate", "lane.left", "lane.right" ->
+          chain.drives(Actuator.STEERING, Actuator.STEERING_ANGLE);
+      default -> WorldSignals.isKnown(signal.name()) && chain.drives(Actuator.values());
+    };
+  }
+
+  /** A named criterion is about software that can brake; what cannot has not kept to it. */
+  private boolean needsBrake(Expectation expectation) {
+    return expectation instanceof Criterion criterion
+        && !criterion.kind().always()
+        && !chain.drives(Actuator.BRAKE, Actuator.ACCELERATION);
+  }
+
+  private static Optional<Measurements.Statistics> latency(RunLog log, SimulatedChain chain) {
+    return statistics(ChainLatency.reactions(log, chain.entry(), chain.exit()));
+  }
+
+  /** What was measured of a constraint; an incomplete one is a finding of the model. */
+  private static Optional<ScenarioVerdict.Latency> latency(
+      RunLog log, LatencyConstraint constraint) {
+    if (constraint.getFirst() == null || constraint.getLast() == null) {
+      return Optional.empty();
+    }
+    List<ChainLatency.Latency> found =
+        ChainLatency.between(
+            log,
+            constraint.getFirst().getName(),
+            constraint.getLast().getName(),
+            constraint.getKind() == LatencyKind.DATA_AGE);
+    return statistics(found.stream().map(ChainLatency.Latency::time).toList())
+        .map(statistics -> new ScenarioVerdict.Latency(statistics, slowest(found)));
+  }
+
+  /** What the longest time consists of; of several, the first one. */
+  private static List<ScenarioVerdict.Part> slowest(List<ChainLatency.Latency> latencies) {
+    ChainLatency.Latency slowest = latencies.get(0);
+    for (ChainLatency.Latency each : latencies) {
+      slowest = each.time() > slowest.time() ? each : slowest;
+    }
+    return slowest.parts().stream()
+        .map(
+            part ->
+                new ScenarioVerdict.Part(
+                    part.node(), part.waiting() / MILLISECOND, part.execution() / MILLISECOND))
+        .toList();
+  }
+
+  private static Optional<Measurements.Statistics> statistics(List<Long> nanoseconds) {
+    return Measurements.Statistics.of(
+        nanoseconds.stream().mapToDouble(value -> value / MILLISECOND).toArray());
+  }
+}

@@ -1,0 +1,94 @@
+package dev.eventchain.simulation.judge;
+
+import dev.eventchain.simulation.verdict.ScenarioVerdict.Mover;
+import dev.eventchain.simulation.verdict.ScenarioVerdict.Scan;
+import dev.eventchain.simulation.verdict.ScenarioVerdict.Scene;
+import dev.eventchain.simulation.world.Actor;
+import dev.eventchain.simulation.world.Contact;
+import dev.eventchain.simulation.world.EgoVehicle;
+import dev.eventchain.simulation.world.Road;
+import dev.eventchain.simulation.world.Situation;
+import dev.eventchain.simulation.world.Trace;
+import dev.eventchain.simulation.world.World;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.ToDoubleFunction;
+
+/** What a scenario looked like from above. */
+final class SceneFromAbove {
+
+  private final Situation situation;
+  private final Trace trace;
+  private final List<Trace.State> states;
+
+  private SceneFromAbove(Situation situation, Trace trace, List<Trace.State> states) {
+    this.situation = situation;
+    this.trace = trace;
+    this.states = states;
+  }
+
+  /**
+   * The scene.
+   *
+   * @param states those of the trace that are shown
+   */
+  static Scene of(Situation situation, Trace trace, List<Trace.State> states) {
+    SceneFromAbove above = new SceneFromAbove(situation, trace, states);
+    return new Scene(
+        situation.road().curvature(),
+        situation.road().laneWidth(),
+        Road.WALL_DISTANCE,
+        above.ego(),
+        situation.actors().stream()
+            .filter(actor -> actor.size().bottom() < EgoVehicle.HEIGHT)
+            .map(above::mover)
+            .toList(),
+        trace.outlines().stream().map(each -> new Scan(each.time(), each.x(), each.y())).toList());
+  }
+
+  private Mover ego() {
+    List<Road.Place> places = new ArrayList<>();
+    for (Trace.State state : states) {
+      Road.Place road = situation.road().place(state.position(), state.pose().offset());
+      places.add(
+          new Road.Place(road.x(), road.y(), road.heading() + state.pose().heading())
+              .ahead(-EgoVehicle.LENGTH / 2));
+    }
+    return mover("ego", EgoVehicle.LENGTH, EgoVehicle.WIDTH, places);
+  }
+
+  private Mover mover(Actor actor) {
+    Optional<Long> gone =
+        trace.fromBehind().stream()
+            .filter(contact -> contact.other() == actor)
+            .map(Contact::time)
+            .findFirst();
+    List<Road.Place> places = new ArrayList<>();
+    for (Trace.State state : states) {
+      boolean there = gone.isEmpty() || state.time() < gone.get();
+      places.add(
+          there
+              ? actor.body(situation.road(), World.seconds(state.time())).place()
+              : new Road.Place(Double.NaN, Double.NaN, Double.NaN));
+    }
+    return mover(actor.name(), actor.size().length(), actor.size().width(), places);
+  }
+
+  private static Mover mover(String name, double length, double width, List<Road.Place> places) {
+    return new Mover(
+        name,
+        length,
+        width,
+        column(places, Road.Place::x),
+        column(places, Road.Place::y),
+        column(places, Road.Place::heading));
+  }
+
+  /** A single value for what never changes. */
+  private static List<Double> column(List<Road.Place> places, ToDoubleFunction<Road.Place> value) {
+    List<Double> values = places.stream().map(value::applyAsDouble).toList();
+    boolean constant = values.stream().distinct().count() == 1;
+    return constant ? values.subList(0, 1) : values;
+  }
+}

@@ -1,0 +1,161 @@
+package dev.eventchain.simulation.node;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.Document;
+import dev.eventchain.documents.DocumentFormat;
+import dev.eventchain.documents.FindingIds;
+import dev.eventchain.documents.ObjectReader;
+import dev.eventchain.simulation.node.NodeManifest.Component;
+import dev.eventchain.simulation.node.NodeManifest.Node;
+import dev.eventchain.simulation.node.NodeManifest.Output;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.IntFunction;
+
+/**
+ * Reads a {@link NodeManifest}; problems are collected, and reading continues with a neutral value.
+ */
+final class NodeManifestReader {
+
+  private static final FindingIds IDS = FindingIds.all(NodeManifest.ID);
+  private static final int FORMAT = 1;
+  private static final String IDENTIFIER = "[A-Za-z_][A-Za-z0-9_]*";
+  private static final String MODULE = IDENTIFIER + "(\\." + IDENTIFIER + ")+";
+
+  private final List<Diagnostic> problems = new ArrayList<>();
+  private String packageName = "";
+
+  private NodeManifestReader() {}
+
+  static NodeManifest read(SourceText text) {
+    NodeManifestReader reader = new NodeManifestReader();
+    List<Node> nodes = reader.nodes(text);
+    if (!reader.problems.isEmpty()) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, reader.problems);
+    }
+    return new NodeManifest(SourceLocation.of(text.name()), reader.packageName, nodes);
+  }
+
+  /** The files are generated: whatever is wrong, hints at single keys would not help. */
+  private void add(Diagnostic problem) {
+    problems.add(problem.withHint(NodeManifest.GENERATE_AGAIN));
+  }
+
+  private List<Node> nodes(SourceText text) {
+    try {
+      return Document.parseWithAnyText(text, DocumentFormat.JSON, IDS, this::add)
+          .object("", this::add)
+          .map(this::manifest)
+          .orElse(List.of());
+    } catch (DiagnosticException e) {
+      e.diagnostics().forEach(this::add);
+      return List.of();
+    }
+  }
+
+  private List<Node> manifest(ObjectReader json) {
+    if (json.value("format").filter(v -> v.isInt() && v.intValue() == FORMAT).isEmpty()) {
+      problem(json, "format", "The format has to be " + FORMAT + ".");
+      return List.of();
+    }
+    packageName = name(json, "package", IDENTIFIER, "the name of a package");
+    List<ObjectReader> items = json.requiredObjects("nodes");
+    List<Node> nodes = items.stream().map(this::node).toList();
+    json.refuseOthers();
+    unique("node", nodes.stream().map(Node::name).toList(), i -> items.get(i).at("name"));
+    unique("module", nodes.stream().map(Node::module).toList(), i -> items.get(i).at("module"));
+    return nodes;
+  }
+
+  private Node node(ObjectReader json) {
+    String name = json.requiredText("name");
+    Optional<ObjectReader> component = json.requiredObject("component");
+    String className = name(json, "class", IDENTIFIER, "the name of a class");
+    Node node =
+        new Node(name, module(json), className, component.map(this::component).orElse(null));
+    json.refuseOthers();
+    return node;
+  }
+
+  private Component component(ObjectReader json) {
+    List<ObjectReader> items = json.requiredObjects("outputs");
+    List<Output> outputs = items.stream().map(this::output).toList();
+    unique("output", outputs.stream().map(Output::name).toList(), i -> items.get(i).at("name"));
+    String module = module(json);
+    String file = json.requiredText("file");
+    String expected = NodeManifest.file(module);
+    if (!file.isEmpty() && !module.isEmpty() && !file.equals(expected)) {
+      problem(json, "file", "The file of the module " + module + " has to be " + expected + ".");
+    }
+    String name = name(json, "class", IDENTIFIER, "the name of a class");
+    List<String> inputs = inputs(json);
+    json.refuseOthers();
+    return new Component(module, name, file, inputs, outputs);
+  }
+
+  private List<String> inputs(ObjectReader json) {
+    requireKey(json, "inputs");
+    List<String> inputs = json.texts("inputs");
+    for (String input : inputs) {
+      if (!input.matches(IDENTIFIER)) {
+        problem(json, "inputs", "'" + input + "' is not the name of an argument.");
+      }
+    }
+    unique("input", inputs, i -> json.at("inputs"));
+    return inputs;
+  }
+
+  private Output output(ObjectReader json) {
+    String name = name(json, "name", IDENTIFIER, "a name");
+    requireKey(json, "type");
+    Output output = new Output(name, json.text("type").orElse(""));
+    json.refuseOthers();
+    return output;
+  }
+
+  private String module(ObjectReader json) {
+    String module = name(json, "module", MODULE, "a module in a package");
+    if (!packageName.isEmpty() && !module.isEmpty() && !module.startsWith(packageName + ".")) {
+      String message = "The module " + module + " is not in the package " + packageName + ".";
+      problem(json, "module", message);
+    }
+    return module;
+  }
+
+  private String name(ObjectReader json, String key, String pattern, String expected) {
+    String value = json.requiredText(key);
+    if (value.isEmpty() || value.matches(pattern)) {
+      return value;
+    }
+    problem(json, key, "'" + value + "' is not " + expected + ".");
+    return "";
+  }
+
+  /** A key that is required, though its value may be empty. */
+  private void requireKey(ObjectReader json, String key) {
+    if (json.value(key).isEmpty()) {
+      problem(json, key, "'" + key + "' is missing.");
+    }
+  }
+
+  private void unique(String what, List<String> names, IntFunction<SourceLocation> places) {
+    Set<String> seen = new HashSet<>();
+    for (int i = 0; i < names.size(); i++) {
+      String name = names.get(i);
+      if (!name.isEmpty() && !seen.add(name)) {
+        String message = "The " + what + " '" + name + "' is declared twice.";
+        add(Diagnostic.error(NodeManifest.ID, message, places.apply(i)));
+      }
+    }
+  }
+
+  private void problem(ObjectReader json, String key, String message) {
+    json.find(NodeManifest.ID, message, json.at(key));
+  }
+}

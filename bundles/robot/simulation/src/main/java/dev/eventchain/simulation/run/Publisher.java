@@ -1,0 +1,155 @@
+package dev.eventchain.simulation.run;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.messages.FieldType;
+import dev.eventchain.messages.MessageType;
+import dev.eventchain.messages.MessageValue;
+import dev.eventchain.simulation.bench.Bench;
+import dev.eventchain.simulation.bench.Bench.Provided;
+import dev.eventchain.simulation.bench.TypedTopic;
+import dev.eventchain.simulation.formula.SampledRun;
+import dev.eventchain.simulation.formula.Signal;
+import dev.eventchain.simulation.sensor.Lidar;
+import dev.eventchain.simulation.sensor.RoadScene;
+import dev.eventchain.simulation.world.World;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.SplittableRandom;
+
+/** A topic that is published, the message that is filled again and again, and when it is due. */
+final class Publisher {
+
+  private static final String HEADER = "std_msgs/msg/Header";
+  private static final long SECOND = 1_000_000_000L;
+  private static final long CLOCK_PERIOD = SECOND / 20;
+
+  /** How often people are shown what the lidar sees, in ns. */
+  private static final long OUTLINE = SECOND * 2 / 5;
+
+  private final TypedTopic topic;
+  private final Optional<Provided> provided;
+  private final MessageValue message;
+  private final List<String> stamps = new ArrayList<>();
+  private final List<Signal> recorded;
+  private final SplittableRandom random;
+  private final long period;
+  private long count;
+
+  Publisher(
+      TypedTopic topic,
+      Optional<Provided> provided,
+      MessageValue message,
+      List<Signal> recorded,
+      long seed) {
+    this.topic = topic;
+    this.provided = provided;
+    this.message = message;
+    this.recorded = recorded;
+    this.random = new SplittableRandom(seed + topic.name().hashCode());
+    this.period = provided.map(Provided::period).orElse(CLOCK_PERIOD);
+    stamps(message.type(), "");
+  }
+
+  /** Each header that the message has, whatever other messages it is in. */
+  private void stamps(MessageType type, String prefix) {
+    for (MessageType.Field field : type.fields()) {
+      if (field.type().shape() == FieldType.Shape.SINGLE && field.type().message().isPresent()) {
+        MessageType inner = field.type().message().get();
+        if (inner.name().equals(HEADER)) {
+          stamps.add(prefix + field.name() + ".stamp");
+        } else {
+          stamps(inner, prefix + field.name() + ".");
+        }
+      }
+    }
+  }
+
+  long due() {
+    return count * period;
+  }
+
+  TypedTopic topic() {
+    return topic;
+  }
+
+  /** Whether its messages hold the time. */
+  boolean isStamped() {
+    return !stamps.isEmpty();
+  }
+
+  /** Whether its messages are scans. */
+  boolean isLidar() {
+    return provided.filter(Provided::lidar).isPresent();
+  }
+
+  /** What was filled last. */
+  MessageValue message() {
+    return message;
+  }
+
+  /** The fields that formulas read or reports show. */
+  List<Signal> recorded() {
+    return recorded;
+  }
+
+  /** Whether the message gets to the nodes. */
+  boolean arrives(SampledRun moment) {
+    return provided.filter(it -> it.transfer().loses(moment, random)).isEmpty();
+  }
+
+  /** How long it takes, in ns. */
+  long latency() {
+    return provided.map(it -> it.transfer().latency()).orElse(0L);
+  }
+
+  /**
+   * What there is to say at this moment.
+   *
+   * @param shown the time on the clock, in ns
+   */
+  void fill(World world, SampledRun moment, Lidar lidar, long shown) {
+    count++;
+    if (provided.isEmpty()) {
+      stamp(message, "clock", shown);
+      return;
+    }
+    stamps.forEach(path -> stamp(message, path, shown));
+    if (provided.get().lidar()) {
+      RoadScene scene = RoadScene.of(world);
+      lidar.scan(scene, message);
+      if (world.now() % OUTLINE == 0) {
+        world.trace().outline(lidar.outline(scene, World.seconds(world.now())));
+      }
+    }
+    provided.get().objects().ifPresent(it -> it.fill(world, random, message));
+    for (Bench.Field field : provided.get().fields()) {
+      if (field.source() instanceof Bench.Quantity quantity) {
+        send(message, field, quantity.at(moment, random));
+      } else if (field.source() instanceof Bench.Truth truth) {
+        message.set(field.path(), truth.formula().holds(moment));
+      }
+    }
+  }
+
+  /** A number that its field cannot hold ends the simulation: something else would be sent. */
+  private static void send(MessageValue message, Bench.Field field, double value) {
+    boolean whole =
+        !(message.get(field.path()) instanceof Float
+            || message.get(field.path()) instanceof Double);
+    try {
+      message.set(field.path(), whole && Double.isFinite(value) ? Math.rint(value) : value);
+    } catch (IllegalArgumentException e) {
+      throw new DiagnosticException(
+          DiagnosticException.Reason.INPUT,
+          Diagnostic.error("bench.value.range", e.getMessage(), field.location())
+              .withHint("Limit it: `min(gap, 200 m)`, or give it another unit."));
+    }
+  }
+
+  private static void stamp(MessageValue message, String field, long now) {
+    message.set(field + ".sec", (int) (now / SECOND));
+    message.set(field + ".nanosec", now % SECOND);
+  }
+}

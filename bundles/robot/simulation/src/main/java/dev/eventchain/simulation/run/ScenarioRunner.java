@@ -1,0 +1,166 @@
+package dev.eventchain.simulation.run;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.simulation.chain.NodeConfiguration;
+import dev.eventchain.simulation.chain.SimulatedChain;
+import dev.eventchain.simulation.fault.Fault;
+import dev.eventchain.simulation.fault.WorldFault;
+import dev.eventchain.simulation.host.NodeSession;
+import dev.eventchain.simulation.host.NodeSession.Inbound;
+import dev.eventchain.simulation.host.NodeSession.Outbound;
+import dev.eventchain.simulation.host.RunLog;
+import dev.eventchain.simulation.recording.Recording;
+import dev.eventchain.simulation.scenario.Expectation;
+import dev.eventchain.simulation.scenario.Scenario;
+import dev.eventchain.simulation.world.Situation;
+import dev.eventchain.simulation.world.Trace;
+import dev.eventchain.simulation.world.World;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** Drives one scenario: the vehicle senses, the nodes think, the vehicle moves. */
+public final class ScenarioRunner {
+
+  /** How long it continues after the ego has stopped, in ns. */
+  private static final long AFTER_STOP = 1_000_000_000L;
+
+  /** How long it continues after a fault, at least, in ns. */
+  private static final long AFTER_FAULT = 2_000_000_000L;
+
+  private final SimulatedChain chain;
+  private final NodeConfiguration nodes;
+  private final Optional<Path> recordings;
+  private final NodeSession session;
+
+  /**
+   * Drives nodes.
+   *
+   * @param nodes their configuration
+   * @param recordings where recordings go; nowhere if none are wanted
+   */
+  public ScenarioRunner(
+      SimulatedChain chain,
+      NodeConfiguration nodes,
+      Optional<Path> recordings,
+      NodeSession session) {
+    this.chain = chain;
+    this.nodes = nodes;
+    this.recordings = recordings;
+    this.session = session;
+  }
+
+  public ScenarioRun run(Scenario scenario) {
+    BenchDriver driver = driver(scenario, new WorldFault(Optional.empty()));
+    JsonNode ready = session.configure(configuration(scenario, driver));
+    driver.startAt(session.epoch());
+    Optional<Recording> recording =
+        recordings.map(to -> new Recording(to, scenario, driver.recorded(), chain.catalog()));
+    try {
+      World world = world(scenario);
+      long hostNanos = drive(world, driver, scenario.horizon(), duration(scenario), recording);
+      ScenarioRun run = finish(scenario, world, ready, hostNanos);
+      recording.ifPresent(it -> it.finish("at its end"));
+      return run;
+    } catch (DiagnosticException e) {
+      // What led to it is worth more than any other recording.
+      recording.ifPresent(it -> it.finishAfter(e));
+      throw e;
+    } finally {
+      recording.ifPresent(Recording::close);
+    }
+  }
+
+  /**
+   * Drives the scenario of a fault with it. A node that fails is gone, and the run continues; what
+   * ends the run besides is a part of the result. Nothing is recorded.
+   */
+  public FaultRun run(Fault fault) {
+    List<Expectation> criteria = new ArrayList<>(fault.scenario().criteria());
+    criteria.addAll(fault.expected());
+    Scenario scenario = fault.scenario().with(criteria);
+    WorldFault atWorld = new WorldFault(Optional.of(fault));
+    BenchDriver driver = driver(scenario, atWorld);
+    ObjectNode configuration = configuration(scenario, driver);
+    configuration.set("fault", fault.toJson());
+    World world = world(scenario);
+    long decided = fault.end() < RunLog.NEVER ? fault.end() : fault.start();
+    long horizon = Math.max(scenario.horizon(), decided + AFTER_FAULT);
+    JsonNode ready = session.configure(configuration);
+    try {
+      long hostNanos = drive(world, driver, horizon, duration(scenario), Optional.empty());
+      return new FaultRun(
+          fault, finish(scenario, world, ready, hostNanos), atWorld, Optional.empty());
+    } catch (DiagnosticException e) {
+      if (e.reason() != DiagnosticException.Reason.FINDINGS) {
+        throw e;
+      }
+      RunLog log = new RunLog(Map.of(), Map.of());
+      ScenarioRun run =
+          new ScenarioRun(scenario, world.trace(), log, ready, Map.of(), List.of(), 0, 0);
+      return new FaultRun(fault, run, atWorld, Optional.of(e.diagnostics().get(0)));
+    }
+  }
+
+  private BenchDriver driver(Scenario scenario, WorldFault fault) {
+    return new BenchDriver(chain, scenario, fault, recordings.isPresent());
+  }
+
+  private ObjectNode configuration(Scenario scenario, BenchDriver driver) {
+    return nodes.of(scenario.seed(), driver.published(), driver.received());
+  }
+
+  private static World world(Scenario scenario) {
+    Situation situation = scenario.situation();
+    return new World(situation, new Trace(scenario.inputs(), situation.road()));
+  }
+
+  private static long duration(Scenario scenario) {
+    return World.nanoseconds(scenario.duration());
+  }
+
+  /** Lets time pass; answers how much of it passed on this machine, in ns. */
+  private long drive(
+      World world, BenchDriver driver, long least, long end, Optional<Recording> recording) {
+    long stoppedAt = world.egoSpeed() > 0 ? Long.MAX_VALUE : end;
+    long started = System.nanoTime();
+    long horizon = Math.min(end, least);
+    while (world.now() < end
+        && !world.impacted()
+        && (world.now() < horizon || world.now() - AFTER_STOP < stoppedAt)) {
+      List<Inbound> sensed = driver.sense(world);
+      recording.ifPresent(it -> it.sensed(world, sensed));
+      long until = Math.min(end, driver.nextDue());
+      for (Outbound outbound : session.step(until, sensed)) {
+        recording.ifPresent(it -> it.took(outbound));
+        driver.take(outbound, world);
+      }
+      world.advanceTo(until);
+      if (world.egoSpeed() > 0.0) {
+        stoppedAt = Long.MAX_VALUE;
+      } else if (stoppedAt == Long.MAX_VALUE) {
+        stoppedAt = world.now();
+      }
+    }
+    driver.finish(world);
+    recording.ifPresent(it -> it.scene(world));
+    return System.nanoTime() - started;
+  }
+
+  private ScenarioRun finish(Scenario scenario, World world, JsonNode ready, long hostNanos) {
+    RunLog log = session.finish();
+    return new ScenarioRun(
+        scenario,
+        world.trace(),
+        log,
+        ready,
+        session.lost(),
+        session.notices(),
+        session.overrun(),
+        hostNanos);
+  }
+}

@@ -1,0 +1,234 @@
+package dev.eventchain.simulation.scenario;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.documents.NumberRange;
+import dev.eventchain.documents.ObjectReader;
+import dev.eventchain.simulation.formula.RootLocale;
+import dev.eventchain.simulation.world.Actor;
+import dev.eventchain.simulation.world.ActorKind;
+import dev.eventchain.simulation.world.HumanDriver;
+import dev.eventchain.simulation.world.LateralProfile;
+import dev.eventchain.simulation.world.SpeedProfile;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+
+/** Reads the sections {@code actors} and {@code furniture} of a scenario, and what all do in it. */
+final class ActorsReader {
+
+  /** Factor from km/h to m/s. */
+  static final double KMH = 1.0 / 3.6;
+
+  static final NumberRange SPEED_KMH = NumberRange.of(0, 250);
+
+  private static final String RANGE_FINDING = "scenario.value.range";
+  private static final NumberRange GAP = NumberRange.of(-2000, 2000);
+  private static final NumberRange ASIDE = NumberRange.of(-50, 50);
+  private static final NumberRange SIZE = NumberRange.of(0.01, 200);
+  private static final NumberRange HEIGHT = NumberRange.of(0, 20);
+  private static final NumberRange ANGLE = NumberRange.of(-180, 180);
+  private static final NumberRange COUNT = NumberRange.of(1, 200);
+  private static final NumberRange ACCELERATION = NumberRange.of(0.01, 20);
+  private static final NumberRange LATERAL_SPEED = NumberRange.of(0.01, 5);
+
+  private final double duration;
+  private final Set<String> names = new HashSet<>();
+  private final Map<String, Integer> unnamed = new HashMap<>();
+  private final Map<String, SourceLocation> places = new HashMap<>();
+
+  /**
+   * A reader.
+   *
+   * @param duration of the scenario, in s: what is to happen later never happens
+   */
+  ActorsReader(double duration) {
+    this.duration = duration;
+  }
+
+  /** All that is on the road or over it, in the order of the file. */
+  List<Actor> read(ObjectReader scenario) {
+    List<Actor> actors = new ArrayList<>();
+    scenario.objects("actors").forEach(each -> actor(each).ifPresent(actors::add));
+    scenario.objects("furniture").forEach(each -> actors.addAll(furniture(each)));
+    return actors;
+  }
+
+  private Optional<Actor> actor(ObjectReader section) {
+    Optional<ActorKind> kind = kind(section, true, ActorKind.CAR.id());
+    double gap = section.requiredNumber("gap_m", GAP);
+    double speed = section.requiredNumber("speed_kmh", SPEED_KMH) * KMH;
+    double offset = section.number("lateral_offset_m", ASIDE).orElse(0);
+    double heading = heading(section);
+    Optional<Actor.Size> size = kind.map(each -> size(section, each));
+    String name = name(section, kind.orElse(ActorKind.CAR));
+    SpeedProfile profile = new SpeedProfile(speed, speeds(section));
+    LateralProfile line = new LateralProfile(offset, line(section, offset, profile));
+    section.refuseOthers();
+    places.put(name, section.at("gap_m"));
+    return kind.map(each -> new Actor(name, each, size.orElseThrow(), gap, heading, profile, line));
+  }
+
+  /** Where it says how far away an actor is. */
+  SourceLocation place(Actor actor) {
+    return places.get(actor.name());
+  }
+
+  private List<Actor> furniture(ObjectReader section) {
+    if (!section.has("kind")) {
+      section.find("scenario.key.missing", "'kind' is missing.", section.location());
+    }
+    Optional<ActorKind> kind = kind(section, false, ActorKind.PARKED_CAR.id());
+    double gap = section.requiredNumber("gap_m", GAP);
+    double offset = section.number("lateral_offset_m", ASIDE).orElse(0);
+    double heading = heading(section);
+    Optional<Actor.Size> size = kind.map(each -> size(section, each));
+    long count = section.wholeNumber("count", COUNT).orElse(1);
+    OptionalDouble spacing = section.number("spacing_m", SIZE);
+    requireBoth(section);
+    section.refuseOthers();
+    List<Actor> row = new ArrayList<>();
+    for (int i = 0; i < count && kind.isPresent(); i++) {
+      String name = numbered(kind.get());
+      places.put(name, section.at("gap_m"));
+      row.add(
+          new Actor(
+              name,
+              kind.get(),
+              size.orElseThrow(),
+              gap + i * spacing.orElse(0),
+              heading,
+              new SpeedProfile(0, List.of()),
+              new LateralProfile(offset, List.of())));
+    }
+    return row;
+  }
+
+  private static void requireBoth(ObjectReader section) {
+    if (section.has("count") != section.has("spacing_m")) {
+      String present = section.has("count") ? "count" : "spacing_m";
+      section.find(RANGE_FINDING, "A row needs both count and spacing_m.", section.at(present));
+    }
+  }
+
+  private static double heading(ObjectReader section) {
+    return StrictMath.toRadians(section.number("heading_deg", ANGLE).orElse(0));
+  }
+
+  private static Optional<ActorKind> kind(ObjectReader section, boolean moving, String usual) {
+    String id = section.text("kind").orElse(usual);
+    Optional<ActorKind> kind = ActorKind.find(id, moving);
+    if (kind.isEmpty()) {
+      List<String> known = ActorKind.ids(moving);
+      String other =
+          ActorKind.find(id, !moving).isPresent()
+              ? "It belongs under '" + (moving ? "furniture" : "actors") + "'."
+              : NearestName.of(id, known)
+                  .map(name -> "Did you mean '" + name + "'?")
+                  .orElse("Use one of: " + String.join(", ", known) + ".");
+      section.find(
+          Diagnostic.error(RANGE_FINDING, "'" + id + "' is not allowed here.", section.at("kind"))
+              .withHint(other));
+    }
+    return kind;
+  }
+
+  private static Actor.Size size(ObjectReader section, ActorKind kind) {
+    Actor.Size usual = kind.size();
+    double bottom = section.number("bottom_m", HEIGHT).orElse(usual.bottom());
+    double top = section.number("height_m", HEIGHT).orElse(usual.top());
+    if (bottom >= top) {
+      section.find(
+          RANGE_FINDING,
+          "Its lower bound is not below its upper one.",
+          section.at(section.has("height_m") ? "height_m" : "bottom_m"));
+    }
+    return new Actor.Size(
+        section.number("length_m", SIZE).orElse(usual.length()),
+        section.number("width_m", SIZE).orElse(usual.width()),
+        bottom,
+        top);
+  }
+
+  private String name(ObjectReader section, ActorKind kind) {
+    Optional<String> name = section.text("name");
+    if (name.isEmpty()) {
+      return numbered(kind);
+    }
+    if (name.get().isBlank() || !names.add(name.get())) {
+      section.find(
+          RANGE_FINDING,
+          name.get().isBlank() ? "This is not a name." : "Two have the name '" + name.get() + "'.",
+          section.at("name"));
+    }
+    return name.get();
+  }
+
+  /** As in "car 2". */
+  private String numbered(ActorKind kind) {
+    return kind.id().replace('_', ' ') + " " + unnamed.merge(kind.id(), 1, Integer::sum);
+  }
+
+  /** The driver of the ego: what he does stands among the ego's keys. */
+  HumanDriver driver(ObjectReader ego, double speed, double offset) {
+    SpeedProfile profile = new SpeedProfile(speed, speeds(ego));
+    List<LateralProfile.Change> changes = line(ego, offset, profile);
+    return new HumanDriver(profile, new LateralProfile(offset, changes), !changes.isEmpty());
+  }
+
+  private List<ObjectReader> maneuvers(ObjectReader section, String key, String other) {
+    return section.objects("maneuvers").stream()
+        .filter(each -> each.has(key) || !each.has(other))
+        .toList();
+  }
+
+  private List<SpeedProfile.Change> speeds(ObjectReader section) {
+    List<SpeedProfile.Change> changes = new ArrayList<>();
+    double earliest = 0;
+    for (ObjectReader each : maneuvers(section, "speed_kmh", "lateral_offset_m")) {
+      double time = time(each, earliest);
+      earliest = time;
+      double speed = each.requiredNumber("speed_kmh", SPEED_KMH) * KMH;
+      double rate = each.requiredNumber("acceleration_mps2", ACCELERATION);
+      each.refuseOthers();
+      changes.add(new SpeedProfile.Change(time, speed, Math.max(rate, ACCELERATION.least())));
+    }
+    return changes;
+  }
+
+  private List<LateralProfile.Change> line(ObjectReader section, double start, SpeedProfile speed) {
+    List<LateralProfile.Change> changes = new ArrayList<>();
+    for (ObjectReader each : maneuvers(section, "lateral_offset_m", "speed_kmh")) {
+      if (!each.has("lateral_offset_m")) {
+        continue; // Said already: it is read as a change of the speed.
+      }
+      double time = time(each, new LateralProfile(start, changes).end());
+      double offset = each.requiredNumber("lateral_offset_m", ASIDE);
+      double rate = each.number("lateral_speed_mps", LATERAL_SPEED).orElse(1.5);
+      each.refuseOthers();
+      if (speed.speed(time) == 0.0) {
+        each.find(
+            RANGE_FINDING, "It is standing still then, and cannot change lanes.", each.at("at_s"));
+      }
+      changes.add(new LateralProfile.Change(time, offset, rate));
+    }
+    return changes;
+  }
+
+  private double time(ObjectReader maneuver, double earliest) {
+    double time = maneuver.requiredNumber("at_s", NumberRange.of(0, duration));
+    boolean isNumber = maneuver.value("at_s").map(JsonNode::isNumber).orElse(false);
+    if (isNumber && time < earliest) {
+      String message = RootLocale.format("The previous one does not end until %.2f s.", earliest);
+      maneuver.find(RANGE_FINDING, message, maneuver.at("at_s"));
+    }
+    return time;
+  }
+}

@@ -1,0 +1,84 @@
+package dev.eventchain.simulation.scenario;
+
+import static dev.eventchain.simulation.formula.RootLocale.format;
+
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.simulation.formula.Outcome;
+import dev.eventchain.simulation.verdict.ScenarioVerdict.Limit;
+import dev.eventchain.simulation.world.Trace;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * One thing that must hold in a scenario.
+ *
+ * @param kind what must hold
+ * @param limit the number it is compared with, in SI units; unused by kinds without one
+ * @param tolerances what is granted to the sensors and to the chain
+ * @param location where the scenario asks for it
+ */
+public record Criterion(
+    CriterionKind kind, double limit, Tolerances tolerances, SourceLocation location)
+    implements Expectation {
+
+  /**
+   * What a comparison with the true time to collision grants.
+   *
+   * @param timeToCollision for the noise of the sensors, in s
+   * @param reaction the time that the command may lie behind the truth, in s
+   */
+  record Tolerances(double timeToCollision, double reaction) {
+
+    /** A tenth of a second; and 250 ms of the chain after at most 50 ms until the next scan. */
+    static final Tolerances USUAL = new Tolerances(0.1, 0.3);
+  }
+
+  /** What holds for every scenario says nothing about a requirement. */
+  @Override
+  public boolean dependsOn(Set<String> topics, boolean commanding) {
+    return commanding && !kind.always();
+  }
+
+  @Override
+  public Outcome judge(Trace trace) {
+    return switch (kind) {
+      case NO_IMPACT -> ImpactRules.noImpact(trace);
+      case STOPS -> ImpactRules.stops(trace);
+      case MINIMAL_GAP -> ImpactRules.minimalGap(trace, limit);
+      case MAXIMAL_IMPACT_SPEED -> ImpactRules.maximalImpactSpeed(trace, limit);
+      case NEVER_BRAKES -> ImpactRules.neverBrakes(trace);
+      case NO_BRAKE_AT_TTC -> BrakingRules.forbidden(trace, this, Trace.Command::brakes);
+      case BRAKE_BELOW_TTC -> BrakingRules.demanded(trace, this, Trace.Command::brakes, 0.0);
+      case NO_FULL_BRAKE_AT_TTC -> BrakingRules.forbidden(trace, this, Trace.Command::brakesFully);
+      case FULL_BRAKE_BELOW_TTC ->
+          BrakingRules.demanded(trace, this, Trace.Command::brakesFully, Trace.FULL);
+      case BRAKE_NORMALIZED -> ImpactRules.brakeNormalized(trace);
+      case COMMANDS_ARRIVE -> BrakingRules.commandsArrive(trace);
+    };
+  }
+
+  @Override
+  public String text() {
+    return switch (kind) {
+      case NO_IMPACT -> "no impact";
+      case STOPS -> "the vehicle stops";
+      case MINIMAL_GAP -> format("the gap is never below %.2f m", limit);
+      case MAXIMAL_IMPACT_SPEED -> format("any impact is at %.1f km/h or less", limit * 3.6);
+      case NEVER_BRAKES -> "no braking at all";
+      case NO_BRAKE_AT_TTC -> format("no braking while TTC is %.1f s or more", limit);
+      case BRAKE_BELOW_TTC -> format("braking while TTC is below %.1f s", limit);
+      case NO_FULL_BRAKE_AT_TTC -> format("no full braking while TTC is %.1f s or more", limit);
+      case FULL_BRAKE_BELOW_TTC -> format("full braking while TTC is below %.1f s", limit);
+      case BRAKE_NORMALIZED -> "brake commands are from 0 to 1";
+      case COMMANDS_ARRIVE -> "control commands arrive at least once a second";
+    };
+  }
+
+  @Override
+  public List<Limit> limits() {
+    if (kind.comparesTimeToCollision()) {
+      return List.of(new Limit("ttc", limit));
+    }
+    return kind == CriterionKind.MINIMAL_GAP ? List.of(new Limit("gap", limit)) : List.of();
+  }
+}

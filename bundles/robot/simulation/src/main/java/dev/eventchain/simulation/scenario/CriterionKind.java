@@ -1,0 +1,67 @@
+package dev.eventchain.simulation.scenario;
+
+/** What a scenario can ask for, by its key in the scenario's section {@code accept}. */
+public enum CriterionKind {
+  /** The ego hits nothing. */
+  NO_IMPACT("no_impact", 0),
+  /** The ego is stationary when the scenario ends. */
+  STOPS("stops", 0),
+  /** The gap to a vehicle in the own lane never falls below a limit. */
+  MINIMAL_GAP("minimal_gap_m", 1),
+  /** An impact, if there is one, is not faster than a limit (relative speed, as in UN R152). */
+  MAXIMAL_IMPACT_SPEED("maximal_impact_speed_kmh", 1 / 3.6),
+  /** There is no brake command above zero. */
+  NEVER_BRAKES("never_brakes", 0),
+  /** No brake command while the time to collision is at or above a limit. */
+  NO_BRAKE_AT_TTC("no_brake_at_ttc_s", 1),
+  /** A brake command while the time to collision is below a limit. */
+  BRAKE_BELOW_TTC("brake_below_ttc_s", 1),
+  /** Less than full brake while the time to collision is at or above a limit. */
+  NO_FULL_BRAKE_AT_TTC("no_full_brake_at_ttc_s", 1),
+  /** A full brake command while the time to collision is below a limit. */
+  FULL_BRAKE_BELOW_TTC("full_brake_below_ttc_s", 1),
+  /** Always: each brake command is between 0 and 1. */
+  BRAKE_NORMALIZED("brake_normalized", -1),
+  /** Always: commands keep coming, so that a dead chain passes nothing. */
+  COMMANDS_ARRIVE("commands_arrive", -1);
+
+  private final String key;
+  private final double unit;
+
+  CriterionKind(String key, double unit) {
+    this.key = key;
+    this.unit = unit;
+  }
+
+  String key() {
+    return key;
+  }
+
+  /** SI units in one unit of the key's number. */
+  double unit() {
+    return unit;
+  }
+
+  /** Whether the key has a number; else it has {@code true}. */
+  boolean hasLimit() {
+    return unit > 0;
+  }
+
+  /** Whether its limit is one of the time to collision. */
+  boolean comparesTimeToCollision() {
+    return key.endsWith("_ttc_s");
+  }
+
+  /** Whether it asks how the vehicle moves, and not what it is told. */
+  public boolean isAboutMotion() {
+    return switch (this) {
+      case NO_IMPACT, STOPS, MINIMAL_GAP, MAXIMAL_IMPACT_SPEED -> true;
+      default -> false;
+    };
+  }
+
+  /** Whether it holds for every scenario and has no key. */
+  public boolean always() {
+    return unit < 0;
+  }
+}

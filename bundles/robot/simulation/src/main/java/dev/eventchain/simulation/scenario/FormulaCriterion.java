@@ -1,0 +1,64 @@
+package dev.eventchain.simulation.scenario;
+
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.simulation.formula.Formula;
+import dev.eventchain.simulation.formula.Outcome;
+import dev.eventchain.simulation.formula.SampledRun;
+import dev.eventchain.simulation.formula.Signal;
+import dev.eventchain.simulation.formula.WorldSignals;
+import dev.eventchain.simulation.verdict.ScenarioVerdict;
+import dev.eventchain.simulation.world.Trace;
+import java.util.List;
+import java.util.Set;
+
+/**
+ * A formula that must hold in a scenario.
+ *
+ * @param name what people call it; may be empty
+ * @param location where the scenario asks for it
+ */
+public record FormulaCriterion(String name, Formula formula, SourceLocation location)
+    implements Expectation {
+
+  @Override
+  public String text() {
+    return name.isEmpty() ? formula.text() : name + " (" + formula.text() + ")";
+  }
+
+  @Override
+  public List<ScenarioVerdict.Limit> limits() {
+    return formula.limits();
+  }
+
+  @Override
+  public Set<Signal> signals() {
+    return formula.signals();
+  }
+
+  @Override
+  public boolean dependsOn(Set<String> topics, boolean commanding) {
+    return formula.signals().stream()
+        .flatMap(Signal::origins)
+        .anyMatch(
+            signal ->
+                signal
+                    .topic()
+                    .map(topics::contains)
+                    .orElse(commanding && WorldSignals.isKnown(signal.name())));
+  }
+
+  @Override
+  public long horizon() {
+    return formula.horizon();
+  }
+
+  /** Whether it is certainly true. */
+  public boolean holds(Trace trace) {
+    return formula.holds(new SampledRun(trace));
+  }
+
+  @Override
+  public Outcome judge(Trace trace) {
+    return formula.judge(trace);
+  }
+}

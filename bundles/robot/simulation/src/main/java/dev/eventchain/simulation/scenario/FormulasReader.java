@@ -1,0 +1,83 @@
+package dev.eventchain.simulation.scenario;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceRange;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.ObjectReader;
+import dev.eventchain.simulation.bench.YamlText;
+import dev.eventchain.simulation.formula.Formula;
+import dev.eventchain.simulation.formula.Signal;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+
+/** Reads the formulas in the section {@code accept} of a scenario. */
+public final class FormulasReader {
+
+  private static final String KEY = "formula";
+
+  private final YamlText source;
+  private final Signal.Source signals;
+  private final double duration;
+
+  /**
+   * A reader.
+   *
+   * @param source the file, in which the places of problems are looked for
+   * @param signals what the formulas may read
+   * @param duration of the scenario, in s
+   */
+  public FormulasReader(SourceText source, Signal.Source signals, double duration) {
+    this.source = new YamlText(source);
+    this.signals = signals;
+    this.duration = duration;
+  }
+
+  List<FormulaCriterion> read(List<ObjectReader> sections) {
+    List<FormulaCriterion> criteria = new ArrayList<>();
+    for (ObjectReader section : sections) {
+      String name = section.text("name").orElse("").strip();
+      if (!section.has(KEY)) {
+        String message = "'" + KEY + "' is missing.";
+        section.find("scenario.key.missing", message, section.location());
+      }
+      section
+          .text(KEY)
+          .flatMap(text -> formula(section, KEY, source.range(section.at(KEY), text)))
+          .map(formula -> new FormulaCriterion(name, formula, section.atKey(KEY)))
+          .ifPresent(criteria::add);
+      section.refuseOthers();
+    }
+    return criteria;
+  }
+
+  /** In s. */
+  double duration() {
+    return duration;
+  }
+
+  /**
+   * A criterion whose formula is not written in the file; problems are those of a key.
+   *
+   * @param key the key of the section that the formula was made of
+   */
+  Optional<FormulaCriterion> parse(ObjectReader section, String key, String name, String text) {
+    SourceRange range = SourceText.within(section.at(key), text).whole();
+    return formula(section, key, range)
+        .map(formula -> new FormulaCriterion(name, formula, section.atKey(key)));
+  }
+
+  private Optional<Formula> formula(ObjectReader section, String key, SourceRange range) {
+    try {
+      return Optional.of(Formula.parse(range, signals, duration));
+    } catch (DiagnosticException e) {
+      for (Diagnostic problem : e.diagnostics()) {
+        SourceLocation place = problem.location().withElement(section.pointerTo(key));
+        section.find(problem.withLocation(place));
+      }
+      return Optional.empty();
+    }
+  }
+}

@@ -1,0 +1,130 @@
+package dev.eventchain.simulation.scenario;
+
+import static dev.eventchain.simulation.formula.RootLocale.format;
+
+import dev.eventchain.simulation.formula.Outcome;
+import dev.eventchain.simulation.verdict.ScenarioVerdict.Margin;
+import dev.eventchain.simulation.world.Trace;
+import dev.eventchain.simulation.world.World;
+import java.util.Comparator;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.stream.Collectors;
+
+/** Judges how a scenario ended, and the brake commands whatever the traffic. */
+final class ImpactRules {
+
+  private ImpactRules() {}
+
+  /** Without a vehicle in the path there is nothing to hit and no gap to keep. */
+  private static Outcome nothingAhead() {
+    return Outcome.untested("nothing ahead");
+  }
+
+  static Outcome noImpact(Trace trace) {
+    OptionalDouble impact = trace.impactSpeed();
+    if (trace.minimalGap().isEmpty() && impact.isEmpty()) {
+      return nothingAhead();
+    }
+    return impact.isPresent()
+        ? new Outcome(
+            false,
+            format(
+                "impact at %.1f km/h after %.2f s: %s",
+                impact.getAsDouble() * 3.6, World.seconds(trace.end().time()), trace.impact()),
+            atTheEnd(trace, -impact.getAsDouble()))
+        : new Outcome(true, gapText(trace) + fromBehind(trace), gapMargin(trace, 0));
+  }
+
+  /** A vehicle that is hit from behind has hit nothing; it is reported nevertheless. */
+  private static String fromBehind(Trace trace) {
+    return trace.fromBehind().stream()
+        .map(
+            each ->
+                format(
+                    "; %s at %.1f km/h after %.2f s",
+                    each.words(), each.speed() * 3.6, World.seconds(each.time())))
+        .collect(Collectors.joining());
+  }
+
+  /** A margin of the speed. */
+  private static Margin atTheEnd(Trace trace, double metresPerSecond) {
+    return new Margin(metresPerSecond, "m/s", World.seconds(trace.end().time()));
+  }
+
+  private static Margin gapMargin(Trace trace, double limit) {
+    Trace.State nearest =
+        trace.states().stream().min(Comparator.comparingDouble(Trace.State::gap)).orElseThrow();
+    return new Margin(nearest.gap() - limit, "m", World.seconds(nearest.time()));
+  }
+
+  private static String gapText(Trace trace) {
+    return format("smallest gap %.2f m", trace.minimalGap().orElseThrow());
+  }
+
+  static Outcome stops(Trace trace) {
+    if (trace.states().get(0).speed() == 0.0) {
+      return Outcome.untested("the vehicle was stationary from the start");
+    }
+    double speed = trace.end().speed();
+    boolean stands = speed == 0.0 && trace.impactSpeed().isEmpty();
+    String text = format("speed at the end %.1f km/h", speed * 3.6);
+    return stands ? new Outcome(true, text) : new Outcome(false, text, atTheEnd(trace, -speed));
+  }
+
+  static Outcome minimalGap(Trace trace, double limit) {
+    OptionalDouble gap = trace.minimalGap();
+    return gap.isPresent()
+        ? new Outcome(gap.getAsDouble() >= limit, gapText(trace), gapMargin(trace, limit))
+        : nothingAhead();
+  }
+
+  static Outcome maximalImpactSpeed(Trace trace, double limit) {
+    OptionalDouble impact = trace.impactSpeed();
+    if (trace.minimalGap().isEmpty() && impact.isEmpty()) {
+      return nothingAhead();
+    }
+    return impact.isPresent()
+        ? new Outcome(
+            impact.getAsDouble() <= limit,
+            format("impact at %.1f km/h", impact.getAsDouble() * 3.6),
+            atTheEnd(trace, limit - impact.getAsDouble()))
+        : new Outcome(true, "no impact");
+  }
+
+  static Outcome neverBrakes(Trace trace) {
+    if (trace.commands().isEmpty()) {
+      return Outcome.untested("no command came");
+    }
+    Optional<Trace.Command> first = trace.firstBraking();
+    return first.isPresent()
+        ? new Outcome(
+            false,
+            format(
+                "brake %.2f commanded after %.2f s",
+                first.get().pedal(), World.seconds(first.get().time())),
+            margin(first.get(), -first.get().pedal()))
+        : new Outcome(true, "never braked");
+  }
+
+  /** A margin of a pedal's position. */
+  static Margin margin(Trace.Command command, double value) {
+    return new Margin(value, "1", World.seconds(command.time()));
+  }
+
+  static Outcome brakeNormalized(Trace trace) {
+    if (trace.commands().isEmpty()) {
+      return Outcome.untested("no command came");
+    }
+    for (Trace.Command command : trace.commands()) {
+      if (!(command.pedal() >= 0.0 && command.pedal() <= 1.0)) {
+        return new Outcome(
+            false,
+            format(
+                "brake %s commanded after %.2f s", command.pedal(), World.seconds(command.time())),
+            margin(command, Math.min(command.pedal(), 1.0 - command.pedal())));
+      }
+    }
+    return new Outcome(true, format("%d commands", trace.commands().size()));
+  }
+}

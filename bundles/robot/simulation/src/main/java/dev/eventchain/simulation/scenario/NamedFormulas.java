@@ -1,0 +1,91 @@
+package dev.eventchain.simulation.scenario;
+
+import dev.eventchain.documents.NumberRange;
+import dev.eventchain.documents.ObjectReader;
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalDouble;
+
+/**
+ * Reads the criteria that have a name of their own and are formulas: time gap and offset in the
+ * lane, and settling and overshoot of any signal.
+ */
+final class NamedFormulas {
+
+  private static final NumberRange TIME_GAP = NumberRange.of(0, 10);
+  private static final NumberRange OFFSET = NumberRange.of(0, 10);
+  private static final NumberRange SECONDS = NumberRange.of(0, 600);
+
+  private final ObjectReader section;
+  private final FormulasReader formulas;
+  private final List<FormulaCriterion> criteria = new ArrayList<>();
+
+  private NamedFormulas(ObjectReader section, FormulasReader formulas) {
+    this.section = section;
+    this.formulas = formulas;
+  }
+
+  /** The criteria that are in a section {@code accept}. */
+  static List<FormulaCriterion> read(ObjectReader section, FormulasReader formulas) {
+    NamedFormulas named = new NamedFormulas(section, formulas);
+    named.limit(
+        "minimal_time_gap_s",
+        TIME_GAP,
+        "always (ego.speed > 1 m/s implies gap / ego.speed >= %s s)");
+    named.limit("maximal_lane_offset_m", OFFSET, "always abs(ego.offset) <= %s m");
+    section.objects("settles").forEach(named::settles);
+    section.objects("overshoots").forEach(named::overshoots);
+    return named.criteria;
+  }
+
+  private void limit(String key, NumberRange range, String pattern) {
+    OptionalDouble limit = section.number(key, range);
+    if (limit.isPresent()) {
+      String text = pattern.formatted(BigDecimal.valueOf(limit.getAsDouble()).toPlainString());
+      formulas.parse(section, key, key, text).ifPresent(criteria::add);
+    }
+  }
+
+  /** From a time on, a signal stays near its target. */
+  private void settles(ObjectReader part) {
+    String signal = part.requiredText("signal");
+    String target = part.requiredText("at");
+    String band = part.requiredText("within");
+    double from = part.requiredNumber("from_s", SECONDS);
+    part.refuseOthers();
+    add(
+        part,
+        "%s settles at %s".formatted(signal, target),
+        "always[%s, %s] abs((%s) - (%s)) <= %s"
+            .formatted(plain(from), plain(formulas.duration()), signal, target, band));
+  }
+
+  /** A signal that rises gets to its target, and goes beyond it by little only. */
+  private void overshoots(ObjectReader part) {
+    String signal = part.requiredText("signal");
+    String target = part.requiredText("at");
+    String most = part.requiredText("at_most");
+    part.refuseOthers();
+    add(
+        part,
+        "%s overshoots %s by at most %s".formatted(signal, target, most),
+        "(eventually abs((%1$s) - (%2$s)) <= %3$s) and (always (%1$s) - (%2$s) <= %3$s)"
+            .formatted(signal, target, most));
+  }
+
+  private void add(ObjectReader part, String name, String text) {
+    if (!text.contains("()") && !text.endsWith("<= ") && !text.contains("<= )")) {
+      formulas.parse(part, "signal", name, text).ifPresent(criteria::add);
+    }
+  }
+
+  /** A multiple of 10 ms, without an exponent. */
+  private static String plain(double number) {
+    return BigDecimal.valueOf(number)
+        .setScale(2, RoundingMode.DOWN)
+        .stripTrailingZeros()
+        .toPlainString();
+  }
+}

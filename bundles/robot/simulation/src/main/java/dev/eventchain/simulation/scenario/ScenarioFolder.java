@@ -1,0 +1,131 @@
+package dev.eventchain.simulation.scenario;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.simulation.bench.Bench;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.FileVisitOption;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.function.Consumer;
+import java.util.stream.Stream;
+
+/** A folder with scenarios, and with those in folders below it. */
+record ScenarioFolder(Path folder) {
+
+  /**
+   * All files but hidden ones, in the order of their paths. Links are followed; one that leads
+   * nowhere is a file, too, so that it is missed.
+   *
+   * @throws DiagnosticException INPUT if the folder cannot be listed
+   */
+  List<Path> files() {
+    if (!Files.isDirectory(folder)) {
+      return List.of();
+    }
+    try (Stream<Path> all = Files.walk(folder, FileVisitOption.FOLLOW_LINKS)) {
+      return all.filter(file -> !Files.isDirectory(file) && !isHidden(file))
+          .sorted(Comparator.comparing(this::nameOf))
+          .toList();
+    } catch (IOException e) {
+      throw unreadable(e);
+    } catch (UncheckedIOException e) {
+      throw unreadable(e.getCause());
+    }
+  }
+
+  private String nameOf(Path file) {
+    return folder.relativize(file).toString().replace('\\', '/');
+  }
+
+  private boolean isHidden(Path file) {
+    for (Path part : folder.relativize(file)) {
+      if (part.toString().startsWith(".")) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private static boolean isScenario(Path file) {
+    return file.getFileName().toString().toLowerCase(Locale.ROOT).matches(".*\\.ya?ml");
+  }
+
+  /** As {@link Scenario#readFolder}. */
+  List<Scenario> read(Bench bench, Consumer<Diagnostic> warnings) {
+    List<Diagnostic> problems = new ArrayList<>();
+    List<Diagnostic> unread = new ArrayList<>();
+    List<Scenario> scenarios = new ArrayList<>();
+    for (Path file : files()) {
+      if (isScenario(file)) {
+        read(file, bench, scenarios, problems);
+      } else {
+        unread.add(unread(file));
+      }
+    }
+    refuseDuplicates(scenarios, problems);
+    if (scenarios.isEmpty() && problems.isEmpty()) {
+      problems.add(none());
+      problems.addAll(unread);
+    }
+    if (!problems.isEmpty()) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
+    }
+    unread.forEach(warnings);
+    return List.copyOf(scenarios);
+  }
+
+  private static void read(
+      Path file, Bench bench, List<Scenario> scenarios, List<Diagnostic> problems) {
+    try {
+      scenarios.add(Scenario.read(file, bench));
+    } catch (DiagnosticException e) {
+      problems.addAll(e.diagnostics());
+    }
+  }
+
+  private static Diagnostic unread(Path file) {
+    return Diagnostic.warning(
+            "scenario.file.unread",
+            "This is not simulated: its name does not end in .yaml or .yml.",
+            SourceLocation.of(file))
+        .withHint("Rename a scenario; move anything else, or let its name begin with a dot.");
+  }
+
+  private Diagnostic none() {
+    return Diagnostic.error(
+            "scenario.none", "There is no scenario to simulate.", SourceLocation.of(folder))
+        .withHint("Put at least one scenario file (*.yaml) into this folder.");
+  }
+
+  private static void refuseDuplicates(List<Scenario> scenarios, List<Diagnostic> problems) {
+    Map<String, Scenario> byName = new HashMap<>();
+    for (Scenario scenario : scenarios) {
+      Scenario earlier = byName.putIfAbsent(scenario.name(), scenario);
+      if (earlier != null) {
+        String message = "The name " + scenario.name() + " is taken by " + earlier.location() + ".";
+        problems.add(
+            Diagnostic.error("scenario.name.duplicate", message, scenario.location())
+                .withHint("Give each scenario its own name; reports and measurements use it."));
+      }
+    }
+  }
+
+  private DiagnosticException unreadable(IOException e) {
+    return new DiagnosticException(
+        DiagnosticException.Reason.INPUT,
+        Diagnostic.error(
+            "file.unreadable",
+            "The folder cannot be read: " + SourceText.reason(e) + ".",
+            SourceLocation.of(folder)));
+  }
+}

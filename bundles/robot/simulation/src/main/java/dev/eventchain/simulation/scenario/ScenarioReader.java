@@ -1,0 +1,181 @@
+package dev.eventchain.simulation.scenario;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.Document;
+import dev.eventchain.documents.DocumentFormat;
+import dev.eventchain.documents.FindingIds;
+import dev.eventchain.documents.NumberRange;
+import dev.eventchain.documents.ObjectReader;
+import dev.eventchain.simulation.bench.Bench;
+import dev.eventchain.simulation.world.Actor;
+import dev.eventchain.simulation.world.Body;
+import dev.eventchain.simulation.world.Chassis;
+import dev.eventchain.simulation.world.EgoMotion;
+import dev.eventchain.simulation.world.EgoVehicle;
+import dev.eventchain.simulation.world.HumanDriver;
+import dev.eventchain.simulation.world.LidarSettings;
+import dev.eventchain.simulation.world.Road;
+import dev.eventchain.simulation.world.Script;
+import dev.eventchain.simulation.world.Situation;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/** Reads scenario files. Units are in the names of the keys and become SI units here. */
+final class ScenarioReader {
+
+  private static final FindingIds IDS =
+      new FindingIds(
+          "scenario.syntax",
+          "scenario.key.duplicate",
+          "scenario.value.type",
+          "scenario.key.missing",
+          "scenario.key.unknown",
+          "scenario.value.range");
+  private static final NumberRange RADIUS = NumberRange.of(-100_000, 100_000);
+  private static final double TIGHTEST = 30;
+  private static final NumberRange DURATION = NumberRange.of(0.1, 600);
+  private static final NumberRange SEED = NumberRange.of(0, 1L << 52);
+
+  private ScenarioReader() {}
+
+  static Scenario read(SourceText text, Bench bench) {
+    List<Diagnostic> problems = new ArrayList<>();
+    Document document = Document.parse(text, DocumentFormat.YAML, IDS, problems::add);
+    Optional<Scenario> scenario =
+        document.object("", problems::add).map(section -> scenario(section, text, bench));
+    if (!problems.isEmpty()) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
+    }
+    return scenario.orElseThrow();
+  }
+
+  private static Scenario scenario(ObjectReader section, SourceText text, Bench bench) {
+    String name = section.requiredText("name");
+    if (!name.matches("[a-z0-9]+(-[a-z0-9]+)*") && !name.isBlank()) {
+      String message = "A name consists of lower-case letters, digits and hyphens.";
+      section.find("scenario.value.range", message, section.at("name"));
+    }
+    Scenario.Heading heading =
+        new Scenario.Heading(
+            name,
+            section.requiredText("title"),
+            section.text("description").orElse("").strip(),
+            section.texts("requirements"),
+            section.has("requirements") ? section.atKey("requirements") : section.location(),
+            section.location());
+    long seed = section.wholeNumber("seed", SEED).orElse(1);
+    double duration = section.requiredNumber("duration_s", DURATION);
+    Situation situation = situation(section, longest(section));
+    Map<String, Script> inputs =
+        section.object("inputs").map(part -> InputsReader.read(part, bench)).orElse(Map.of());
+    Optional<ObjectReader> accept = section.requiredObject("accept");
+    FormulasReader formulas = new FormulasReader(text, bench.signals(), longest(section));
+    List<Expectation> criteria =
+        accept.map(part -> CriteriaReader.read(part, formulas)).orElse(List.of());
+    InputsReader.requireUse(section, inputs.keySet(), criteria, bench);
+    section.refuseOthers();
+    return new Scenario(heading, seed, duration, situation, inputs, criteria);
+  }
+
+  private static Situation situation(ObjectReader section, double longest) {
+    ActorsReader reader = new ActorsReader(longest);
+    Optional<ObjectReader> part = section.requiredObject("ego");
+    EgoVehicle ego = part.map(ScenarioReader::ego).orElse(EgoVehicle.withSpeed(0));
+    double offset = ego.chassis().offset();
+    HumanDriver driver =
+        part.map(it -> reader.driver(it, ego.speed(), offset))
+            .orElse(Situation.straight(ego, List.of()).driver());
+    part.ifPresent(ObjectReader::refuseOthers);
+    Road road = section.object("road").map(ScenarioReader::road).orElse(Road.STRAIGHT);
+    List<Actor> actors = reader.read(section);
+    Body start = new EgoMotion(ego).body();
+    for (Actor actor : actors) {
+      if (actor.obstructs() && start.separation(actor.body(road, 0)) < 0) {
+        section.find(
+            Diagnostic.error(
+                    "scenario.value.range",
+                    "At the start, " + actor.name() + " and the ego are in the same place.",
+                    reader.place(actor))
+                .withHint(
+                    "gap_m goes from the ego's front bumper to the rear of the other one; what is"
+                        + " behind the ego or next to it needs room for both."));
+      }
+    }
+    return new Situation(ego, driver, road, actors);
+  }
+
+  private static Road road(ObjectReader section) {
+    OptionalDouble radius = section.number("curve_radius_m", RADIUS);
+    double width = number(section, "lane_width_m", Road.USUAL_LANE_WIDTH, 2, 6);
+    if (radius.isPresent() && Math.abs(radius.getAsDouble()) < TIGHTEST) {
+      section.find(
+          Diagnostic.error(
+                  "scenario.value.range",
+                  "A bend has a radius of at least 30 m.",
+                  section.at("curve_radius_m"))
+              .withHint("To the right it is negative. Leave it out for a straight road."));
+    }
+    section.refuseOthers();
+    return new Road(radius.isPresent() ? 1.0 / radius.getAsDouble() : 0.0, width);
+  }
+
+  /** The duration; if it was refused, the longest one, so that no interval is refused for it. */
+  private static double longest(ObjectReader section) {
+    return section
+        .value("duration_s")
+        .map(JsonNode::doubleValue)
+        .filter(seconds -> seconds >= DURATION.least() && seconds <= DURATION.most())
+        .orElse(DURATION.most());
+  }
+
+  private static EgoVehicle ego(ObjectReader section) {
+    EgoVehicle usual = EgoVehicle.withSpeed(0);
+    return new EgoVehicle(
+        section.requiredNumber("speed_kmh", ActorsReader.SPEED_KMH) * ActorsReader.KMH,
+        number(section, "brake_delay_s", usual.brakeDelay(), 0, 5),
+        number(section, "brake_build_up_s", usual.brakeBuildUp(), 0, 5),
+        number(section, "maximal_deceleration_mps2", usual.maximalDeceleration(), 0.1, 20),
+        number(section, "coasting_deceleration_mps2", usual.coastingDeceleration(), 0, 5),
+        number(section, "maximal_acceleration_mps2", usual.maximalAcceleration(), 0, 20),
+        lidar(section),
+        chassis(section));
+  }
+
+  private static LidarSettings lidar(ObjectReader section) {
+    LidarSettings usual = LidarSettings.USUAL;
+    return new LidarSettings(
+        number(section, "lidar_behind_bumper_m", usual.behindBumper(), 0, 10),
+        number(section, "lidar_above_road_m", usual.aboveRoad(), 0.5, 5),
+        number(section, "lidar_noise_m", usual.noise(), 0, 1),
+        number(section, "lidar_dropout_percent", usual.dropout(), 0, 100) / 100,
+        number(section, "lidar_azimuth_step_deg", usual.azimuthStep(), 0.1, 5));
+  }
+
+  private static Chassis chassis(ObjectReader section) {
+    Chassis usual = Chassis.USUAL;
+    return new Chassis(
+        number(section, "wheelbase_m", usual.wheelbase(), 1, 10),
+        radians(section, "maximal_steering_angle_deg", usual.maximalSteeringAngle(), 1, 60),
+        number(section, "hand_brake_deceleration_mps2", usual.handBrakeDeceleration(), 0, 10),
+        number(section, "drag_per_m", usual.drag(), 0, 0.01),
+        number(section, "lateral_offset_m", usual.offset(), -6, 6),
+        radians(section, "heading_deg", usual.heading(), -45, 45));
+  }
+
+  private static double radians(
+      ObjectReader section, String key, double absent, double least, double most) {
+    OptionalDouble degrees = section.number(key, NumberRange.of(least, most));
+    return degrees.isPresent() ? StrictMath.toRadians(degrees.getAsDouble()) : absent;
+  }
+
+  private static double number(
+      ObjectReader section, String key, double absent, double least, double most) {
+    return section.number(key, NumberRange.of(least, most)).orElse(absent);
+  }
+}

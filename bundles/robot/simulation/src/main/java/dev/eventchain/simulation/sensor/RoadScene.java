@@ -1,0 +1,53 @@
+package dev.eventchain.simulation.sensor;
+
+import dev.eventchain.simulation.world.Actor;
+import dev.eventchain.simulation.world.Body;
+import dev.eventchain.simulation.world.EgoVehicle;
+import dev.eventchain.simulation.world.Road;
+import dev.eventchain.simulation.world.World;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What a sensor can see besides the road and the walls: all that is on the road, and posts next to
+ * it.
+ *
+ * @param ego where the ego's front bumper is, and where it looks
+ */
+public record RoadScene(Road road, Road.Place ego, List<Body> bodies) {
+
+  private static final double POST_DISTANCE = 6.0;
+  private static final double POST_SPACING = 25.0;
+  private static final double POST_WIDTH = 0.3;
+  private static final double POST_HEIGHT = 3.0;
+  private static final double VIEW = 110.0;
+  private static final float POST_INTENSITY = 0.5f;
+
+  /** Height of the walls, in m. */
+  static final double WALL_HEIGHT = 2.0;
+
+  /** What is around the ego at this moment. */
+  public static RoadScene of(World world) {
+    List<Body> bodies = new ArrayList<>();
+    double along = world.station().along();
+    double seconds = World.seconds(world.now());
+    for (Actor actor : world.actors()) {
+      double reach = actor.reach(seconds);
+      double ahead = actor.along(seconds) - along;
+      if (ahead - reach < VIEW && ahead + reach > -EgoVehicle.LENGTH) {
+        bodies.add(actor.body(world.road(), seconds));
+      }
+    }
+    double first = Math.floor(along / POST_SPACING) * POST_SPACING + POST_SPACING;
+    for (double rear = first; rear < along + VIEW; rear += POST_SPACING) {
+      bodies.add(post(world.road(), rear, POST_DISTANCE));
+      bodies.add(post(world.road(), rear, -POST_DISTANCE));
+    }
+    return new RoadScene(world.road(), world.ego().front(), bodies);
+  }
+
+  private static Body post(Road road, double rear, double across) {
+    Road.Place place = road.place(rear + POST_WIDTH / 2, across);
+    return new Body(place, POST_WIDTH, POST_WIDTH, 0.0, POST_HEIGHT, POST_INTENSITY);
+  }
+}

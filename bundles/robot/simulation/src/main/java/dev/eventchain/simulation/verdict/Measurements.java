@@ -1,0 +1,91 @@
+package dev.eventchain.simulation.verdict;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Optional;
+import java.util.OptionalDouble;
+
+/**
+ * What the simulation measured of the nodes, over all scenarios. Times are in ms of simulated time
+ * and the same in every run, but for those of the host.
+ *
+ * @param runId the same for equal measurements
+ * @param firstNode the node that reads the sensor's samples; empty if no node does
+ * @param lastNode the node that writes the commands; empty if no node does
+ * @param nodes one for each node, in chain order; none if others run the nodes, so that nothing is
+ *     known of what happens inside
+ * @param flow how messages went; empty if others run the nodes
+ */
+public record Measurements(
+    String runId, String firstNode, String lastNode, List<Node> nodes, MessageFlow flow) {
+
+  /** Copies the lists. */
+  public Measurements {
+    nodes = List.copyOf(nodes);
+  }
+
+  /**
+   * A distribution. Percentiles are values that occurred (nearest rank).
+   *
+   * @param count number of values, at least 1
+   * @param mean the arithmetic one: those of parts sum up to that of the whole
+   */
+  public record Statistics(
+      long count, double minimum, double mean, double median, double percentile99, double maximum) {
+
+    /** Of some values; empty if there is none. */
+    public static Optional<Statistics> of(double[] values) {
+      if (values.length == 0) {
+        return Optional.empty();
+      }
+      double[] sorted = values.clone();
+      Arrays.sort(sorted);
+      return Optional.of(
+          new Statistics(
+              sorted.length,
+              sorted[0],
+              Arrays.stream(sorted).average().orElseThrow(),
+              rank(sorted, 0.5),
+              rank(sorted, 0.99),
+              sorted[sorted.length - 1]));
+    }
+
+    private static double rank(double[] sorted, double part) {
+      return sorted[(int) Math.max(0, Math.ceil(part * sorted.length) - 1)];
+    }
+  }
+
+  /**
+   * What was measured of one node; a distribution is empty when nothing happened.
+   *
+   * @param name the node's name in the model
+   * @param activations how often it was executed
+   * @param period between two activations
+   * @param jitter distance of each period from the nominal one
+   * @param executionTime of one activation
+   * @param hostExecutionTime of one activation on the machine that simulated; differs from run to
+   *     run
+   */
+  public record Node(
+      String name,
+      int activations,
+      Optional<Statistics> period,
+      Optional<Statistics> jitter,
+      Optional<Statistics> executionTime,
+      Optional<Statistics> hostExecutionTime) {
+
+    /**
+     * How many times the execution time of the model the median on this machine is. Far above 1,
+     * the model promises more than the component can hold; it decides nothing, since this machine
+     * is not the vehicle's.
+     *
+     * @return empty if the model states no execution time, or nothing was executed
+     */
+    public OptionalDouble timesWorstCase() {
+      double declared = executionTime.map(Statistics::maximum).orElse(0.0);
+      return declared > 0 && hostExecutionTime.isPresent()
+          ? OptionalDouble.of(hostExecutionTime.get().median() / declared)
+          : OptionalDouble.empty();
+    }
+  }
+}

@@ -1,0 +1,70 @@
+package dev.eventchain.simulation.wire;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.simulation.host.UserFiles;
+import java.util.List;
+import java.util.Locale;
+
+/** Findings about nodes that are stopped or cannot be reached. */
+public final class NodeLoss {
+
+  private static final double SECOND = 1e9;
+
+  private NodeLoss() {}
+
+  /** A node is stopped. */
+  static DiagnosticException stopped(String node, long now, UserFiles files) {
+    return finding(
+        "simulation.node.lost",
+        "Node " + node + " was stopped " + at(now) + " and did nothing from then on.",
+        "Something has sent SIGSTOP to its process.",
+        node,
+        files);
+  }
+
+  /** A node does not answer, though its process could. */
+  static DiagnosticException silent(String node, long now, String wait, UserFiles files) {
+    return finding(
+        "simulation.node.lost",
+        "Node " + node + " did not answer within " + wait + ", " + at(now) + ".",
+        "Look for an endless loop or a wait in the node.",
+        node,
+        files);
+  }
+
+  /** Messages do not arrive, though all nodes answer. */
+  static DiagnosticException unreachable(List<String> ends, long now, UserFiles files) {
+    return finding(
+        "simulation.node.lost",
+        "Messages do not arrive, " + at(now) + ": " + String.join(", ", ends) + ".",
+        "All nodes answer. Is the loopback interface overloaded, or filtered?",
+        "",
+        files);
+  }
+
+  /** Ends that should exchange samples have not found each other. */
+  public static DiagnosticException unmatched(List<String> missing, UserFiles files) {
+    return finding(
+        "simulation.wire.unmatched",
+        "Not connected in time: " + String.join("; ", missing) + ".",
+        "Nodes communicate over the loopback interface: is it up, and does it let UDP through?",
+        "",
+        files);
+  }
+
+  private static String at(long now) {
+    return String.format(Locale.ROOT, "%.3f s into the scenario", now / SECOND);
+  }
+
+  private static DiagnosticException finding(
+      String id, String message, String hint, String node, UserFiles files) {
+    SourceLocation folder = files.folder();
+    SourceLocation location =
+        new SourceLocation(folder.file(), folder.line(), folder.column(), node, "");
+    return new DiagnosticException(
+        DiagnosticException.Reason.FINDINGS,
+        Diagnostic.error(id, message, location).withHint(hint));
+  }
+}

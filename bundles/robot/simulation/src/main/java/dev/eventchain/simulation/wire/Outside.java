@@ -1,0 +1,181 @@
+package dev.eventchain.simulation.wire;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.dds.DdsParticipant.Peer;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.messages.MessageType;
+import dev.eventchain.messages.QosSettings;
+import dev.eventchain.messages.QosSettings.Incompatibility;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.NavigableSet;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/**
+ * What others have on the topics of the world in a domain, and whether it is what the chain needs.
+ *
+ * @param peers those on topics of the world
+ * @param nodes the names of all nodes that were found, whatever their topics are
+ * @param isEmpty whether no peer was found on any topic
+ * @param graph the ends of the peers, each of its owner, and a world that suits them
+ */
+record Outside(List<Peer> peers, NavigableSet<String> nodes, boolean isEmpty, WireGraph graph) {
+
+  private static final String CLOCK = "/clock";
+
+  /**
+   * Of what was found.
+   *
+   * @param found all that others have in the domain
+   * @param configuration names the topics of the world
+   */
+  static Outside of(List<Peer> found, JsonNode configuration) {
+    Set<String> topics =
+        Stream.of("world_publishes", "world_subscribes")
+            .flatMap(name -> configuration.path(name).valueStream())
+            .map(topic -> topic.path("topic").asText())
+            .collect(Collectors.toSet());
+    List<Peer> peers = found.stream().filter(peer -> topics.contains(peer.topic())).toList();
+    List<WireEnd> writers = new ArrayList<>();
+    List<WireEnd> readers = new ArrayList<>();
+    for (int owner = 0; owner < peers.size(); owner++) {
+      Peer peer = peers.get(owner);
+      WireEnd end = new WireEnd(owner, 0, peer.topic(), peer.type(), peer.qos());
+      (peer.writes() ? writers : readers).add(end);
+    }
+    NavigableSet<String> nodes = new TreeSet<>();
+    found.stream().map(Peer::node).filter(node -> !node.isEmpty()).forEach(nodes::add);
+    return new Outside(
+        peers, nodes, found.isEmpty(), WireGraph.around(writers, readers, configuration));
+  }
+
+  /**
+   * What keeps the chain from being driven, in words.
+   *
+   * @param chain of what the vehicle takes from it each topic needs a writer, and each topic that
+   *     the world publishes needs a reader, but for the clock; on topics that the chain does not
+   *     write, the world is alone
+   */
+  List<String> missing(ChainTopics chain) {
+    List<String> missing = new ArrayList<>();
+    for (WireEnd writer : graph.writersOf(WireEnd.WORLD)) {
+      if (!writer.topic().equals(CLOCK) && graph.sinks(writer) == 0) {
+        missing.add(why(writer, false));
+      }
+    }
+    for (WireEnd reader : graph.readersOf(WireEnd.WORLD)) {
+      if (chain.taken().contains(reader.topic()) && graph.sources(reader).isEmpty()) {
+        missing.add(why(reader, true));
+      }
+    }
+    missing.addAll(otherDefinitions(chain.catalog()));
+    missing.addAll(rivals(chain.written()));
+    return missing;
+  }
+
+  /** Nodes would follow two worlds, such as one that another simulator shows. */
+  private List<String> rivals(Set<String> written) {
+    return peers.stream()
+        .filter(peer -> peer.writes() && !written.contains(peer.topic()))
+        .filter(
+            peer ->
+                graph.writersOf(WireEnd.WORLD).stream()
+                    .anyMatch(end -> end.topic().equals(peer.topic())))
+        .map(peer -> peer.topic() + " is written" + by(peer) + ", too")
+        .distinct()
+        .toList();
+  }
+
+  /** Why an end of the world has no counterpart on the other side. */
+  private String why(WireEnd world, boolean writes) {
+    String is = writes ? "written" : "read";
+    List<String> others =
+        peers.stream()
+            .filter(peer -> peer.topic().equals(world.topic()) && peer.writes() == writes)
+            .map(peer -> by(peer) + misfit(world, peer))
+            .distinct()
+            .toList();
+    return others.isEmpty()
+        ? "nothing " + (writes ? "writes " : "reads ") + world.topic() + " (" + world.type() + ")"
+        : world.topic() + " is " + is + String.join(" and", others);
+  }
+
+  private static String misfit(WireEnd world, Peer peer) {
+    if (!peer.type().equals(world.type())) {
+      return " as " + peer.type() + ", and here it is " + world.type();
+    }
+    QosSettings offered = peer.writes() ? peer.qos() : world.qos();
+    QosSettings requested = peer.writes() ? world.qos() : peer.qos();
+    return " with an incompatible quality of service: "
+        + QosSettings.incompatibilities(offered, requested).stream()
+            .map(Incompatibility::policy)
+            .collect(Collectors.joining(", "));
+  }
+
+  /** Samples flow by the name of the type, and would be taken for what they are not. */
+  private List<String> otherDefinitions(MessageCatalog catalog) {
+    return peers.stream()
+        .filter(peer -> !peer.typeHash().isEmpty() && isOfTheWorld(peer))
+        .filter(
+            peer ->
+                catalog
+                    .find(peer.type())
+                    .map(MessageType::hash)
+                    .filter(hash -> !hash.equals(peer.typeHash()))
+                    .isPresent())
+        .map(
+            peer ->
+                peer.topic()
+                    + (peer.writes() ? " is written" : " is read")
+                    + by(peer)
+                    + " with another definition of "
+                    + peer.type())
+        .distinct()
+        .toList();
+  }
+
+  private boolean isOfTheWorld(Peer peer) {
+    List<WireEnd> world =
+        peer.writes() ? graph.readersOf(WireEnd.WORLD) : graph.writersOf(WireEnd.WORLD);
+    return world.stream()
+        .anyMatch(end -> end.topic().equals(peer.topic()) && end.type().equals(peer.type()));
+  }
+
+  private static String by(Peer peer) {
+    return peer.node().isEmpty() ? "" : " by node " + peer.node();
+  }
+
+  /** Those that exchange samples with the world, but for those that only read its clock. */
+  List<Peer> partners() {
+    List<Peer> partners = new ArrayList<>();
+    for (WireEnd writer : graph.writersOf(WireEnd.WORLD)) {
+      graph.readers().stream()
+          .filter(writer::feeds)
+          .filter(reader -> reader.owner() != WireEnd.WORLD && !writer.topic().equals(CLOCK))
+          .forEach(reader -> partners.add(peers.get(reader.owner())));
+    }
+    for (WireEnd reader : graph.readersOf(WireEnd.WORLD)) {
+      graph.sources(reader).stream()
+          .filter(writer -> writer.owner() != WireEnd.WORLD)
+          .forEach(writer -> partners.add(peers.get(writer.owner())));
+    }
+    return partners;
+  }
+
+  /** What is said of those that are not there any more. */
+  static String vanished(List<Peer> gone) {
+    return gone.stream()
+        .map(
+            peer ->
+                "the "
+                    + (peer.writes() ? "writer" : "reader")
+                    + " of "
+                    + peer.topic()
+                    + (peer.node().isEmpty() ? "" : " (node " + peer.node() + ")"))
+        .distinct()
+        .collect(Collectors.joining(", "));
+  }
+}

@@ -1,0 +1,68 @@
+package dev.eventchain.simulation.wire;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.messages.QosSettings;
+import dev.eventchain.messages.QosSettings.Durability;
+import dev.eventchain.messages.QosSettings.History;
+import dev.eventchain.messages.QosSettings.Liveliness;
+import dev.eventchain.messages.QosSettings.Reliability;
+import java.time.Duration;
+import java.util.Optional;
+
+/**
+ * A writer or a reader on DDS.
+ *
+ * @param owner the index of its node, or {@link #WORLD}
+ * @param index its position among the writers, or the readers, of its owner
+ * @param topic full name in ROS 2
+ * @param type full name of the message type, {@code std_msgs/msg/Float32}
+ * @param qos what a writer offers and a reader requests
+ */
+record WireEnd(int owner, int index, String topic, String type, QosSettings qos) {
+
+  /** The owner that is not a node. */
+  static final int WORLD = -1;
+
+  /**
+   * From what a host says of it.
+   *
+   * @throws IllegalArgumentException if it is not as the protocol says
+   */
+  static WireEnd of(int owner, int index, JsonNode json) {
+    QosSettings qos =
+        new QosSettings(
+            flag(json, "best_effort") ? Reliability.BEST_EFFORT : Reliability.RELIABLE,
+            flag(json, "transient") ? Durability.TRANSIENT_LOCAL : Durability.VOLATILE,
+            History.KEEP_ALL,
+            0,
+            time(json, "deadline"),
+            flag(json, "manual") ? Liveliness.MANUAL_BY_TOPIC : Liveliness.AUTOMATIC,
+            time(json, "lease"));
+    return new WireEnd(
+        owner, index, json.required("topic").asText(), json.required("type").asText(), qos);
+  }
+
+  private static boolean flag(JsonNode json, String name) {
+    return json.required(name).asBoolean();
+  }
+
+  /** Hosts write infinity as zero. */
+  private static Optional<Duration> time(JsonNode json, String name) {
+    return Optional.of(json.required(name).asLong())
+        .filter(nanos -> nanos > 0)
+        .map(Duration::ofNanos);
+  }
+
+  /** Whether samples flow from this writer to a reader, in another process. */
+  boolean feeds(WireEnd reader) {
+    return owner != reader.owner()
+        && topic.equals(reader.topic())
+        && type.equals(reader.type())
+        && QosSettings.incompatibilities(qos, reader.qos()).isEmpty();
+  }
+
+  /** Whether a sample on the way may be lost. */
+  boolean isBestEffort() {
+    return qos.reliability() == Reliability.BEST_EFFORT;
+  }
+}

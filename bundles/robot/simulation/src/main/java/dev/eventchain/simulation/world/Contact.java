@@ -1,0 +1,89 @@
+package dev.eventchain.simulation.world;
+
+/**
+ * The ego and another one touch.
+ *
+ * @param time in ns
+ * @param other who
+ * @param speed of one relative to the other, in m/s
+ * @param side where the ego is touched
+ * @param driven whether the ego moves towards the other one
+ */
+public record Contact(long time, Actor other, double speed, Side side, boolean driven) {
+
+  /** A side of the ego. */
+  enum Side {
+    FRONT("front"),
+    LEFT("left side"),
+    RIGHT("right side"),
+    REAR("rear");
+
+    private final String words;
+
+    Side(String words) {
+      this.words = words;
+    }
+
+    String words() {
+      return words;
+    }
+  }
+
+  /** Whether somebody drove into the ego's rear: that is not an impact of the ego's. */
+  boolean fromBehind() {
+    return side == Side.REAR && !driven;
+  }
+
+  /** Who hit whom. */
+  public String words() {
+    return driven
+        ? "the ego's " + side.words() + " hit " + other.name()
+        : other.name() + " hit the ego's " + side.words();
+  }
+
+  /**
+   * Judges a touch.
+   *
+   * @param ego where it is when they touch
+   * @param velocity along its axis, in m/s
+   */
+  static Contact of(long time, Road.Place ego, double velocity, Actor other, Road road) {
+    double seconds = World.seconds(time);
+    Body body = other.body(road, seconds);
+    double direction = road.heading(other.along(seconds));
+    double cos = StrictMath.cos(direction - ego.heading());
+    double sin = StrictMath.sin(direction - ego.heading());
+    double along = other.speedAlong(seconds) * cos - other.speedAcross(seconds) * sin;
+    double across = other.speedAlong(seconds) * sin + other.speedAcross(seconds) * cos;
+    Side side = side(ego, body);
+    boolean driven =
+        switch (side) {
+          case FRONT -> velocity > 0.0;
+          case REAR -> velocity < 0.0;
+          case LEFT -> -other.speedAcross(seconds) < TOWARDS && velocity != 0.0;
+          case RIGHT -> other.speedAcross(seconds) < TOWARDS && velocity != 0.0;
+        };
+    return new Contact(time, other, StrictMath.hypot(velocity - along, across), side, driven);
+  }
+
+  /** Who moves slower than this across the road, in m/s, does not drive into the ego's side. */
+  private static final double TOWARDS = 0.05;
+
+  /** The side along whose normal the boxes are farthest apart, or overlap least. */
+  private static Side side(Road.Place front, Body other) {
+    Road.Place middle = front.ahead(-EgoVehicle.LENGTH / 2);
+    double cos = StrictMath.cos(front.heading());
+    double sin = StrictMath.sin(front.heading());
+    double x = other.place().x() - middle.x();
+    double y = other.place().y() - middle.y();
+    double ahead = x * cos + y * sin;
+    double left = y * cos - x * sin;
+    double turned = front.heading() - other.place().heading();
+    double lengthwise = Math.abs(ahead) - EgoVehicle.LENGTH / 2 - other.extent(turned);
+    double sideways = Math.abs(left) - EgoVehicle.WIDTH / 2 - other.extent(turned - Math.PI / 2);
+    if (lengthwise >= sideways) {
+      return ahead > 0.0 ? Side.FRONT : Side.REAR;
+    }
+    return left > 0.0 ? Side.LEFT : Side.RIGHT;
+  }
+}

@@ -1,0 +1,97 @@
+package dev.eventchain.simulation.world;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * An offset from the centre of a lane that is kept, or changes to another one on half a cosine.
+ * Immutable.
+ */
+public final class LateralProfile {
+
+  /**
+   * From a time on, in s, the offset changes to another one, in m.
+   *
+   * @param speed the largest lateral speed in between, in m/s, above 0
+   */
+  public record Change(double time, double offset, double speed) {}
+
+  private record Move(double time, double from, double to, double duration) {
+
+    double end() {
+      return time + duration;
+    }
+
+    double at(double seconds) {
+      double part = Math.min(1.0, (seconds - time) / duration);
+      return part >= 1.0 ? to : from + (to - from) * (1.0 - StrictMath.cos(Math.PI * part)) / 2.0;
+    }
+
+    double rate(double seconds) {
+      double part = (seconds - time) / duration;
+      return part >= 1.0
+          ? 0.0
+          : (to - from) * Math.PI / 2.0 / duration * StrictMath.sin(Math.PI * part);
+    }
+  }
+
+  private final double start;
+  private final List<Move> moves = new ArrayList<>();
+  private final double fastest;
+
+  /**
+   * A profile.
+   *
+   * @param start offset at the start, in m
+   * @param changes in the order of time, none before the one before has ended
+   */
+  public LateralProfile(double start, List<Change> changes) {
+    this.start = start;
+    double from = start;
+    for (Change change : changes) {
+      if (change.offset() != from) {
+        double duration = Math.PI / 2.0 * Math.abs(change.offset() - from) / change.speed();
+        moves.add(new Move(change.time(), from, change.offset(), duration));
+        from = change.offset();
+      }
+    }
+    fastest = changes.stream().mapToDouble(Change::speed).max().orElse(0.0);
+  }
+
+  /** Whether nothing ever changes. */
+  boolean constant() {
+    return moves.isEmpty();
+  }
+
+  private Move current(double seconds) {
+    Move current = null;
+    for (Move move : moves) {
+      if (move.time() <= seconds) {
+        current = move;
+      }
+    }
+    return current;
+  }
+
+  /** In m after some seconds. */
+  double offset(double seconds) {
+    Move current = current(seconds);
+    return current == null ? start : current.at(seconds);
+  }
+
+  /** In m/s after some seconds. */
+  double rate(double seconds) {
+    Move current = current(seconds);
+    return current == null ? 0.0 : current.rate(seconds);
+  }
+
+  /** When the last change ends, in s; 0 if there is none. */
+  public double end() {
+    return moves.isEmpty() ? 0.0 : moves.get(moves.size() - 1).end();
+  }
+
+  /** The largest lateral speed, in m/s. */
+  double fastest() {
+    return fastest;
+  }
+}

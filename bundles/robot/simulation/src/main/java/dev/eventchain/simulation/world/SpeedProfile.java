@@ -1,0 +1,84 @@
+package dev.eventchain.simulation.world;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/** A speed that is kept, or changes at constant rates; never negative. Immutable. */
+public final class SpeedProfile {
+
+  /**
+   * From a time on, in s, the speed changes to another one, in m/s, at a rate in m/s2 that is above
+   * 0.
+   */
+  public record Change(double time, double speed, double acceleration) {}
+
+  /** From a time on the speed changes at a rate that may be negative. */
+  private record Piece(double time, double speed, double rate, double way) {
+
+    double speedAt(double seconds) {
+      return Math.max(0.0, speed + rate * (seconds - time));
+    }
+
+    double wayAt(double seconds) {
+      double since = seconds - time;
+      return way + speed * since + 0.5 * rate * since * since;
+    }
+  }
+
+  private final List<Piece> pieces = new ArrayList<>();
+  private final double fastest;
+
+  /**
+   * A profile.
+   *
+   * @param start speed at the start, in m/s
+   * @param changes in the order of time; one that begins earlier than the one before ends begins at
+   *     the speed of that moment
+   */
+  public SpeedProfile(double start, List<Change> changes) {
+    pieces.add(new Piece(0.0, start, 0.0, 0.0));
+    for (Change change : changes) {
+      while (last().time() > change.time()) {
+        pieces.remove(pieces.size() - 1);
+      }
+      double speed = last().speedAt(change.time());
+      double rate = Math.copySign(change.acceleration(), change.speed() - speed);
+      pieces.add(new Piece(change.time(), speed, rate, last().wayAt(change.time())));
+      double reached = change.time() + Math.abs(change.speed() - speed) / change.acceleration();
+      pieces.add(new Piece(reached, change.speed(), 0.0, last().wayAt(reached)));
+    }
+    fastest = pieces.stream().mapToDouble(Piece::speed).max().orElseThrow();
+  }
+
+  private Piece last() {
+    return pieces.get(pieces.size() - 1);
+  }
+
+  private Piece at(double seconds) {
+    int index = pieces.size() - 1;
+    while (index > 0 && pieces.get(index).time() > seconds) {
+      index--;
+    }
+    return pieces.get(index);
+  }
+
+  /** In m/s after some seconds. */
+  public double speed(double seconds) {
+    return at(seconds).speedAt(seconds);
+  }
+
+  /** Change of the speed, in m/s2. */
+  double acceleration(double seconds) {
+    return at(seconds).rate();
+  }
+
+  /** Since the start, in m. */
+  double way(double seconds) {
+    return at(seconds).wayAt(seconds);
+  }
+
+  /** The largest speed, in m/s. */
+  double fastest() {
+    return fastest;
+  }
+}

@@ -1,0 +1,266 @@
+package dev.eventchain.simulation.world;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+
+/** What happened in a scenario: states at fixed distances in time, and every command. */
+public final class Trace {
+
+  /**
+   * A moment.
+   *
+   * @param time in ns
+   * @param speed of the ego along its own axis, in m/s; negative backwards
+   * @param gap to the nearest vehicle in the path, in m; infinite if there is none
+   * @param timeToCollision in s, from the true distance and closing speed; infinite if nothing is
+   *     approached
+   * @param deceleration of the ego, in m/s2
+   * @param position of the ego's front bumper along the road since the start, in m
+   * @param leadSpeed of the nearest vehicle in the path, in m/s; NaN if there is none
+   * @param pose how the ego is placed in its lane
+   */
+  public record State(
+      long time,
+      double speed,
+      double gap,
+      double timeToCollision,
+      double deceleration,
+      double position,
+      double leadSpeed,
+      Pose pose) {}
+
+  /**
+   * How the ego is placed in its lane; all are positive to the left.
+   *
+   * @param offset of the middle of the front bumper from the centre of the lane, in m
+   * @param heading from the direction of the road, in rad
+   * @param yawRate in rad/s
+   */
+  public record Pose(double offset, double heading, double yawRate) {
+
+    /** In the middle, straight on. */
+    public static final Pose STRAIGHT = new Pose(0.0, 0.0, 0.0);
+  }
+
+  /** A command: when it was published, in ns, and the positions of the pedals as it has them. */
+  public record Command(long time, double pedal, double throttle, double steering) {
+
+    public boolean brakes() {
+      return pedal > 0.0;
+    }
+
+    public boolean brakesFully() {
+      return pedal >= FULL;
+    }
+  }
+
+  /** Smallest pedal position that counts as full brake; float32 cannot always hold exactly 1. */
+  public static final double FULL = 0.99;
+
+  /** A value that a message had, and when it was published, in ns. */
+  public record Sample(long time, double value) {}
+
+  /**
+   * The nearest echoes of a scan, but for those of the road.
+   *
+   * @param time since the start, in s
+   */
+  public record Outline(double time, List<Double> x, List<Double> y) {
+
+    /** Copies the lists. */
+    public Outline {
+      x = List.copyOf(x);
+      y = List.copyOf(y);
+    }
+  }
+
+  private final Map<String, Script> inputs;
+  private final Road road;
+  private final List<State> states = new ArrayList<>();
+  private final Map<String, List<Sample>> samples = new HashMap<>();
+  private final List<Command> commands = new ArrayList<>();
+  private final List<Contact> fromBehind = new ArrayList<>();
+  private final Map<String, Long> dropped = new HashMap<>();
+  private final List<Outline> outlines = new ArrayList<>();
+  private OptionalDouble impactSpeed = OptionalDouble.empty();
+  private String impact = "";
+  private String ignored = "";
+
+  /** A trace without inputs. */
+  public Trace() {
+    this(Map.of(), Road.STRAIGHT);
+  }
+
+  /**
+   * A trace.
+   *
+   * @param inputs what people do in the scenario, by the names of the bench's inputs
+   */
+  public Trace(Map<String, Script> inputs, Road road) {
+    this.inputs = Map.copyOf(inputs);
+    this.road = road;
+  }
+
+  /** The road that it happened on. */
+  public Road road() {
+    return road;
+  }
+
+  /** A trace of a single moment, with the last command before it. */
+  Trace moment(State state) {
+    Trace moment = new Trace(inputs, road);
+    moment.state(state);
+    if (!commands.isEmpty()) {
+      moment.commands.add(commands.get(commands.size() - 1));
+    }
+    return moment;
+  }
+
+  /** What people do with an input of the bench; empty if the scenario leaves it as it is. */
+  public Optional<Script> input(String name) {
+    return Optional.ofNullable(inputs.get(name));
+  }
+
+  /** A message was published: the value of one of its fields, by the name of the signal. */
+  public void sample(String signal, long time, double value) {
+    samples.computeIfAbsent(signal, name -> new ArrayList<>()).add(new Sample(time, value));
+  }
+
+  /** The same as if some signals of topics had never come. */
+  public Trace without(Set<String> signals) {
+    Trace other = new Trace(inputs, road);
+    other.states.addAll(states);
+    other.commands.addAll(commands);
+    other.samples.putAll(samples);
+    other.samples.keySet().removeAll(signals);
+    other.impactSpeed = impactSpeed;
+    other.impact = impact;
+    other.fromBehind.addAll(fromBehind);
+    return other;
+  }
+
+  /**
+   * Ends the last value of a signal, if it is older than it may be: it has none from then on.
+   *
+   * @param lifetime how long a value is good, in ns; 0 for ever
+   */
+  public void expire(String signal, long now, long lifetime) {
+    List<Sample> known = samples(signal);
+    if (lifetime == 0 || known.isEmpty()) {
+      return;
+    }
+    Sample last = known.get(known.size() - 1);
+    if (now - last.time() > lifetime && !Double.isNaN(last.value())) {
+      known.add(new Sample(last.time() + lifetime, Double.NaN));
+    }
+  }
+
+  /**
+   * The values of a signal in the order of time; NaN where it fell silent; empty if no message
+   * came.
+   */
+  public List<Sample> samples(String signal) {
+    return samples.getOrDefault(signal, List.of());
+  }
+
+  /** A message of a topic got lost before it reached the nodes, as the bench says. */
+  public void drop(String topic) {
+    dropped.merge(topic, 1L, Long::sum);
+  }
+
+  /** How many messages of a topic got lost so. */
+  public long dropped(String topic) {
+    return dropped.getOrDefault(topic, 0L);
+  }
+
+  /** What the lidar saw, for people. */
+  public void outline(Outline outline) {
+    outlines.add(outline);
+  }
+
+  public List<Outline> outlines() {
+    return Collections.unmodifiableList(outlines);
+  }
+
+  public void state(State state) {
+    states.add(state);
+  }
+
+  public void command(long time, VehicleCommand command) {
+    commands.add(new Command(time, command.brake(), command.throttle(), command.steering()));
+    if (ignored.isEmpty() && !command.ignored().isEmpty()) {
+      ignored =
+          String.format(Locale.ROOT, "%s after %.2f s", command.ignored(), World.seconds(time));
+    }
+  }
+
+  /** What the vehicle was first told and did not do, and when; empty if there was nothing. */
+  public String ignored() {
+    return ignored;
+  }
+
+  /**
+   * The impact that ends everything.
+   *
+   * @param words who hit whom
+   */
+  public void impact(double speed, String words) {
+    impactSpeed = OptionalDouble.of(speed);
+    impact = words;
+  }
+
+  /** Somebody drove into the ego's rear. */
+  void hitFromBehind(Contact contact) {
+    fromBehind.add(contact);
+  }
+
+  /** Who hit whom at the impact; empty if there was none. */
+  public String impact() {
+    return impact;
+  }
+
+  /** Those who drove into the ego's rear, in the order of time. */
+  public List<Contact> fromBehind() {
+    return Collections.unmodifiableList(fromBehind);
+  }
+
+  public List<State> states() {
+    return Collections.unmodifiableList(states);
+  }
+
+  public List<Command> commands() {
+    return Collections.unmodifiableList(commands);
+  }
+
+  /** The last state. */
+  public State end() {
+    return states.get(states.size() - 1);
+  }
+
+  /** Relative speed at the impact, in m/s. */
+  public OptionalDouble impactSpeed() {
+    return impactSpeed;
+  }
+
+  /** Smallest gap to a vehicle in the path, in m; empty if there was none. */
+  public OptionalDouble minimalGap() {
+    return states.stream().mapToDouble(State::gap).filter(Double::isFinite).min();
+  }
+
+  public Optional<Command> firstBraking() {
+    return commands.stream().filter(Command::brakes).findFirst();
+  }
+
+  /** The last state that is not later than a time. */
+  public State stateAt(long time) {
+    int index = (int) Math.min(time / World.TRACE_STEP, states.size() - 1L);
+    return states.get(index);
+  }
+}

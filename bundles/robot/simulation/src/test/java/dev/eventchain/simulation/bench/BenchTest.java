@@ -1,0 +1,160 @@
+package dev.eventchain.simulation.bench;
+
+import static org.junit.jupiter.api.Assertions.assertEquals;
+import static org.junit.jupiter.api.Assertions.assertThrows;
+import static org.junit.jupiter.api.Assertions.assertTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.networknt.schema.JsonSchema;
+import com.networknt.schema.JsonSchemaFactory;
+import com.networknt.schema.SpecVersion;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.Document;
+import dev.eventchain.documents.DocumentFormat;
+import dev.eventchain.documents.FindingIds;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.model.Signal.Direction;
+import dev.eventchain.model.Signal.Field;
+import dev.eventchain.simulation.world.Actuator;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** The bench: each mistake in bench.yaml is found at its place, before anything is simulated. */
+class BenchTest {
+
+  private static final Path BENCHES = Path.of("src/test/resources/benches");
+  private static final FindingIds IDS = new FindingIds("a", "b", "c", "d", "e", "f");
+
+  /** A radar and a brake of somebody's own, as signals.json describes them. */
+  private static final List<dev.eventchain.model.Signal> DECLARED =
+      List.of(
+          signal(
+              "/radar/front",
+              "demo_msgs/msg/RadarFront",
+              Direction.PROVIDED,
+              field("range", "m"),
+              field("range_rate", "km/h"),
+              field("quality", "")),
+          signal("/radar/objects", "demo_msgs/msg/ObjectList", Direction.PROVIDED),
+          signal("/camera/left", "std_msgs/msg/Float32", Direction.PROVIDED),
+          signal("/radar/roof", "sensor_msgs/msg/PointCloud2", Direction.PROVIDED),
+          signal("/lamp", "std_msgs/msg/Bool", Direction.CONSUMED),
+          signal(
+              "/brake/request",
+              "demo_msgs/msg/BrakeRequest",
+              Direction.CONSUMED,
+              field("deceleration", "m/s2"),
+              field("pedal", "%"),
+              field("force", "furlongs")));
+
+  private static dev.eventchain.model.Signal signal(
+      String topic, String type, Direction direction, Field... fields) {
+    return new dev.eventchain.model.Signal(
+        topic, type, direction, Optional.empty(), List.of(fields), SourceLocation.NONE);
+  }
+
+  private static Field field(String path, String unit) {
+    return new Field(path, "float32", unit, SourceLocation.NONE);
+  }
+
+  private static Bench read(Path file) {
+    MessageCatalog messages = MessageCatalog.of(List.of(BENCHES.resolve("msg")));
+    return Bench.read(Optional.of(file), DECLARED, messages);
+  }
+
+  private static JsonNode yaml(SourceText text) {
+    return Document.parse(text, DocumentFormat.YAML, IDS, problem -> {}).root();
+  }
+
+  private static List<Path> files(String folder) throws IOException {
+    try (Stream<Path> files = Files.list(BENCHES.resolve(folder))) {
+      return files.filter(file -> file.toString().endsWith(".yaml")).sorted().toList();
+    }
+  }
+
+  static List<Path> invalid() throws IOException {
+    return files("invalid");
+  }
+
+  /** {@code findings.txt} holds what is found in each file: id, line, column and text. */
+  @Test
+  void everyProblemOfAnInvalidBenchIsFoundAtItsPlace() throws IOException {
+    StringBuilder found = new StringBuilder();
+    for (Path file : invalid()) {
+      DiagnosticException failure =
+          assertThrows(DiagnosticException.class, () -> read(file), file::toString);
+      assertEquals(DiagnosticException.Reason.INPUT, failure.reason());
+      for (Diagnostic problem : failure.diagnostics()) {
+        SourceLocation place = problem.location();
+        found.append(
+            "%s %s %d:%d %s %s%n"
+                .formatted(
+                    file.getFileName(),
+                    problem.id(),
+                    place.line(),
+                    place.column(),
+                    problem.message(),
+                    problem.hint()));
+      }
+    }
+    Path expected = BENCHES.resolve("findings.txt");
+    if (!Files.exists(expected)) {
+      Files.writeString(expected, found);
+    }
+    assertEquals(Files.readString(expected), found.toString());
+  }
+
+  /** An editor that knows the schema must not complain of what is read. */
+  @Test
+  void schemaAcceptsWhatIsReadAndKnowsAllNames() throws IOException {
+    JsonSchema schema =
+        JsonSchemaFactory.getInstance(SpecVersion.VersionFlag.V202012).getSchema(Bench.schema());
+    for (Path file : files("valid")) {
+      read(file);
+      assertEquals(List.of(), List.copyOf(schema.validate(yaml(SourceText.read(file)))));
+    }
+    SourceText carla = SourceText.of("carla.yaml", BenchReader.resource("carla.yaml"));
+    assertEquals(List.of(), List.copyOf(schema.validate(yaml(carla))));
+    JsonNode drives = new ObjectMapper().readTree(Bench.schema()).at("/$defs/drives/enum");
+    List<String> names = Stream.concat(Actuator.ids().stream(), Stream.of("observed")).toList();
+    assertEquals(new ObjectMapper().valueToTree(names), drives);
+  }
+
+  @ParameterizedTest
+  @MethodSource
+  void schemaRefuses(String name) throws IOException {
+    JsonSchema schema =
+        JsonSchemaFactory.getInstance(SpecVersion.VersionFlag.V202012).getSchema(Bench.schema());
+    JsonNode bench = yaml(SourceText.read(BENCHES.resolve("invalid/" + name + ".yaml")));
+    assertTrue(!schema.validate(bench).isEmpty());
+  }
+
+  static List<String> schemaRefuses() {
+    return List.of(
+        "rate-of-0",
+        "rate-of-a-million",
+        "no-rate",
+        "unknown-key",
+        "unknown-base",
+        "no-such-sensor",
+        "nothing-sent",
+        "objects-of-nothing",
+        "objects-without-fields",
+        "object-property",
+        "lost-messages",
+        "no-such-actuator",
+        "nothing-taken",
+        "input-with-both");
+  }
+}
