@@ -2,7 +2,7 @@ package dev.eventchain.llm;
 
 /**
  * A language model that answers a conversation. This is all that the rest of the project knows of
- * one: providers, recordings and hand-off stay behind it. Open one with {@link ChatModels}.
+ * one: providers, recordings and hand-off stay behind it. {@code ChatModels} opens one.
  */
 @FunctionalInterface
 public interface ChatModel {

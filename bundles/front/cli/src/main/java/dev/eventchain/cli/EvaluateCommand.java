@@ -2,7 +2,9 @@ package dev.eventchain.cli;
 
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.DiagnosticFormat;
-import dev.eventchain.pipeline.Evaluation;
+import dev.eventchain.pipeline.EvaluationOptions;
+import dev.eventchain.pipeline.EvaluationOutcome;
+import dev.eventchain.pipeline.LanguageModelEvaluation;
 import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.Project;
 import java.nio.file.Path;
@@ -83,13 +85,13 @@ final class EvaluateCommand extends ProjectCommand {
       throw wrongUsage("name a project's folder, or use --schema");
     }
     if (schema) {
-      console.out().print(Evaluation.schema());
+      console.out().print(LanguageModelEvaluation.schema());
       return Outcome.of(Coverage.NONE, List.of(), List.of());
     }
     Project project = Project.open(folder);
     try {
-      Evaluation.Options options =
-          new Evaluation.Options(
+      EvaluationOptions options =
+          new EvaluationOptions(
               outputOf(project),
               models,
               runs,
@@ -97,13 +99,14 @@ final class EvaluateCommand extends ProjectCommand {
               Optional.ofNullable(llm),
               suppressions(project),
               timeLimit());
-      Evaluation.Result result =
-          Evaluation.run(project, options, new RunLines(console.err(), console.terminal()));
+      EvaluationOutcome result =
+          LanguageModelEvaluation.run(
+              project, options, new RunLines(console.err(), console.terminal()));
       if (format() == DiagnosticFormat.TEXT) {
         console.out().print(result.table());
         result.files().forEach(file -> console.out().println("Report: " + file));
       }
-      return Outcome.of(result);
+      return Outcome.of(result.failure(), result.diagnostics());
     } catch (IllegalArgumentException e) {
       throw wrongUsage(e.getMessage());
     }

@@ -1,6 +1,7 @@
 package dev.eventchain.cli;
 
 import dev.eventchain.pipeline.ExitCode;
+import dev.eventchain.pipeline.ProjectBench;
 import dev.eventchain.pipeline.ProjectStart;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
@@ -33,7 +34,7 @@ final class InitCommand implements Callable<Integer> {
 
   @Override
   public Integer call() {
-    ProjectStart.Started started = ProjectStart.create(folder);
+    ProjectStart.Started started = ProjectStart.create(folder, ProjectBench::proposal);
     started.files().forEach(file -> console.out().println(folder.resolve(file)));
     console.out().println();
     started

@@ -1,7 +1,7 @@
 package dev.eventchain.cli;
 
 import dev.eventchain.diagnostics.Printable;
-import dev.eventchain.pipeline.Evaluation;
+import dev.eventchain.pipeline.LanguageModelEvaluation;
 import java.io.PrintWriter;
 import java.time.Duration;
 import java.util.Locale;
@@ -10,7 +10,7 @@ import java.util.Locale;
  * Writes how an evaluation continues: a line for each run that has ended, and on a terminal one
  * that changes while runs continue.
  */
-final class RunLines implements Evaluation.Listener {
+final class RunLines implements LanguageModelEvaluation.Listener {
 
   private static final String CLEAR_LINE = "\r\u001b[K";
 

@@ -7,7 +7,6 @@ import dev.eventchain.agents.AgentResult;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Severity;
-import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.llm.Spending;
 import dev.eventchain.project.ProjectFolder;
 import java.io.IOException;
@@ -34,7 +33,7 @@ final class AgentReport {
         .addSetting("name", configuration.name())
         .addSetting("title", configuration.title())
         .addSetting("frequency", configuration.frequency())
-        .add(configuration.models(stage))
+        .add(configuration.models(stage.id()))
         .add(configuration.repairs())
         .add(run.options().llm().orElse(configuration.llm()))
         .addMeans(recordings(run, stage));
@@ -52,7 +51,7 @@ final class AgentReport {
   /** The model that answered and where its answers came from. */
   static ObjectNode of(RunContext run, Stage stage, List<AgentResult> results) {
     ObjectNode report = JsonNodeFactory.instance.objectNode();
-    report.put("model", String.join(", ", run.project().configuration().models(stage)));
+    report.put("model", String.join(", ", run.project().configuration().models(stage.id())));
     Set<String> provenance = new TreeSet<>();
     results.stream()
         .flatMap(result -> result.attempts().stream())
@@ -77,22 +76,7 @@ final class AgentReport {
 
   /** What was found in an answer, in the files that it becomes. */
   static List<Diagnostic> placed(RunContext run, AgentResult result) {
-    return result.diagnostics().stream().map(finding -> placed(run, finding)).toList();
-  }
-
-  /** A finding in an answer where it is in the file that the answer becomes. */
-  static Diagnostic placed(RunContext run, Diagnostic finding) {
-    SourceLocation place = finding.location();
-    return becomesFile(place.file())
-        ? finding.withLocation(place.inFile(run.file(place.file())))
-        : finding;
-  }
-
-  /** What an answer is about may be wrong elsewhere, such as in a message definition. */
-  private static boolean becomesFile(String name) {
-    return name.equals(DesignStage.FILE)
-        || name.equals(ProjectFolder.GENERATED)
-        || name.startsWith(ImplementStage.FOLDER + "/");
+    return result.diagnostics().stream().map(run.models()::placed).toList();
   }
 
   /** How many answers had to be corrected, and what the run has spent; empty if nothing. */

@@ -7,6 +7,7 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.jsonmodels.Modeled;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.project.Requirements;
+import dev.eventchain.project.ProjectFolder;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -26,7 +27,7 @@ final class ChainSnapshot {
     this.run = run;
     this.files = files;
     ChainModel loaded = run.loadChain(run.model());
-    Path description = run.file(DesignStage.FILE);
+    Path description = run.file(ProjectFolder.DESCRIPTION);
     this.model =
         run.project().editedModel().isPresent()
             ? loaded
@@ -43,7 +44,7 @@ final class ChainSnapshot {
   private static List<Path> originFiles(RunContext run) {
     List<Path> files = new ArrayList<>(run.project().softwareBaseFiles());
     files.add(run.project().requirements());
-    files.add(run.file(DesignStage.FILE));
+    files.add(run.file(ProjectFolder.DESCRIPTION));
     return files;
   }
 

@@ -32,7 +32,7 @@ final class ComponentCopies {
     for (SoftwareNode node : chain.getSoftware()) {
       if (generated.manifest().find(node.getName()).isPresent()) {
         Path copy = of(run, generated, node);
-        Path source = GenerateStage.componentFile(run, node);
+        Path source = ComponentFiles.of(run, node);
         if (!SourceText.read(copy).text().equals(SourceText.read(source).text())) {
           found.add(edited(node, copy, source));
         }

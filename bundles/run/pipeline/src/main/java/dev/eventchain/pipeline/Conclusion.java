@@ -20,43 +20,33 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 
 /** What a run comes to: the verdict, and the report about it. */
 final class Conclusion {
-
-  static final String REPORT = "report.html";
-
-  /** What says that something was not tested, and not that it is wrong. */
-  private static final Set<String> UNTESTED =
-      Set.of(
-          "bench.field.unset",
-          "bench.field.unwritten",
-          "bench.topic.unconnected",
-          "project.requirement.untested",
-          "simulation.command.ignored",
-          "simulation.criterion.untested",
-          "simulation.fault.no-effect",
-          "simulation.fault.untested",
-          "simulation.latency.unmeasured",
-          "simulation.node.silent",
-          "simulation.rule.untested",
-          "simulation.wire.unmatched");
 
   private final RunContext run;
   private final Map<Stage, StageOutcome> outcomes;
   private final Optional<Reason> failure;
   private final Progress progress;
+  private final EarlierRun before;
 
+  /**
+   * Of a run whose stages have ended.
+   *
+   * @param failure why it could not go on, if it could not
+   * @param before what the report compares with
+   */
   Conclusion(
       RunContext run,
       Map<Stage, StageOutcome> outcomes,
       Optional<Reason> failure,
-      Progress progress) {
+      Progress progress,
+      EarlierRun before) {
     this.run = run;
     this.outcomes = outcomes;
     this.failure = failure;
     this.progress = progress;
+    this.before = before;
   }
 
   RunResult conclude() {
@@ -122,12 +112,7 @@ final class Conclusion {
     return Diagnostic.anyError(found)
         && found.stream()
             .filter(each -> each.severity() == Severity.ERROR)
-            .allMatch(Conclusion::isUntested);
-  }
-
-  /** Whether a finding says that something was not tested, and not that it is wrong. */
-  static boolean isUntested(Diagnostic found) {
-    return UNTESTED.contains(found.id());
+            .allMatch(UntestedFindings::include);
   }
 
   private String summary(Verdict verdict, List<ScenarioLine> scenarios, List<Diagnostic> found) {
@@ -275,11 +260,11 @@ final class Conclusion {
     progress.started(Stage.REPORT);
     long start = System.nanoTime();
     try {
-      ReportData collected = new ReportData(run, outcomes);
+      ReportData collected = new ReportData(run, outcomes, before);
       ObjectNode data = collected.collect(verdict, summary, found);
-      run.writeResult(REPORT, ReportPage.render(collected.chain(), data));
-      ended(Status.DONE, start, run.file(REPORT).toString());
-      return Optional.of(run.file(REPORT));
+      run.writeResult(ReportPage.FILE, ReportPage.render(collected.chain(), data));
+      ended(Status.DONE, start, run.file(ReportPage.FILE).toString());
+      return Optional.of(run.file(ReportPage.FILE));
     } catch (DiagnosticException e) {
       e.diagnostics().forEach(run::find);
       ended(Status.FAILED, start, e.diagnostics().get(0).message());

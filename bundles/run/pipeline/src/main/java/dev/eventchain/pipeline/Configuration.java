@@ -48,13 +48,17 @@ record Configuration(
     String template,
     SortedMap<String, String> packageFacts) {
 
+  /** Stands for no language model. */
+  static final String DIRECT = "direct";
+
   private static final FindingIds IDS = ProjectSettings.IDS;
   private static final String DEFAULT_MODEL = "person";
   private static final int DEFAULT_REPAIRS = 3;
   private static final NumberRange REPAIRS = NumberRange.of(0, 20);
   private static final String TEST = "test";
+  private static final String IMPLEMENT = "implement";
   private static final List<String> TASKS =
-      List.of("design", TEST, "implement", "model", "constrain");
+      List.of("design", TEST, IMPLEMENT, "model", "constrain");
   private static final List<String> PACKAGE_FACTS = List.of("license", "maintainer", "email");
 
   /**
@@ -144,14 +148,12 @@ record Configuration(
     return new ProjectSettings(name, frequency);
   }
 
-  /** The models that a stage asks, the one that is wanted first. */
-  List<String> models(Stage stage) {
-    return models(stage.id());
-  }
-
-  /** The models for a task; who implements also proposes tests where nobody else is to. */
+  /**
+   * The models for a task, the one that is wanted first; who implements also proposes tests where
+   * nobody else is to.
+   */
   List<String> models(String task) {
-    List<String> usual = task.equals(TEST) ? models(Stage.IMPLEMENT.id()) : List.of(DEFAULT_MODEL);
+    List<String> usual = task.equals(TEST) ? models(IMPLEMENT) : List.of(DEFAULT_MODEL);
     return models.getOrDefault(task, usual);
   }
 
@@ -167,7 +169,7 @@ record Configuration(
   List<String> languageModels() {
     return TASKS.stream()
         .flatMap(task -> models(task).stream())
-        .filter(model -> !model.equals(ModelStage.DIRECT))
+        .filter(model -> !model.equals(DIRECT))
         .distinct()
         .toList();
   }

@@ -28,7 +28,9 @@ final class ConstrainStage implements StageWork {
     Optional<Path> edited = run.project().editedModel();
     edited.ifPresent(fingerprint::addFile);
     if (edited.isEmpty()) {
-      fingerprint.addFile(run.file(DesignStage.FILE)).addFile(run.project().requirements());
+      fingerprint
+          .addFile(run.file(ProjectFolder.DESCRIPTION))
+          .addFile(run.project().requirements());
     }
   }
 
@@ -64,7 +66,7 @@ final class ConstrainStage implements StageWork {
       return run.loadChain(edited.get()).chain();
     }
     Modeled<EventChain> direct =
-        ChainSnapshot.direct(run, run.required(DesignStage.FILE, Stage.DESIGN));
+        ChainSnapshot.direct(run, run.required(ProjectFolder.DESCRIPTION, Stage.DESIGN));
     if (Diagnostic.anyError(direct.diagnostics())) {
       throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, direct.diagnostics());
     }

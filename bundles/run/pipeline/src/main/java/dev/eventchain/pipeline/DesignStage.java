@@ -15,8 +15,6 @@ import java.util.List;
  */
 final class DesignStage implements StageWork {
 
-  static final String FILE = ProjectFolder.DESCRIPTION;
-
   @Override
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
     Project project = run.project();
@@ -34,9 +32,11 @@ final class DesignStage implements StageWork {
       ChainModel model = run.loadChain(run.project().editedModel().get());
       ChainChecks.Outcome checked = ProjectChecks.withoutGenerated(run).check(model);
       ProjectChecks.refuseErrors(run, checked);
-      run.write(FILE, EventChainWriter.write(model.chain()));
+      run.write(ProjectFolder.DESCRIPTION, EventChainWriter.write(model.chain()));
       return StageResult.of(
-          "the chain of model/chain.xmi, which people edit", List.of(FILE), checked.diagnostics());
+          "the chain of model/chain.xmi, which people edit",
+          List.of(ProjectFolder.DESCRIPTION),
+          checked.diagnostics());
     }
     Configuration configuration = run.project().configuration();
     AgentResult designed =
@@ -48,12 +48,12 @@ final class DesignStage implements StageWork {
                 run.designRules(),
                 run.softwareBase(),
                 run.messages());
-    run.write(FILE, designed.text());
+    run.write(ProjectFolder.DESCRIPTION, designed.text());
     ObjectNode report = AgentReport.of(run, Stage.DESIGN, List.of(designed));
     int count = run.requirements().items().size();
     return new StageResult(
         "event chain from " + count + " requirements" + AgentReport.effort(run, List.of(designed)),
-        List.of(FILE),
+        List.of(ProjectFolder.DESCRIPTION),
         AgentReport.placed(run, designed),
         report);
   }

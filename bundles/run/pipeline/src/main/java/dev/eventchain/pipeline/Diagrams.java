@@ -14,6 +14,7 @@ import dev.eventchain.output.OutputFolder.OnEdit;
 import dev.eventchain.xmi.LoadedModel;
 import dev.eventchain.xmi.Origins;
 import dev.eventchain.xmi.XmiStore;
+import dev.eventchain.templates.ShippedTemplates;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -32,6 +33,9 @@ import org.eclipse.emf.ecore.EcorePackage;
 
 /** Diagrams of models and metamodels, as PlantUML text and as an SVG picture. */
 public final class Diagrams {
+
+  /** The set of templates, one for each kind of diagram. */
+  private static final String TEMPLATES = "plantuml";
 
   /** How many boxes and arrows a diagram may have: larger ones are unreadable. */
   private static final int MOST = 1000;
@@ -118,9 +122,9 @@ public final class Diagrams {
       return Map.of();
     }
     TemplateModule module =
-        Templates.shipped(
-            "plantuml",
-            kind.toString(),
+        TemplateModule.compile(
+            ShippedTemplates.module(TEMPLATES, kind.toString()).orElseThrow(),
+            ShippedTemplates.modules(TEMPLATES),
             List.of(EventchainPackage.eINSTANCE, EcorePackage.eINSTANCE));
     GenerationResult result = module.generate(drawn, context(kind));
     found.addAll(module.warnings());

@@ -26,9 +26,9 @@ final class EarlierStages {
   /** Where each stage writes, apart from templates of projects. */
   private static final Map<Stage, String> RESULTS =
       Map.of(
-          Stage.DESIGN, DesignStage.FILE,
-          Stage.IMPLEMENT, GenerateStage.COMPONENTS,
-          Stage.MODEL, ModelStage.FILE,
+          Stage.DESIGN, ProjectFolder.DESCRIPTION,
+          Stage.IMPLEMENT, ComponentFiles.FOLDER,
+          Stage.MODEL, ProjectFolder.MODEL,
           Stage.CONSTRAIN, ProjectFolder.GENERATED);
 
   private final RunContext run;

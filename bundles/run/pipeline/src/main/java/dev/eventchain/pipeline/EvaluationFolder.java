@@ -97,7 +97,7 @@ final class EvaluationFolder implements AutoCloseable {
   /** What decides what a run comes to: files, settings, and this program. */
   static String inputs(
       Project project,
-      Evaluation.Options options,
+      EvaluationOptions options,
       String model,
       int number,
       Optional<ReferenceChain> reference) {

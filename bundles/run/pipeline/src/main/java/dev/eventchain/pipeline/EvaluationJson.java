@@ -24,7 +24,7 @@ final class EvaluationJson {
 
   static String of(
       Project project,
-      Evaluation.Options options,
+      EvaluationOptions options,
       List<EvaluationRow> rows,
       List<EvaluatedRun> runs) {
     Configuration configuration = project.configuration();

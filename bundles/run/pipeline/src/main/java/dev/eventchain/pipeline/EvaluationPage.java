@@ -28,14 +28,14 @@ final class EvaluationPage {
           + " Intervals are 95 % Wilson intervals.";
 
   private final Project project;
-  private final Evaluation.Options options;
+  private final EvaluationOptions options;
   private final List<EvaluationRow> rows;
   private final List<EvaluatedRun> runs;
   private final StringBuilder out = new StringBuilder();
 
   private EvaluationPage(
       Project project,
-      Evaluation.Options options,
+      EvaluationOptions options,
       List<EvaluationRow> rows,
       List<EvaluatedRun> runs) {
     this.project = project;
@@ -46,7 +46,7 @@ final class EvaluationPage {
 
   static String of(
       Project project,
-      Evaluation.Options options,
+      EvaluationOptions options,
       List<EvaluationRow> rows,
       List<EvaluatedRun> runs) {
     EvaluationPage page = new EvaluationPage(project, options, rows, runs);
@@ -211,7 +211,7 @@ final class EvaluationPage {
       add("<td colspan=\"6\" class=\"none\">not counted: %s</td></tr>\n", run.reason());
       return;
     }
-    String page = EvaluationFolder.nameOf(run.model(), run.number()) + "/" + Conclusion.REPORT;
+    String page = EvaluationFolder.nameOf(run.model(), run.number()) + "/" + ReportPage.FILE;
     add("<tr><th scope=\"row\"><a href=\"%s\">%s</a>", page, name);
     Optional.of(run.answeredBy())
         .filter(models -> !models.equals(List.of(run.model())))

@@ -14,7 +14,7 @@ import java.util.Optional;
 final class EvaluationResult {
 
   private final Project project;
-  private final Evaluation.Options options;
+  private final EvaluationOptions options;
   private final EvaluationFolder folder;
   private final List<EvaluatedRun> runs;
   private final List<Diagnostic> whyUncounted;
@@ -22,7 +22,7 @@ final class EvaluationResult {
 
   EvaluationResult(
       Project project,
-      Evaluation.Options options,
+      EvaluationOptions options,
       EvaluationFolder folder,
       List<EvaluationRun.Done> done) {
     this.project = project;
@@ -42,10 +42,10 @@ final class EvaluationResult {
     return runs.stream().filter(run -> run.model().equals(model)).toList();
   }
 
-  Evaluation.Result write() {
+  EvaluationOutcome write() {
     folder.write(EvaluationFolder.JSON, EvaluationJson.of(project, options, rows, runs));
     folder.write(EvaluationFolder.PAGE, EvaluationPage.of(project, options, rows, runs));
-    return new Evaluation.Result(
+    return new EvaluationOutcome(
         EvaluationText.of(project.configuration(), rows),
         findings(),
         failure(),

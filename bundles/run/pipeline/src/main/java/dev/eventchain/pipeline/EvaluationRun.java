@@ -14,6 +14,7 @@ import dev.eventchain.pipeline.EvaluatedRun.State;
 import dev.eventchain.pipeline.EvaluatedRun.Usage;
 import dev.eventchain.pipeline.Progress.Status;
 import dev.eventchain.pipeline.RunResult.Verdict;
+import dev.eventchain.project.ProjectFolder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -78,7 +79,7 @@ final class EvaluationRun {
    */
   Done perform() {
     long start = System.nanoTime();
-    Pipeline.Ended ended = run(task.options(), sample);
+    PipelineRun.Ended ended = run(task.options(), sample);
     Optional<Done> stopped = stopped(ended, sample, task.options().output());
     if (stopped.isPresent()) {
       return stopped.get();
@@ -93,19 +94,20 @@ final class EvaluationRun {
     return onReference(ended, task.reference().get(), start);
   }
 
-  private Pipeline.Ended run(RunOptions options, Sample asked) {
-    return Pipeline.runToEnd(task.project().evaluatedBy(asked), options, progress);
+  private PipelineRun.Ended run(RunOptions options, Sample asked) {
+    Project project = task.project().evaluating(asked.model());
+    return PipelineRun.run(project, options, progress, Optional.of(asked));
   }
 
   /** The components of a chain that this run has not designed. */
-  private Done onReference(Pipeline.Ended ended, ReferenceChain reference, long start) {
+  private Done onReference(PipelineRun.Ended ended, ReferenceChain reference, long start) {
     Path folder = task.options().output().resolve("reference");
     try (OutputFolder output = OutputFolder.open(folder)) {
       byte[] description = reference.description().getBytes(StandardCharsets.UTF_8);
-      output.write(DesignStage.FILE, description, OutputFolder.OnEdit.OVERWRITE);
+      output.write(ProjectFolder.DESCRIPTION, description, OutputFolder.OnEdit.OVERWRITE);
     }
     Sample second = sample.again();
-    Pipeline.Ended implemented =
+    PipelineRun.Ended implemented =
         run(task.options().in(folder, Stage.IMPLEMENT, Stage.IMPLEMENT), second);
     Optional<Done> stopped = stopped(implemented, second, folder);
     boolean unrecorded =
@@ -122,7 +124,7 @@ final class EvaluationRun {
   }
 
   /** Why a run does not count, if its end is not that of the model's answers. */
-  private Optional<Done> stopped(Pipeline.Ended ended, Sample asked, Path folder) {
+  private Optional<Done> stopped(PipelineRun.Ended ended, Sample asked, Path folder) {
     Optional<Reason> failure = ended.result().failure();
     List<Diagnostic> last = lastFailure(ended);
     List<Diagnostic> unasked = unasked(ended);
@@ -167,7 +169,7 @@ final class EvaluationRun {
     return new Done(EvaluatedRun.uncounted(task.model(), task.number(), state, line), found);
   }
 
-  private static List<Diagnostic> lastFailure(Pipeline.Ended ended) {
+  private static List<Diagnostic> lastFailure(PipelineRun.Ended ended) {
     return ended.outcomes().values().stream()
         .filter(outcome -> outcome.status() == Status.FAILED)
         .map(StageOutcome::diagnostics)
@@ -176,7 +178,7 @@ final class EvaluationRun {
   }
 
   /** Why an answer could not be had, in whatever stage, and be it one after repair. */
-  private static List<Diagnostic> unasked(Pipeline.Ended ended) {
+  private static List<Diagnostic> unasked(PipelineRun.Ended ended) {
     return ended.outcomes().values().stream()
         .filter(outcome -> outcome.status() == Status.FAILED)
         .flatMap(outcome -> outcome.diagnostics().stream())
@@ -184,19 +186,19 @@ final class EvaluationRun {
         .toList();
   }
 
-  private static List<Diagnostic> awaited(Pipeline.Ended ended) {
+  private static List<Diagnostic> awaited(PipelineRun.Ended ended) {
     return ended.outcomes().values().stream()
         .filter(outcome -> outcome.status() == Status.WAITING)
         .flatMap(outcome -> outcome.diagnostics().stream())
         .toList();
   }
 
-  private static boolean isDone(Pipeline.Ended ended, Stage stage) {
+  private static boolean isDone(PipelineRun.Ended ended, Stage stage) {
     return ended.outcomes().get(stage).status() == Status.DONE;
   }
 
   /** Where no component is missing, there is no code to judge. */
-  private static Score functionCode(Pipeline.Ended ended, Sample asked) {
+  private static Score functionCode(PipelineRun.Ended ended, Sample asked) {
     boolean written = asked.calls().stream().anyMatch(call -> CODE.contains(call.task()));
     return written
         ? Score.of(isDone(ended, Stage.IMPLEMENT), isRepaired(asked.calls(), Set.of(IMPLEMENT)))
@@ -208,7 +210,7 @@ final class EvaluationRun {
   }
 
   private Done judged(
-      Pipeline.Ended ended, Score code, String chain, List<Sample.Call> more, long start) {
+      PipelineRun.Ended ended, Score code, String chain, List<Sample.Call> more, long start) {
     List<Sample.Call> calls = Stream.concat(sample.calls().stream(), more.stream()).toList();
     Set<String> modeling = Set.of("design", "model", "constrain");
     boolean valid =
@@ -250,7 +252,7 @@ final class EvaluationRun {
   }
 
   /** What each stage failed by, and, where none did, what keeps the verdict from being PASSED. */
-  private static List<String> failures(Pipeline.Ended ended) {
+  private static List<String> failures(PipelineRun.Ended ended) {
     Set<String> classes = new TreeSet<>();
     for (Map.Entry<Stage, StageOutcome> each : ended.outcomes().entrySet()) {
       if (each.getValue().status() == Status.FAILED) {
@@ -276,7 +278,7 @@ final class EvaluationRun {
         .toList();
   }
 
-  private static List<String> returned(Pipeline.Ended ended) {
+  private static List<String> returned(PipelineRun.Ended ended) {
     List<String> classes = new ArrayList<>();
     ended
         .outcomes()

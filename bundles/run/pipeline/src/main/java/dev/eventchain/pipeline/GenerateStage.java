@@ -15,8 +15,6 @@ import dev.eventchain.output.OutputFolder;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.SoftwareBase;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -32,8 +30,6 @@ import java.util.stream.Stream;
  */
 final class GenerateStage implements StageWork {
 
-  static final String COMPONENTS = "components/";
-
   @Override
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
     fingerprint
@@ -47,7 +43,7 @@ final class GenerateStage implements StageWork {
     fingerprint.addFiles(
         run.softwareBase().components().stream().map(SoftwareBase.Component::file).toList());
     for (SoftwareNode node : run.chain().chain().getSoftware()) {
-      fingerprint.addFile(run.file(generatedName(node)));
+      fingerprint.addFile(run.file(ComponentFiles.name(node.getName())));
     }
     fingerprint.addFiles(Templates.ownFiles(run.project()));
   }
@@ -131,7 +127,7 @@ final class GenerateStage implements StageWork {
         new ComponentImports(run.messages(), Templates.installsWithPip(run.project()));
     for (SoftwareNode node : chain.getSoftware()) {
       if (node.getImplementation() == ComponentImplementation.COMPONENT) {
-        imports.add(node.getName(), SourceText.read(componentFile(run, node)));
+        imports.add(node.getName(), SourceText.read(ComponentFiles.of(run, node)));
       }
     }
     return imports;
@@ -149,26 +145,13 @@ final class GenerateStage implements StageWork {
     String name = chain.getName().toLowerCase(Locale.ROOT);
     for (SoftwareNode node : chain.getSoftware()) {
       if (node.getImplementation() == ComponentImplementation.COMPONENT) {
-        String unstated = folder + "/" + name + "/" + name + "/" + generatedName(node);
+        String unstated =
+            folder + "/" + name + "/" + name + "/" + ComponentFiles.name(node.getName());
         String file = generated.map(found -> found.componentFile(node)).orElse(unstated);
-        String text = SourceText.read(componentFile(run, node)).text();
+        String text = SourceText.read(ComponentFiles.of(run, node)).text();
         files.put(file, text.getBytes(StandardCharsets.UTF_8));
       }
     }
     return generated.map(GeneratedPackage::folder).orElse(folder + "/" + name);
-  }
-
-  private static String generatedName(SoftwareNode node) {
-    return COMPONENTS + node.getName() + ".py";
-  }
-
-  /** The Python file of a component: from the software base, or else a generated one. */
-  static Path componentFile(RunContext run, SoftwareNode node) {
-    Optional<SoftwareBase.Component> existing = run.softwareBase().find(node.getName());
-    Path generated = run.file(generatedName(node));
-    if (existing.isEmpty() && !Files.isRegularFile(generated)) {
-      return run.required(generatedName(node), Stage.IMPLEMENT);
-    }
-    return existing.map(SoftwareBase.Component::file).orElse(generated);
   }
 }

@@ -13,6 +13,7 @@ import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.sandbox.ComponentProbe;
 import dev.eventchain.sandbox.Confinement;
+import dev.eventchain.project.ProjectFolder;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
@@ -24,13 +25,11 @@ import java.util.function.Supplier;
 /** The components of the chain that do not exist yet: {@code components/*.py}. */
 final class ImplementStage implements StageWork {
 
-  static final String FOLDER = "components";
-
   @Override
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
     AgentReport.fingerprint(run, Stage.IMPLEMENT, fingerprint);
     fingerprint
-        .addFile(run.file(DesignStage.FILE))
+        .addFile(run.file(ProjectFolder.DESCRIPTION))
         .addFile(run.project().requirements())
         .addFile(run.project().softwareBase().resolve("components.json"))
         .add(run.project().configuration().models("test"))
@@ -42,7 +41,7 @@ final class ImplementStage implements StageWork {
 
   @Override
   public StageResult execute(RunContext run) {
-    Path description = run.required(DesignStage.FILE, Stage.DESIGN);
+    Path description = run.required(ProjectFolder.DESCRIPTION, Stage.DESIGN);
     EventChain chain = readChain(run, description);
     List<SoftwareNode> missing = run.softwareBase().missing(chain);
     TestFiles tests = new TestFiles(run, SourceText.read(description));
@@ -68,8 +67,8 @@ final class ImplementStage implements StageWork {
   /** All tests run, for their number is said as well; those of edited files are among them. */
   @Override
   public Optional<Checked> checkEdited(RunContext run, Collection<String> editedOutputs) {
-    SourceText description = SourceText.read(run.required(DesignStage.FILE, Stage.DESIGN));
-    EventChain chain = readChain(run, run.file(DesignStage.FILE));
+    SourceText description = SourceText.read(run.required(ProjectFolder.DESCRIPTION, Stage.DESIGN));
+    EventChain chain = readChain(run, run.file(ProjectFolder.DESCRIPTION));
     List<SoftwareNode> missing = run.softwareBase().missing(chain);
     Work work = new Work(run, description, new TestFiles(run, description));
     missing.forEach(node -> work.test(node.getName()));
@@ -104,7 +103,7 @@ final class ImplementStage implements StageWork {
         // Who waits for tests may ask for the component meanwhile: it is asked without them.
         Optional<AgentResult> answered = ask(() -> implement(node.getName(), tester), awaited);
         if (answered.isPresent() && tester.isPresent()) {
-          keep(file(node.getName()), answered.get(), tester.get());
+          keep(ComponentFiles.name(node.getName()), answered.get(), tester.get());
         }
       }
       if (!awaited.isEmpty()) {
@@ -118,9 +117,12 @@ final class ImplementStage implements StageWork {
         Optional<AgentResult> correction =
             Optional.ofNullable(run.models().corrections().get(node.getName()));
         if (correction.isPresent()) {
-          keep(file(node.getName()), correction.get(), tests.standing(node.getName()));
+          keep(
+              ComponentFiles.name(node.getName()),
+              correction.get(),
+              tests.standing(node.getName()));
         } else {
-          files.add(file(node.getName()));
+          files.add(ComponentFiles.name(node.getName()));
           test(node.getName());
         }
       }
@@ -147,7 +149,7 @@ final class ImplementStage implements StageWork {
     void test(String component) {
       run.progress().step(Stage.IMPLEMENT, "tests of " + component);
       ComponentTester tester = tests.standing(component);
-      count(tester, tester.check(probe().ofExisting(), run.file(file(component))));
+      count(tester, tester.check(probe().ofExisting(), run.file(ComponentFiles.name(component))));
     }
 
     private void count(ComponentTester tester, List<Diagnostic> failed) {
@@ -162,7 +164,7 @@ final class ImplementStage implements StageWork {
         Optional<ComponentTester> tester = tests.written(node.getName());
         if (tester.isPresent()) {
           run.progress().step(Stage.IMPLEMENT, "tests of " + node.getName());
-          Path file = GenerateStage.componentFile(run, node);
+          Path file = ComponentFiles.of(run, node);
           count(tester.get(), tester.get().run(probe().ofExisting(), file));
         }
       }
@@ -170,7 +172,7 @@ final class ImplementStage implements StageWork {
 
     /** Removes what an earlier run wrote, and names what this one did. */
     List<String> removeOthers() {
-      found.addAll(run.output().removeOthers(FOLDER, files));
+      found.addAll(run.output().removeOthers(ComponentFiles.FOLDER, files));
       found.addAll(run.output().removeOthers(TestFiles.FOLDER, tests.proposed()));
       List<String> all = new ArrayList<>(files);
       all.addAll(tests.proposed());
@@ -180,11 +182,6 @@ final class ImplementStage implements StageWork {
     private ComponentProbe probe() {
       return new ComponentProbe(run.python(Stage.IMPLEMENT));
     }
-  }
-
-  /** The file of a component that is made here. */
-  static String file(String component) {
-    return FOLDER + "/" + component + ".py";
   }
 
   private static List<SoftwareNode> existing(EventChain chain, List<SoftwareNode> missing) {

@@ -24,16 +24,11 @@ import org.eclipse.emf.ecore.EObject;
  */
 final class ModelStage implements StageWork {
 
-  static final String FILE = ProjectFolder.MODEL;
-
-  /** Stands for no language model. */
-  static final String DIRECT = "direct";
-
   @Override
   public void fingerprint(RunContext run, Fingerprint fingerprint) {
     AgentReport.fingerprint(run, Stage.MODEL, fingerprint);
     fingerprint
-        .addFile(run.file(DesignStage.FILE))
+        .addFile(run.file(ProjectFolder.DESCRIPTION))
         .addFile(run.project().requirements())
         .addFile(run.project().softwareBase().resolve("components.json"));
     run.project().editedModel().ifPresent(fingerprint::addFile);
@@ -44,13 +39,16 @@ final class ModelStage implements StageWork {
     if (run.project().editedModel().isPresent()) {
       return StageResult.of("model/chain.xmi, which people edit", List.of(), List.of());
     }
-    Path description = run.required(DesignStage.FILE, Stage.DESIGN);
+    Path description = run.required(ProjectFolder.DESCRIPTION, Stage.DESIGN);
     Modeled<EventChain> direct = ChainSnapshot.direct(run, description);
     refuseErrors(direct.diagnostics());
-    if (run.project().configuration().models(Stage.MODEL).equals(List.of(DIRECT))) {
-      run.write(FILE, XmiStore.toBytes(direct.root()));
+    if (run.project()
+        .configuration()
+        .models(Stage.MODEL.id())
+        .equals(List.of(Configuration.DIRECT))) {
+      run.write(ProjectFolder.MODEL, XmiStore.toBytes(direct.root()));
       return StageResult.of(
-          words(direct.root()) + ", directly", List.of(FILE), direct.diagnostics());
+          words(direct.root()) + ", directly", List.of(ProjectFolder.MODEL), direct.diagnostics());
     }
     return modelByAgent(run, SourceText.read(description), direct.root());
   }
@@ -68,12 +66,12 @@ final class ModelStage implements StageWork {
     EventChain chain = instance(answered.text());
     run.softwareBase().addBudgets(chain, direct);
     ChainModel.complete(chain, run.project().configuration().settings(), run.softwareBase());
-    run.write(FILE, XmiStore.toBytes(chain));
+    run.write(ProjectFolder.MODEL, XmiStore.toBytes(chain));
     return new StageResult(
         words(chain)
             + ", language model and direct conversion agree"
             + AgentReport.effort(run, List.of(answered)),
-        List.of(FILE),
+        List.of(ProjectFolder.MODEL),
         answered.diagnostics(),
         AgentReport.of(run, Stage.MODEL, List.of(answered)));
   }

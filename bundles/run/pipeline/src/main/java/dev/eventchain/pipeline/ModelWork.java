@@ -7,11 +7,14 @@ import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.agents.AgentContext;
 import dev.eventchain.agents.AgentResult;
 import dev.eventchain.agents.Exchange;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.llm.ChatModel;
 import dev.eventchain.llm.ChatModels;
 import dev.eventchain.llm.ModelAccess;
 import dev.eventchain.llm.Spending;
 import dev.eventchain.simulation.SimulationResult;
+import dev.eventchain.project.ProjectFolder;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.Optional;
@@ -22,18 +25,29 @@ import java.util.Optional;
  */
 final class ModelWork {
   private final RunContext run;
+  private final Optional<Sample> sample;
   private final Spending spending;
   private final Map<Stage, ArrayNode> conversations = new EnumMap<>(Stage.class);
   private Map<String, AgentResult> corrections = Map.of();
   private Optional<SimulationResult> simulated = Optional.empty();
 
-  ModelWork(RunContext run) {
+  /**
+   * What a run has not asked yet.
+   *
+   * @param sample the run of an evaluation that this is, if it is one
+   */
+  ModelWork(RunContext run, Optional<Sample> sample) {
     this.run = run;
+    this.sample = sample;
     this.spending =
-        run.project()
-            .sample()
+        sample
             .map(Sample::spending)
             .orElseGet(() -> new Spending(run.project().configuration().services()));
+  }
+
+  /** Whether this is a run by which a language model is evaluated. */
+  boolean isEvaluated() {
+    return sample.isPresent();
   }
 
   /** What the agent of a stage works with. */
@@ -68,16 +82,30 @@ final class ModelWork {
             message -> run.progress().step(stage, message),
             run::find);
     ChatModel model =
-        run.project()
-            .sample()
-            .map(sample -> sample.open(access, purpose))
+        sample
+            .map(asked -> asked.open(access, purpose))
             .orElseGet(() -> ChatModels.open(access, configuration.models(task)));
     return new AgentContext(
         model,
         configuration.repairs(),
-        finding -> run.options().suppressions().accepts(AgentReport.placed(run, finding)),
+        finding -> run.options().suppressions().accepts(placed(finding)),
         message -> run.progress().step(stage, message),
         exchange -> conversation(stage).add(said(exchange)));
+  }
+
+  /** A finding in an answer where it is in the file that the answer becomes. */
+  Diagnostic placed(Diagnostic finding) {
+    SourceLocation place = finding.location();
+    return becomesFile(place.file())
+        ? finding.withLocation(place.inFile(run.file(place.file())))
+        : finding;
+  }
+
+  /** What an answer is about may be wrong elsewhere, such as in a message definition. */
+  private static boolean becomesFile(String name) {
+    return name.equals(ProjectFolder.DESCRIPTION)
+        || name.equals(ProjectFolder.GENERATED)
+        || name.startsWith(ComponentFiles.FOLDER + "/");
   }
 
   private static ObjectNode said(Exchange exchange) {

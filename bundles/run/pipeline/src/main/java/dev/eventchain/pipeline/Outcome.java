@@ -44,13 +44,17 @@ public record Outcome(
         code, false, run.coverage(), run.diagnostics(), run.suppressed(), Optional.of(run), "");
   }
 
-  /** Of an evaluation: what models came to is not a finding. */
-  public static Outcome of(Evaluation.Result evaluation) {
+  /**
+   * Of a command whose findings do not decide how it ended, such as an evaluation.
+   *
+   * @param failure why it is not whole, if it is not
+   */
+  public static Outcome of(Optional<DiagnosticException.Reason> failure, List<Diagnostic> found) {
     return new Outcome(
-        evaluation.failure().map(ExitCode::of).orElse(ExitCode.FINE),
+        failure.map(ExitCode::of).orElse(ExitCode.FINE),
         false,
         Coverage.NONE,
-        evaluation.diagnostics(),
+        found,
         List.of(),
         Optional.empty(),
         "");

@@ -12,12 +12,12 @@ import java.util.Optional;
 public final class Project extends ProjectFolder {
 
   private final Configuration configuration;
-  private final Optional<Sample> sample;
+  private final boolean isEvaluated;
 
-  private Project(Path folder, Configuration configuration, Optional<Sample> sample) {
+  private Project(Path folder, Configuration configuration, boolean isEvaluated) {
     super(folder);
     this.configuration = configuration;
-    this.sample = sample;
+    this.isEvaluated = isEvaluated;
   }
 
   /**
@@ -29,17 +29,15 @@ public final class Project extends ProjectFolder {
    */
   public static Project open(Path folder) {
     Configuration read = Configuration.read(new ProjectFolder(folder).configurationText(), folder);
-    return new Project(folder, read, Optional.empty());
+    return new Project(folder, read, false);
   }
 
-  /** The project as a run of an evaluation sees it: one model does every task. */
-  Project evaluatedBy(Sample run) {
-    return new Project(folder(), configuration.askingOnly(run.model()), Optional.of(run));
-  }
-
-  /** The run of an evaluation that this is for, if it is for one. */
-  Optional<Sample> sample() {
-    return sample;
+  /**
+   * The project as a run of an evaluation sees it: one model does every task, and designs a chain
+   * of its own.
+   */
+  Project evaluating(String model) {
+    return new Project(folder(), configuration.askingOnly(model), true);
   }
 
   Configuration configuration() {
@@ -56,7 +54,7 @@ public final class Project extends ProjectFolder {
    */
   @Override
   public Optional<Path> editedModel() {
-    return sample.isPresent() ? Optional.empty() : super.editedModel();
+    return isEvaluated ? Optional.empty() : super.editedModel();
   }
 
   /**

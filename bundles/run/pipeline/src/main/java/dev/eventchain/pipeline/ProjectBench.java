@@ -5,12 +5,13 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.model.EventChainMetamodel;
+import dev.eventchain.xmi.LoadedModel;
+import dev.eventchain.model.Signal;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.project.SoftwareBase;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.fault.FaultPlan;
 import dev.eventchain.simulation.scenario.Scenario;
-import dev.eventchain.xmi.LoadedModel;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -54,6 +55,15 @@ public record ProjectBench(String text, List<Diagnostic> diagnostics) {
     EventChain chain = ChainModel.chainOf(model, file.get());
     found.addAll(bench.check(chain, model.origins()::locate));
     return new ProjectBench(bench.listing(Optional.of(chain)), found);
+  }
+
+  /**
+   * The text of {@code bench.yaml} for signals that a software base declares.
+   *
+   * @param messages the definitions of their types
+   */
+  public static String proposal(List<Signal> signals, MessageCatalog messages) {
+    return Bench.proposal(signals, messages);
   }
 
   /** The JSON Schema of {@code bench.yaml}. */

@@ -48,11 +48,7 @@ final class ProjectChecks {
   private static ChainChecks of(
       RunContext run, Constraints constraints, List<Diagnostic> unchecked) {
     return ChainChecks.of(
-        constraints,
-        run.softwareBase(),
-        run.messages(),
-        ProjectScenarios.requirements(run),
-        unchecked);
+        constraints, run.softwareBase(), run.messages(), run.writtenRequirements(), unchecked);
   }
 
   /** The files that the checks of a project depend on, besides the chain's. */

@@ -5,7 +5,6 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.WrittenRequirement;
-import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.simulation.scenario.Scenario;
 import java.util.ArrayList;
 import java.util.List;
@@ -28,7 +27,7 @@ final class ProjectScenarios {
   static List<Diagnostic> check(RunContext run) {
     List<Scenario> scenarios =
         Scenario.readFolder(run.project().scenarios(), run.bench(), warning -> {});
-    List<String> known = requirements(run).stream().map(WrittenRequirement::id).toList();
+    List<String> known = run.writtenRequirements().stream().map(WrittenRequirement::id).toList();
     List<Diagnostic> found = new ArrayList<>();
     if (known.isEmpty()) {
       return found;
@@ -61,13 +60,6 @@ final class ProjectScenarios {
                 .formatted(scenario.name(), id),
             scenario.requirementsLocation())
         .withHint(NearestName.question(id, known));
-  }
-
-  /** The requirements, where the project has written any. */
-  static List<WrittenRequirement> requirements(RunContext run) {
-    return ProjectFolder.isAbsent(run.project().requirements())
-        ? List.of()
-        : run.requirements().items();
   }
 
   /** The scenarios that a run asks for, in the order of their files. */

@@ -18,7 +18,6 @@ import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.ProjectSettings;
 import dev.eventchain.project.Requirements;
 import dev.eventchain.project.SoftwareBase;
-import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.xmi.XmiStore;
 import java.io.IOException;
 import java.io.InputStream;
@@ -45,10 +44,12 @@ import java.util.stream.Stream;
  */
 public final class ProjectStart {
 
+  private static final String BENCH = "bench.yaml";
+
   /** The files of {@code examples/radar-aeb}, which are in the jar. */
   static final List<String> STARTER =
       List.of(
-          "bench.yaml",
+          BENCH,
           "eventchain.yaml",
           "model/chain.xmi",
           "requirements.md",
@@ -77,22 +78,38 @@ public final class ProjectStart {
   public record Started(List<String> files, Optional<String> unfed) {}
 
   private final Path folder;
+  private final BenchProposal bench;
   private Optional<String> unfed = Optional.empty();
 
-  private ProjectStart(Path folder) {
+  private ProjectStart(Path folder, BenchProposal bench) {
     this.folder = folder;
+    this.bench = bench;
+  }
+
+  /** Fills in {@code bench.yaml}. */
+  @FunctionalInterface
+  public interface BenchProposal {
+
+    /**
+     * The text of the file.
+     *
+     * @param signals that the software base declares
+     * @param messages the definitions of their types
+     */
+    String text(List<Signal> signals, MessageCatalog messages);
   }
 
   /**
    * Writes the files that a project needs and the folder does not have.
    *
    * @param folder empty or missing; or with {@code software-base/signals.json}
+   * @param bench connects the signals of a software base with the simulated world
    * @throws DiagnosticException INPUT if it is a project already ({@code project.exists}), holds
    *     something else ({@code project.foreign}), has signals that cannot be read, or cannot be
    *     written
    */
-  public static Started create(Path folder) {
-    return new ProjectStart(folder).create();
+  public static Started create(Path folder, BenchProposal bench) {
+    return new ProjectStart(folder, bench).create();
   }
 
   private Started create() {
@@ -151,7 +168,7 @@ public final class ProjectStart {
         files.put(MODEL, new String(XmiStore.toBytes(chain), StandardCharsets.UTF_8));
       }
     }
-    files.put(Bench.FILE, Bench.proposal(base.signals().orElse(List.of()), catalog));
+    files.put(BENCH, bench.text(base.signals().orElse(List.of()), catalog));
     if (!exists("scenarios")) {
       files.put("scenarios/stopped-vehicle.yaml", scenario(requirements));
     }

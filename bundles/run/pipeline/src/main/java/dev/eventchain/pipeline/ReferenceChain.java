@@ -5,6 +5,7 @@ import dev.eventchain.description.EventChainWriter;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.model.EventChainMetamodel;
 import dev.eventchain.xmi.LoadedModel;
+import dev.eventchain.project.ProjectFolder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -36,7 +37,7 @@ record ReferenceChain(String name, String description) {
       return Optional.of(new ReferenceChain("model/chain.xmi", description));
     }
     return Stream.of(output, project.defaultOutput())
-        .map(folder -> folder.resolve(DesignStage.FILE))
+        .map(folder -> folder.resolve(ProjectFolder.DESCRIPTION))
         .filter(Files::isRegularFile)
         .findFirst()
         .map(

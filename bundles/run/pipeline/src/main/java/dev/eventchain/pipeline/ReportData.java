@@ -23,12 +23,19 @@ final class ReportData {
 
   private final RunContext run;
   private final Map<Stage, StageOutcome> outcomes;
+  private final EarlierRun before;
   private final Optional<ChainSnapshot> model;
   private final ObjectNode data = JsonNodeFactory.instance.objectNode();
 
-  ReportData(RunContext run, Map<Stage, StageOutcome> outcomes) {
+  /**
+   * Of a run.
+   *
+   * @param before what the report compares with
+   */
+  ReportData(RunContext run, Map<Stage, StageOutcome> outcomes, EarlierRun before) {
     this.run = run;
     this.outcomes = outcomes;
+    this.before = before;
     this.model = readable(run::chain);
   }
 
@@ -52,7 +59,7 @@ final class ReportData {
     data.set("conversations", conversations());
     diagnostics(found);
     JsonNode simulated = report(Stage.SIMULATE);
-    data.set("scenarios", run.before().beside(arrayOf(simulated, "scenarios")));
+    data.set("scenarios", before.beside(arrayOf(simulated, "scenarios")));
     for (String part : List.of("faults", "nodes", "hops", "topics")) {
       data.set(part, arrayOf(simulated, part));
     }

@@ -52,7 +52,8 @@ final class ReportPage {
 
   private static final Set<String> VERDICTS = Set.of("passed", "failed", "incomplete");
 
-  private static final String FILE = "report.html";
+  /** The name of the report among the results of a run. */
+  static final String FILE = "report.html";
 
   private ReportPage() {}
 

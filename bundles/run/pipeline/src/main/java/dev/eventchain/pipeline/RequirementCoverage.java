@@ -48,7 +48,7 @@ final class RequirementCoverage {
             .flatMap(scenario -> scenario.requirements().stream())
             .collect(Collectors.toSet());
     List<Diagnostic> found = new ArrayList<>();
-    for (WrittenRequirement item : ProjectScenarios.requirements(run)) {
+    for (WrittenRequirement item : run.writtenRequirements()) {
       if (!named.contains(item.id())) {
         found.add(
             untested(
@@ -85,7 +85,7 @@ final class RequirementCoverage {
             .map(Diagnostic::rule)
             .collect(Collectors.toSet());
     Set<String> untested = RequirementOutcomes.untested(outcomes);
-    return ProjectScenarios.requirements(run).stream()
+    return run.writtenRequirements().stream()
         .filter(item -> untested.contains(item.id()) && !listed.contains(item.id()))
         .map(
             item ->
@@ -110,7 +110,7 @@ final class RequirementCoverage {
   static Map<String, String> unproven(RunContext run, EventChain chain, List<Scenario> scenarios) {
     RequirementCoverage coverage = new RequirementCoverage(chain, run.bench(), scenarios);
     Map<String, String> unproven = new TreeMap<>();
-    coverage.findIndependent(ProjectScenarios.requirements(run), unproven);
+    coverage.findIndependent(run.writtenRequirements(), unproven);
     coverage.findUnread(unproven);
     return unproven;
   }

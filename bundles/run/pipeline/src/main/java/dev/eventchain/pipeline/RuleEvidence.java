@@ -57,7 +57,7 @@ final class RuleEvidence {
   /** The ids of the project's requirements and design rules. */
   static Set<String> ids(RunContext run) {
     Set<String> ids = new TreeSet<>();
-    ProjectScenarios.requirements(run).forEach(item -> ids.add(item.id()));
+    run.writtenRequirements().forEach(item -> ids.add(item.id()));
     run.designRules().map(Requirements::items).orElse(List.of()).forEach(it -> ids.add(it.id()));
     return ids;
   }

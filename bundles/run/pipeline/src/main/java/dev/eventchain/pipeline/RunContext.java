@@ -1,5 +1,6 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.check.ChainModel;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
@@ -30,7 +31,6 @@ final class RunContext {
   private final RunOptions options;
   private final OutputFolder output;
   private final Progress progress;
-  private final EarlierRun before;
   private final List<Diagnostic> findings = new ArrayList<>();
   private PythonEnvironment python;
   private final Snapshots snapshots = new Snapshots(this);
@@ -39,23 +39,22 @@ final class RunContext {
   private final ModelWork models;
   private boolean recordsAreLost;
 
+  /**
+   * A run that has not begun.
+   *
+   * @param sample the run of an evaluation that this is, if it is one
+   */
   RunContext(
       Project project,
       RunOptions options,
       OutputFolder output,
       Progress progress,
-      EarlierRun before) {
+      Optional<Sample> sample) {
     this.project = project;
     this.options = options;
     this.output = output;
     this.progress = progress;
-    this.before = before;
-    this.models = new ModelWork(this);
-  }
-
-  /** What the report compares with. */
-  EarlierRun before() {
-    return before;
+    this.models = new ModelWork(this, sample);
   }
 
   Project project() {
@@ -100,7 +99,7 @@ final class RunContext {
 
   /** The chain's model: the one that people edit, if there is one, else the generated one. */
   Path model() {
-    return project.editedModel().orElseGet(() -> required(ModelStage.FILE, Stage.MODEL));
+    return project.editedModel().orElseGet(() -> required(ProjectFolder.MODEL, Stage.MODEL));
   }
 
   /** The command that runs this project into this output folder. */
@@ -145,6 +144,11 @@ final class RunContext {
   /** The functional requirements. */
   Requirements requirements() {
     return readRules(project.requirements());
+  }
+
+  /** The functional requirements; none where the project has written none. */
+  List<WrittenRequirement> writtenRequirements() {
+    return ProjectFolder.isAbsent(project.requirements()) ? List.of() : requirements().items();
   }
 
   /** The design rules; none where the project has no such file. */

@@ -143,7 +143,7 @@ final class SimulateStage implements StageWork {
       SimulationResult result,
       RuleEvidence evidence) {
     return RequirementOutcomes.of(
-        ProjectScenarios.requirements(run),
+        run.writtenRequirements(),
         result.verdicts(),
         RequirementCoverage.unproven(run, chain, scenarios).keySet(),
         evidence);
@@ -308,7 +308,7 @@ final class SimulateStage implements StageWork {
           && place
               .file()
               .equals(SourceLocation.of(ComponentCopies.of(run, generated, node)).file())) {
-        return found.withLocation(place.inFile(GenerateStage.componentFile(run, node)));
+        return found.withLocation(place.inFile(ComponentFiles.of(run, node)));
       }
     }
     return found;

@@ -125,7 +125,7 @@ final class SimulationReport {
     }
     ArrayNode violated = JsonNodeFactory.instance.arrayNode();
     errors.stream()
-        .filter(each -> !Conclusion.isUntested(each))
+        .filter(each -> !UntestedFindings.include(each))
         .map(Diagnostic::rule)
         .filter(rule -> !rule.isEmpty())
         .distinct()

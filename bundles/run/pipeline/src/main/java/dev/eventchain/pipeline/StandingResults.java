@@ -1,6 +1,9 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.output.OutputFolder;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
@@ -20,7 +23,7 @@ final class StandingResults {
           SimulateStage.MEASUREMENTS,
           SimulateStage.MEASUREMENTS_TABLE,
           SimulateStage.MEASURED_MODEL,
-          Conclusion.REPORT);
+          ReportPage.FILE);
 
   private final RunContext run;
   private final StageMemory memory;
@@ -54,8 +57,24 @@ final class StandingResults {
     OTHERS.forEach(run::remove);
   }
 
+  /**
+   * Withdraws the verdict in an output folder, for a run that could not even be begun. Nothing
+   * happens where there is not a verdict, or another run is at work.
+   */
+  static void withdrawVerdict(Path output) {
+    if (!Files.isRegularFile(output.resolve(SimulateStage.VERDICT))) {
+      return;
+    }
+    try (OutputFolder folder = OutputFolder.open(output)) {
+      withdraw(folder);
+    } catch (DiagnosticException e) {
+      // What keeps the run from beginning is said by the one who asked for it.
+      return;
+    }
+  }
+
   /** Withdraws the verdict of a project that cannot be opened. */
-  static void withdraw(OutputFolder output) {
+  private static void withdraw(OutputFolder output) {
     byte[] standing = output.read(SimulateStage.VERDICT).orElseThrow();
     output.write(
         SimulateStage.VERDICT,
@@ -69,7 +88,7 @@ final class StandingResults {
     record.ifPresent(
         found -> {
           found.outputs().keySet().forEach(this::keep);
-          keep(Conclusion.REPORT);
+          keep(ReportPage.FILE);
         });
   }
 
@@ -108,7 +127,7 @@ final class StandingResults {
   void putReportBack() {
     boolean same =
         record.isPresent()
-            && contents.containsKey(Conclusion.REPORT)
+            && contents.containsKey(ReportPage.FILE)
             && memory
                 .recall(Stage.SIMULATE)
                 .filter(found -> found.key().equals(record.get().key()))
@@ -118,7 +137,7 @@ final class StandingResults {
                 .filter(verdict -> Arrays.equals(verdict, contents.get(SimulateStage.VERDICT)))
                 .isPresent();
     if (same && withdrawn) {
-      putBack(Conclusion.REPORT);
+      putBack(ReportPage.FILE);
     }
   }
 }

@@ -12,6 +12,7 @@ import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.sandbox.ComponentProbe;
 import dev.eventchain.simulation.SimulationResult;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
+import dev.eventchain.project.ProjectFolder;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -63,7 +64,7 @@ final class VerdictCorrection {
     for (SoftwareNode node : run.softwareBase().missing(run.chain().chain())) {
       boolean concerned =
           node.getSatisfies().stream().map(Requirement::getId).anyMatch(requirements::contains);
-      if (concerned && !run.output().isEdited(ImplementStage.file(node.getName()))) {
+      if (concerned && !run.output().isEdited(ComponentFiles.name(node.getName()))) {
         Optional<AgentResult> corrected = ask(node);
         if (corrected.isPresent()) {
           return Map.of(node.getName(), corrected.get());
@@ -74,7 +75,7 @@ final class VerdictCorrection {
   }
 
   private Optional<AgentResult> ask(SoftwareNode node) {
-    Path file = run.file(ImplementStage.file(node.getName()));
+    Path file = run.file(ComponentFiles.name(node.getName()));
     SourceText present = SourceText.read(file);
     run.progress().step(Stage.SIMULATE, "asking for a correction of " + node.getName());
     try {
@@ -82,7 +83,7 @@ final class VerdictCorrection {
       return answered.text().equals(present.text()) ? Optional.empty() : Optional.of(answered);
     } catch (DiagnosticException e) {
       // Of an evaluation nobody knows what it would have come to.
-      boolean evaluated = run.project().sample().isPresent() && e.reason() != Reason.FINDINGS;
+      boolean evaluated = run.models().isEvaluated() && e.reason() != Reason.FINDINGS;
       if (e.reason() == Reason.WAITING || evaluated) {
         throw e;
       }
@@ -101,7 +102,7 @@ final class VerdictCorrection {
   }
 
   private AgentResult correct(SoftwareNode node, SourceText present) {
-    SourceText chain = SourceText.read(run.required(DesignStage.FILE, Stage.DESIGN));
+    SourceText chain = SourceText.read(run.required(ProjectFolder.DESCRIPTION, Stage.DESIGN));
     return new ImplementAgent(
             run.models().correcting(), new ComponentProbe(run.python(Stage.IMPLEMENT)))
         .correct(

@@ -28,7 +28,7 @@ class ProjectTest {
     assertEquals(20, configuration.frequency());
     assertEquals("replay", configuration.llm());
     assertEquals("ros2-python", configuration.template());
-    assertEquals(List.of("person"), configuration.models(Stage.DESIGN));
+    assertEquals(List.of("person"), configuration.models("design"));
     assertEquals(Map.of(), configuration.packageFacts());
   }
 

@@ -2,14 +2,11 @@ package dev.eventchain.pipeline;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.diagnostics.DiagnosticException.Reason;
-import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.llm.Spending;
 import dev.eventchain.pipeline.EvaluatedRun.State;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
@@ -23,12 +20,9 @@ import java.util.concurrent.Future;
  * Compares language models: each does all tasks of several runs of a project, and the results are
  * counted, as in the paper's table.
  */
-public final class Evaluation {
+public final class LanguageModelEvaluation {
 
-  private static final int MOST_RUNS = 99;
-  private static final int MOST_PARALLEL = 64;
   private static final String HANDOFF = "handoff:";
-  private static final String COMMAND = "command:";
 
   /** After these, asking the same model again is of no use. */
   private static final Set<String> LASTING =
@@ -48,82 +42,8 @@ public final class Evaluation {
     void ended(String model, int run, boolean counted, Duration duration, String words);
   }
 
-  /**
-   * What is to be evaluated.
-   *
-   * @param output the folder of the project's results, below which the evaluation has one of its
-   *     own
-   * @param models empty for those that the project's configuration names
-   * @param runs how many runs each model does
-   * @param parallel how many runs are done at once
-   * @param llm how answers are had; empty: as the project's configuration says
-   * @param suppressions the findings that do not count
-   * @param timeLimit the processor time that a constraint may take on the whole model
-   */
-  public record Options(
-      Path output,
-      List<String> models,
-      int runs,
-      int parallel,
-      Optional<String> llm,
-      Suppressions suppressions,
-      Duration timeLimit) {
-
-    /**
-     * Checks what does not depend on the project.
-     *
-     * @throws IllegalArgumentException saying what is wrong
-     */
-    public Options {
-      models = models.stream().map(String::strip).toList();
-      require(
-          runs >= 1 && runs <= MOST_RUNS,
-          "the number of runs must be 1 to " + MOST_RUNS + ": --runs 5");
-      require(
-          parallel >= 1 && parallel <= MOST_PARALLEL,
-          "1 to " + MOST_PARALLEL + " runs can be done at once: --parallel 2");
-      require(models.stream().noneMatch(String::isEmpty), "a model has no name: --models a,b");
-      require(!models.contains(ModelStage.DIRECT), "'direct' is not a language model");
-      Set<String> seen = new LinkedHashSet<>();
-      models.forEach(model -> require(seen.add(model), "'" + model + "' is named twice"));
-    }
-
-    private static void require(boolean holds, String otherwise) {
-      if (!holds) {
-        throw new IllegalArgumentException(otherwise);
-      }
-    }
-
-    /** How answers are had. */
-    String source(Project project) {
-      return llm.orElse(project.configuration().llm());
-    }
-
-    /** The same for people: without what a command is told, and without folders. */
-    String kindOfSource(Project project) {
-      return source(project).replaceFirst("(?s):.*", "");
-    }
-
-    /** Whether answers are taken from the project's recordings. */
-    boolean takesRecordings(Project project) {
-      String source = source(project);
-      return !source.equals("live") && !source.startsWith(COMMAND);
-    }
-  }
-
-  /**
-   * How an evaluation ended.
-   *
-   * @param table what it came to, for people
-   * @param diagnostics what keeps it from being whole, or from being an evaluation
-   * @param failure why it is not whole, if it is not
-   * @param files what was written for people
-   */
-  public record Result(
-      String table, List<Diagnostic> diagnostics, Optional<Reason> failure, List<Path> files) {}
-
   private final Project project;
-  private final Options options;
+  private final EvaluationOptions options;
   private final Listener listener;
   private final EvaluationFolder folder;
   private final Optional<ReferenceChain> reference;
@@ -131,7 +51,8 @@ public final class Evaluation {
   private final Set<String> unreachable = ConcurrentHashMap.newKeySet();
   private volatile boolean ended;
 
-  private Evaluation(Project project, Options options, Listener listener, EvaluationFolder folder) {
+  private LanguageModelEvaluation(
+      Project project, EvaluationOptions options, Listener listener, EvaluationFolder folder) {
     this.project = project;
     this.options = options;
     this.listener = listener;
@@ -147,10 +68,11 @@ public final class Evaluation {
    * @throws IllegalArgumentException if the options do not fit the project
    * @throws DiagnosticException if the project or this machine is to blame for what went wrong
    */
-  public static Result run(Project project, Options given, Listener listener) {
-    Options options = of(project, given);
+  public static EvaluationOutcome run(Project project, EvaluationOptions given, Listener listener) {
+    EvaluationOptions options = of(project, given);
     try (EvaluationFolder folder = EvaluationFolder.open(options.output())) {
-      Evaluation evaluation = new Evaluation(project, options, listener, folder);
+      LanguageModelEvaluation evaluation =
+          new LanguageModelEvaluation(project, options, listener, folder);
       return new EvaluationResult(project, options, folder, evaluation.runAll()).write();
     }
   }
@@ -161,7 +83,7 @@ public final class Evaluation {
   }
 
   /** Who names a model as the source of answers names the model. */
-  private static Options of(Project project, Options given) {
+  private static EvaluationOptions of(Project project, EvaluationOptions given) {
     String source = given.source(project);
     boolean isModel =
         project.configuration().services().names().contains(source.replaceFirst("(?s)/.*", ""))
@@ -178,7 +100,7 @@ public final class Evaluation {
     if (models.isEmpty()) {
       throw new IllegalArgumentException("no language model is configured: --models a,b");
     }
-    return new Options(
+    return new EvaluationOptions(
         given.output(),
         models,
         given.runs(),
