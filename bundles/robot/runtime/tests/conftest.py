@@ -10,7 +10,7 @@ import pytest
 
 FIXTURES = Path(__file__).with_name("fixtures")
 BUNDLE = Path(__file__).parents[1]
-CONFINEMENT = BUNDLE.parent / "python" / "src" / "main" / "resources" / "dev" / "eventchain" / "python"
+CONFINEMENT = BUNDLE.parent / "sandbox" / "src" / "main" / "resources" / "dev" / "eventchain" / "sandbox"
 sys.path[:0] = [str(BUNDLE / "python"), str(BUNDLE / "tools"), str(CONFINEMENT)]
 
 from eventchain_ros2 import context  # noqa: E402

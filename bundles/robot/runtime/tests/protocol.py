@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from typing_extensions import Self
 
 SOURCES = Path(__file__).parents[1] / "python"
-CONFINEMENT = Path(__file__).parents[2] / "python" / "src" / "main" / "resources" / "dev" / "eventchain" / "python"
+CONFINEMENT = Path(__file__).parents[2] / "sandbox" / "src" / "main" / "resources" / "dev" / "eventchain" / "sandbox"
 BOOTSTRAP = "import sys, confined; confined.main(sys.argv[1])"
 CONFIGURE, READY, STEP, STEPPED, FINISH, FINISHED, FAILED, RESET = range(1, 9)
 CONNECT, CONNECTED, PUBLISH, RUN, IDLE, START, STOP = range(9, 16)

@@ -1,7 +1,7 @@
 package dev.eventchain.agents;
 
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.llm.ChatModel;
+import dev.eventchain.llm.chat.ChatModel;
 import java.util.Objects;
 import java.util.function.Consumer;
 import java.util.function.Predicate;

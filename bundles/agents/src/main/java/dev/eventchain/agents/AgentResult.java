@@ -1,7 +1,7 @@
 package dev.eventchain.agents;
 
 import dev.eventchain.diagnostics.Diagnostic;
-import dev.eventchain.llm.ChatResponse;
+import dev.eventchain.llm.chat.ChatResponse;
 import java.util.List;
 
 /**

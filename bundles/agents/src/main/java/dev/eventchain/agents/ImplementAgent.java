@@ -1,9 +1,18 @@
 package dev.eventchain.agents;
 
+import dev.eventchain.agents.prompt.PromptTemplate;
+import dev.eventchain.agents.component.ComponentTester;
+import dev.eventchain.agents.chain.ChainView;
+import dev.eventchain.agents.answer.AnswerKind;
+import dev.eventchain.agents.prompt.RuleText;
+import dev.eventchain.agents.chain.RequirementCheck;
+import dev.eventchain.agents.component.ImplementationCheck;
+
+
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.JsonLayout;
-import dev.eventchain.llm.ChatMessage;
+import dev.eventchain.llm.chat.ChatMessage;
 import dev.eventchain.project.Requirements;
 import dev.eventchain.sandbox.ComponentProbe;
 import java.util.List;

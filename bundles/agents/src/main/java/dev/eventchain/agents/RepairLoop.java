@@ -1,5 +1,11 @@
 package dev.eventchain.agents;
 
+import dev.eventchain.agents.prompt.PromptTemplate;
+import dev.eventchain.agents.answer.AnswerKind;
+import dev.eventchain.agents.answer.AnswerText;
+import dev.eventchain.agents.prompt.FindingsText;
+
+
 import dev.eventchain.agents.AgentResult.Attempt;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
@@ -7,11 +13,11 @@ import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.llm.AnswerSchema;
-import dev.eventchain.llm.ChatMessage;
-import dev.eventchain.llm.ChatRequest;
-import dev.eventchain.llm.ChatResponse;
-import dev.eventchain.llm.Sampling;
+import dev.eventchain.llm.chat.AnswerSchema;
+import dev.eventchain.llm.chat.ChatMessage;
+import dev.eventchain.llm.chat.ChatRequest;
+import dev.eventchain.llm.chat.ChatResponse;
+import dev.eventchain.llm.chat.Sampling;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;

@@ -1,6 +1,5 @@
 /**
- * The paper's workflow (Sections III to V): one agent for each task that a language model does,
- * each with its prompt, the checks of its answers, and a loop that sends findings back to the
- * model.
+ * One agent for each task of the workflow, and the loop that has answers checked and repaired.
+ * Knows no provider of language models and no files of a run.
  */
 package dev.eventchain.agents;

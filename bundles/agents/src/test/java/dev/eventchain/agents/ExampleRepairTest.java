@@ -4,11 +4,11 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
-import dev.eventchain.llm.ChatModel;
+import dev.eventchain.llm.chat.ChatModel;
 import dev.eventchain.llm.ChatModels;
-import dev.eventchain.llm.ChatRequest;
-import dev.eventchain.llm.ChatResponse;
-import dev.eventchain.llm.Sampling;
+import dev.eventchain.llm.chat.ChatRequest;
+import dev.eventchain.llm.chat.ChatResponse;
+import dev.eventchain.llm.chat.Sampling;
 import java.util.List;
 import java.util.Map;
 import java.util.regex.Pattern;

@@ -1,8 +1,11 @@
 package dev.eventchain.agents;
 
+import dev.eventchain.agents.component.ComponentTester;
+
+
 import dev.eventchain.description.EventChainReader;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.llm.ChatModel;
+import dev.eventchain.llm.chat.ChatModel;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.model.EventChainMetamodel;
 import dev.eventchain.model.eventchain.EventChain;

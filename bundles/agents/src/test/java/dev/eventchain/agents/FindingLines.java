@@ -1,5 +1,8 @@
 package dev.eventchain.agents;
 
+import dev.eventchain.agents.prompt.FindingsText;
+
+
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
 import dev.eventchain.diagnostics.Diagnostic;
@@ -12,9 +15,9 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /** How these tests write findings down. */
-final class FindingLines {
+public final class FindingLines {
   /** What speaks of files and options. */
-  static final Pattern FILES =
+  public static final Pattern FILES =
       Pattern.compile(
           "\\.(json|yaml|md|xmi|ecore|msg|py)\\b|(^| )--[a-z]|(?<!['`])\\b[Ff]iles?\\b(?!['`])");
 
@@ -24,7 +27,7 @@ final class FindingLines {
    * Compares what was found in an answer with what the file next to it expects. A language model is
    * told it in words of its answer: names of its own may be there, but no files and options.
    */
-  static void check(Path answer, Collection<Diagnostic> found) throws IOException {
+  public static void check(Path answer, Collection<Diagnostic> found) throws IOException {
     ExpectedFile.check(ExpectedFile.beside(answer), of(found));
     String file = found.stream().map(each -> each.location().file()).findFirst().orElse("");
     String told = FindingsText.of(file, List.copyOf(found));
@@ -37,7 +40,7 @@ final class FindingLines {
   }
 
   /** Findings in a form that is easy to read next to the input. */
-  static String of(Collection<Diagnostic> diagnostics) {
+  public static String of(Collection<Diagnostic> diagnostics) {
     StringBuilder out = new StringBuilder();
     for (Diagnostic diagnostic : diagnostics) {
       out.append(diagnostic.severity()).append(' ');

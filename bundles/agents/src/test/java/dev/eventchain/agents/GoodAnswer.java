@@ -1,12 +1,16 @@
 package dev.eventchain.agents;
 
+import dev.eventchain.agents.answer.AnswerKind;
+import dev.eventchain.agents.answer.AnswerText;
+
+
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import dev.eventchain.agents.Mutation.Outcome;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.llm.ChatResponse;
-import dev.eventchain.llm.ChatResponse.FinishReason;
+import dev.eventchain.llm.chat.ChatResponse;
+import dev.eventchain.llm.chat.ChatResponse.FinishReason;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.List;

@@ -1,5 +1,9 @@
 package dev.eventchain.agents;
 
+import dev.eventchain.agents.component.ImplementationCheck;
+import dev.eventchain.agents.chain.ChainView;
+
+
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;

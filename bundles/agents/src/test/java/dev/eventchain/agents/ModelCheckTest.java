@@ -1,5 +1,8 @@
 package dev.eventchain.agents;
 
+import dev.eventchain.agents.prompt.PromptTemplate;
+
+
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import dev.eventchain.description.EventChainReader;

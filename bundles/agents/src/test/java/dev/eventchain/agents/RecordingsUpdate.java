@@ -4,7 +4,7 @@ import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
-import dev.eventchain.llm.ChatModel;
+import dev.eventchain.llm.chat.ChatModel;
 import dev.eventchain.llm.ChatModels;
 import java.io.IOException;
 import java.nio.file.Files;

@@ -1,5 +1,9 @@
 package dev.eventchain.agents;
 
+import dev.eventchain.agents.prompt.PromptTemplate;
+import dev.eventchain.agents.answer.AnswerKind;
+
+
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -8,8 +12,8 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.llm.ChatMessage;
-import dev.eventchain.llm.ChatResponse.FinishReason;
+import dev.eventchain.llm.chat.ChatMessage;
+import dev.eventchain.llm.chat.ChatResponse.FinishReason;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;

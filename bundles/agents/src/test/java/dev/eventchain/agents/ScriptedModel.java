@@ -1,9 +1,9 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.llm.ChatModel;
-import dev.eventchain.llm.ChatRequest;
-import dev.eventchain.llm.ChatResponse;
-import dev.eventchain.llm.ChatResponse.FinishReason;
+import dev.eventchain.llm.chat.ChatModel;
+import dev.eventchain.llm.chat.ChatRequest;
+import dev.eventchain.llm.chat.ChatResponse;
+import dev.eventchain.llm.chat.ChatResponse.FinishReason;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;

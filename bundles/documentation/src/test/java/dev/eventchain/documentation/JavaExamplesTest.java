@@ -8,7 +8,7 @@ import dev.eventchain.documentation.examples.ModelFromJson;
 import dev.eventchain.documentation.examples.RunSimulation;
 import dev.eventchain.documentation.examples.RunTemplate;
 import dev.eventchain.documentation.examples.ValidateModel;
-import dev.eventchain.pipeline.RunResult;
+import dev.eventchain.pipeline.run.RunResult;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -1,5 +1,10 @@
 package dev.eventchain.llm;
 
+import dev.eventchain.llm.chat.ChatModel;
+import dev.eventchain.llm.chat.ChatResponse;
+import dev.eventchain.llm.chat.ChatRequest;
+
+
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;

@@ -1,5 +1,12 @@
 package dev.eventchain.llm;
 
+import dev.eventchain.llm.chat.ChatModel;
+import dev.eventchain.llm.chat.ModelName;
+import dev.eventchain.llm.chat.ChatResponse;
+import dev.eventchain.llm.chat.ChatRequest;
+import dev.eventchain.llm.service.ErrorBody;
+
+
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 

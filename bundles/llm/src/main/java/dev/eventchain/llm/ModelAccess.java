@@ -1,5 +1,8 @@
 package dev.eventchain.llm;
 
+import dev.eventchain.llm.service.ModelServices;
+
+
 import dev.eventchain.diagnostics.Diagnostic;
 import java.nio.file.Path;
 import java.util.function.Consumer;

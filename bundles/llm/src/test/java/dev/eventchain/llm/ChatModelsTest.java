@@ -1,5 +1,13 @@
 package dev.eventchain.llm;
 
+import dev.eventchain.llm.service.FakeService;
+import dev.eventchain.llm.service.ModelServices;
+import dev.eventchain.llm.chat.ChatModel;
+import dev.eventchain.llm.service.Wire;
+import dev.eventchain.llm.chat.ChatResponse;
+import dev.eventchain.llm.service.ServiceProbe;
+
+
 import static com.github.tomakehurst.wiremock.client.WireMock.aResponse;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;

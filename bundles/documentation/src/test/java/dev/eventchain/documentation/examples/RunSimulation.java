@@ -1,10 +1,10 @@
 package dev.eventchain.documentation.examples;
 
 import dev.eventchain.pipeline.Pipeline;
-import dev.eventchain.pipeline.Progress;
-import dev.eventchain.pipeline.Project;
-import dev.eventchain.pipeline.RunOptions;
-import dev.eventchain.pipeline.RunResult;
+import dev.eventchain.pipeline.run.Progress;
+import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.run.RunOptions;
+import dev.eventchain.pipeline.run.RunResult;
 import java.nio.file.Path;
 
 /** Takes a project from its requirements to the verdict of its scenarios. */

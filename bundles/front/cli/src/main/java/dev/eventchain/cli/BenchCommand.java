@@ -3,7 +3,7 @@ package dev.eventchain.cli;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.pipeline.ExitCode;
-import dev.eventchain.pipeline.Project;
+import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.ProjectBench;
 import java.nio.file.Path;
 import java.util.List;

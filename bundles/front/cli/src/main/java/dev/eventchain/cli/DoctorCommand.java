@@ -2,7 +2,7 @@ package dev.eventchain.cli;
 
 import dev.eventchain.pipeline.Doctor;
 import dev.eventchain.pipeline.ExitCode;
-import dev.eventchain.pipeline.Project;
+import dev.eventchain.pipeline.project.Project;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;

@@ -2,11 +2,11 @@ package dev.eventchain.cli;
 
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.DiagnosticFormat;
-import dev.eventchain.pipeline.EvaluationOptions;
-import dev.eventchain.pipeline.EvaluationOutcome;
-import dev.eventchain.pipeline.LanguageModelEvaluation;
+import dev.eventchain.pipeline.evaluation.EvaluationOptions;
+import dev.eventchain.pipeline.evaluation.EvaluationOutcome;
+import dev.eventchain.pipeline.evaluation.LanguageModelEvaluation;
 import dev.eventchain.pipeline.Outcome;
-import dev.eventchain.pipeline.Project;
+import dev.eventchain.pipeline.project.Project;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Optional;

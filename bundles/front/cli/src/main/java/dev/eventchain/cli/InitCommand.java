@@ -2,7 +2,7 @@ package dev.eventchain.cli;
 
 import dev.eventchain.pipeline.ExitCode;
 import dev.eventchain.pipeline.ProjectBench;
-import dev.eventchain.pipeline.ProjectStart;
+import dev.eventchain.pipeline.start.ProjectStart;
 import java.nio.file.Path;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;

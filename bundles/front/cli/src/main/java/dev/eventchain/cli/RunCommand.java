@@ -1,7 +1,7 @@
 package dev.eventchain.cli;
 
 import dev.eventchain.pipeline.Outcome;
-import dev.eventchain.pipeline.Stage;
+import dev.eventchain.pipeline.run.Stage;
 import java.nio.file.Path;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;

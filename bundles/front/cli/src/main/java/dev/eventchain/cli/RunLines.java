@@ -1,7 +1,7 @@
 package dev.eventchain.cli;
 
 import dev.eventchain.diagnostics.Printable;
-import dev.eventchain.pipeline.LanguageModelEvaluation;
+import dev.eventchain.pipeline.evaluation.LanguageModelEvaluation;
 import java.io.PrintWriter;
 import java.time.Duration;
 import java.util.Locale;

@@ -1,6 +1,6 @@
 package dev.eventchain.cli;
 
-import dev.eventchain.pipeline.RunOptions;
+import dev.eventchain.pipeline.run.RunOptions;
 import java.nio.file.Path;
 import java.util.List;
 import picocli.CommandLine.Option;

@@ -1,8 +1,8 @@
 package dev.eventchain.maven;
 
 import dev.eventchain.diagnostics.Printable;
-import dev.eventchain.pipeline.Progress;
-import dev.eventchain.pipeline.Stage;
+import dev.eventchain.pipeline.run.Progress;
+import dev.eventchain.pipeline.run.Stage;
 import java.time.Duration;
 import java.util.Locale;
 import org.apache.maven.plugin.logging.Log;

@@ -1,7 +1,7 @@
 package dev.eventchain.maven;
 
 import dev.eventchain.pipeline.Outcome;
-import dev.eventchain.pipeline.Stage;
+import dev.eventchain.pipeline.run.Stage;
 import org.apache.maven.plugins.annotations.LifecyclePhase;
 import org.apache.maven.plugins.annotations.Mojo;
 

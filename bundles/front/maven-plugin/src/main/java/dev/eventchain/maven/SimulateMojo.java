@@ -1,8 +1,8 @@
 package dev.eventchain.maven;
 
 import dev.eventchain.pipeline.Outcome;
-import dev.eventchain.pipeline.RunOptions.Driver;
-import dev.eventchain.pipeline.Stage;
+import dev.eventchain.pipeline.run.RunOptions.Driver;
+import dev.eventchain.pipeline.run.Stage;
 import java.io.File;
 import java.nio.file.Path;
 import java.util.Optional;

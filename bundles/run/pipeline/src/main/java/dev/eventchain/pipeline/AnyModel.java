@@ -1,5 +1,10 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.pipeline.files.WrittenFiles;
+import dev.eventchain.pipeline.generate.MessageModel;
+import dev.eventchain.pipeline.generate.TraceFile;
+
+
 import dev.eventchain.check.ModelValidation;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;

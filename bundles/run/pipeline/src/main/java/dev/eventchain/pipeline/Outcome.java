@@ -1,5 +1,9 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.pipeline.run.RunResult;
+import dev.eventchain.pipeline.files.WrittenFiles;
+
+
 import static java.util.stream.Collectors.joining;
 
 import dev.eventchain.diagnostics.Coverage;

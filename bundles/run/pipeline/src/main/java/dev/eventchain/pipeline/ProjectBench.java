@@ -1,5 +1,8 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.pipeline.project.Project;
+
+
 import dev.eventchain.check.ChainModel;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;

@@ -1,5 +1,6 @@
 /**
- * The stages from requirements to verdict as a Java API. It writes files below an output folder and
- * nothing else: it never prints and never ends the process.
+ * The doors that the command line and the Maven plug-in use: runs of a project, generation without
+ * one, and how a command ended, with its exit code. What the stages do is in the packages below;
+ * this one knows neither diagrams nor evaluations.
  */
 package dev.eventchain.pipeline;

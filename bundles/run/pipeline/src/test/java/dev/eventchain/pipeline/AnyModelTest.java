@@ -1,5 +1,8 @@
 package dev.eventchain.pipeline;
 
+import dev.eventchain.pipeline.files.WrittenFiles;
+
+
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;

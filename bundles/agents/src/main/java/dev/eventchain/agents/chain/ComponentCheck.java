@@ -1,0 +1,66 @@
+package dev.eventchain.agents.chain;
+
+
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.agents.chain.ChainView.Component;
+import java.util.Set;
+import java.util.stream.Stream;
+
+/**
+ * What a component of a designed chain must have that a description may lack: a frequency, and, as
+ * long as it does not exist, the types of its values, which its code is written and tried for.
+ */
+final class ComponentCheck {
+  private static final double HIGHEST_FREQUENCY = 10_000;
+
+  private final Set<String> existing;
+  private final Findings findings;
+
+  ComponentCheck(Set<String> existing, Findings findings) {
+    this.existing = existing;
+    this.findings = findings;
+  }
+
+  void check(ChainView chain) {
+    for (Component component : chain.components()) {
+      if (component.json().isObject()) { // else the reader of descriptions says so
+        frequency(component);
+        types(component);
+      }
+    }
+  }
+
+  private void frequency(Component component) {
+    JsonNode frequency = component.json().path("frequency");
+    if (frequency.isMissingNode() || frequency.isNull()) {
+      findings.error(
+          "agents.frequency",
+          component.pointer(),
+          "'%s' states no frequency.".formatted(component.name()),
+          "State it as a number in Hz.");
+    } else if (frequency.asDouble() > HIGHEST_FREQUENCY) {
+      findings.error(
+          "agents.frequency",
+          component.pointer() + "/frequency",
+          "'%s' cannot execute at %s Hz.".formatted(component.name(), frequency.asText()),
+          "State a number in Hz, at most 10000.");
+    }
+  }
+
+  private void types(Component component) {
+    if (existing.contains(component.name())) {
+      return;
+    }
+    Stream.concat(component.inputValues().stream(), component.outputValues().stream())
+        .filter(value -> value.type().isBlank())
+        .forEach(
+            value ->
+                findings.error(
+                    "agents.type",
+                    value.pointer(),
+                    "The value '%s' of '%s' states no type."
+                        .formatted(value.name(), component.name()),
+                    "State the type of its field as the message definition writes it."));
+  }
+}

@@ -1,0 +1,47 @@
+package dev.eventchain.agents.chain;
+
+
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.agents.chain.ChainView.Component;
+import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.project.Requirements;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+
+/** Whether each requirement is taken on by a component. */
+public final class RequirementCheck {
+  private final Set<String> known;
+  private final Findings findings;
+
+  RequirementCheck(List<String> known, Findings findings) {
+    this.known = new LinkedHashSet<>(known);
+    this.findings = findings;
+  }
+
+  void check(ChainView chain) {
+    Set<String> open = new LinkedHashSet<>(known);
+    for (Component component : chain.components()) {
+      JsonNode ids = component.json().path("requirements");
+      for (int i = 0; i < ids.size(); i++) {
+        open.remove(ids.path(i).asText());
+      }
+    }
+    for (String id : open) {
+      findings.error(
+          "agents.requirement.unsatisfied",
+          "",
+          "No component contributes to the requirement %s.".formatted(id),
+          "Name it with the component that does, or add one.");
+    }
+  }
+
+  /** The requirements that a component contributes to, by its description. */
+  public static List<WrittenRequirement> own(JsonNode component, Requirements requirements) {
+    List<String> ids = new ArrayList<>();
+    component.path("requirements").forEach(id -> ids.add(id.asText()));
+    return requirements.items().stream().filter(item -> ids.contains(item.id())).toList();
+  }
+}

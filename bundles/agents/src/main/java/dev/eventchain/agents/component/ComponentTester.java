@@ -1,0 +1,125 @@
+package dev.eventchain.agents.component;
+
+import dev.eventchain.agents.chain.ChainView;
+
+
+import dev.eventchain.agents.chain.ChainView.Component;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.DocumentFormat;
+import dev.eventchain.project.Requirements;
+import dev.eventchain.sandbox.ComponentProbe;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * The tests of a component: calls of {@code execute} with their expected results, and properties
+ * over ranges of inputs, each for the requirement that asks for it. Whatever language it is written
+ * in, a component is called as the chain describes it.
+ */
+public final class ComponentTester {
+  private final SourceText source;
+  private final Component component;
+  private final ComponentTests tests;
+  private final List<Diagnostic> diagnostics;
+
+  private ComponentTester(
+      SourceText source, Component component, ComponentTests tests, List<Diagnostic> diagnostics) {
+    this.source = source;
+    this.component = component;
+    this.tests = tests;
+    this.diagnostics = List.copyOf(diagnostics);
+  }
+
+  /**
+   * Reads tests.
+   *
+   * @param source a file {@code tests/NAME.yaml}
+   * @param chain the event-chain description
+   * @param component the name of the component in it
+   * @param requirements of the project
+   * @throws IllegalArgumentException if the chain has no such component
+   */
+  public static ComponentTester read(
+      SourceText source, SourceText chain, String component, Requirements requirements) {
+    return read(source, DocumentFormat.YAML, ChainView.component(chain, component), requirements);
+  }
+
+  public static ComponentTester read(
+      SourceText source, DocumentFormat format, Component component, Requirements requirements) {
+    List<Diagnostic> found = new ArrayList<>();
+    ComponentTests tests = ComponentTestsReader.read(source, format, component, found::add);
+    ComponentTestsCheck check = new ComponentTestsCheck(component, requirements);
+    found.addAll(check.wrong(tests));
+    SourceLocation place = source.at(0);
+    if (tests.tests().isEmpty() && tests.properties().isEmpty() && found.isEmpty()) {
+      String message = "The file contains no test and no property.";
+      found.add(Diagnostic.error(ComponentTestsReader.FORMAT, message, place));
+    } else if (found.isEmpty()) {
+      check.gaps(tests, place).ifPresent(found::add);
+    }
+    return new ComponentTester(source, component, tests, found);
+  }
+
+  /**
+   * What is wrong with the tests: errors, each at its place; and what they leave out, warnings, of
+   * tests that nothing is wrong with.
+   */
+  public List<Diagnostic> diagnostics() {
+    return diagnostics.stream()
+        .map(
+            each ->
+                isGap(each)
+                    ? Diagnostic.warning(each.id(), each.message(), each.location())
+                        .withHint(each.hint())
+                    : each)
+        .toList();
+  }
+
+  /** The same, where what is left out is wrong, too. */
+  public List<Diagnostic> complaints() {
+    return diagnostics;
+  }
+
+  private static boolean isGap(Diagnostic finding) {
+    return finding.id().equals("component.tests.gap");
+  }
+
+  /** How many tests and properties there are. */
+  public int count() {
+    return tests.tests().size() + tests.properties().size();
+  }
+
+  /**
+   * Runs the tests on a component.
+   *
+   * @param file its Python file
+   * @return what is not as it must be, at the places of the tests; and what keeps the component
+   *     from being called, at its own
+   */
+  public List<Diagnostic> run(ComponentProbe probe, Path file) {
+    return new ComponentTestRun(component, tests).run(probe, file);
+  }
+
+  /**
+   * Runs the tests on a component that was never called before, such as one that a person has
+   * edited. If it cannot be called as the first test asks, the others are left out: it might hang
+   * in each of them.
+   *
+   * @param file its Python file
+   * @return what keeps the component from passing the calls of the first test, at its place in the
+   *     component; if nothing does, as {@link #run}
+   */
+  public List<Diagnostic> check(ComponentProbe probe, Path file) {
+    ComponentTestRun run = new ComponentTestRun(component, tests);
+    List<Diagnostic> found = probe.check(file, component.signature(), run.first());
+    return found.isEmpty() ? run.run(probe, file) : found;
+  }
+
+  /** Whether a place is in the file of the tests. */
+  boolean holds(SourceLocation place) {
+    return place.file().equals(source.name());
+  }
+}

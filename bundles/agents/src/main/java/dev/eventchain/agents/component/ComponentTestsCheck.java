@@ -1,0 +1,218 @@
+package dev.eventchain.agents.component;
+
+
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.agents.chain.ChainView.Component;
+import dev.eventchain.agents.component.ComponentTests.Case;
+import dev.eventchain.agents.component.ComponentTests.Property;
+import dev.eventchain.agents.component.RequirementThresholds.Effect;
+import dev.eventchain.agents.component.RequirementThresholds.Threshold;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.project.Requirements;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.OptionalDouble;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
+
+/**
+ * Whether tests are about their requirements: each names one that there is, none contradicts the
+ * thresholds that its requirement states, and all requirements and thresholds of the component are
+ * tested.
+ */
+final class ComponentTestsCheck {
+  private static final Pattern NORMALIZED =
+      Pattern.compile("(?i)normali[sz]ed|\\b0(\\.0)? to 1(\\.0)?\\b");
+
+  /** How near to a threshold a test must be, as a part of it. */
+  private static final double NEAR = 0.1;
+
+  private static final double SAME = 1e-9;
+
+  /** What a tolerance for rounding may leave of nothing. */
+  private static final double ZERO = 1e-5;
+
+  private final Component component;
+  private final Map<String, WrittenRequirement> requirements = new LinkedHashMap<>();
+  private final boolean isNormalized;
+
+  /**
+   * Checks the tests of a component.
+   *
+   * @param requirements all of the project; the component's own are those that the chain says
+   */
+  ComponentTestsCheck(Component component, Requirements requirements) {
+    this.component = component;
+    requirements.items().forEach(item -> this.requirements.put(item.id(), item));
+    this.isNormalized =
+        requirements.items().stream().anyMatch(item -> NORMALIZED.matcher(item.text()).find());
+  }
+
+  /** What must not be: errors. */
+  List<Diagnostic> wrong(ComponentTests tests) {
+    List<Diagnostic> found = new ArrayList<>();
+    Set<String> names = new TreeSet<>();
+    for (Case test : tests.tests()) {
+      named(test.requirement(), test.name(), test.place(), names, found);
+      contradiction(test).ifPresent(found::add);
+    }
+    for (Property property : tests.properties()) {
+      named(property.requirement(), property.name(), property.place(), names, found);
+    }
+    return found;
+  }
+
+  private void named(
+      String requirement,
+      String name,
+      SourceLocation place,
+      Set<String> names,
+      List<Diagnostic> found) {
+    if (!requirements.containsKey(requirement)) {
+      found.add(
+          Diagnostic.error(
+                  "component.tests.requirement",
+                  "There is no requirement '%s'.".formatted(requirement),
+                  place)
+              .withHint(NearestName.hint(requirement, requirements.keySet())));
+    }
+    if (!names.add(name)) {
+      found.add(
+          Diagnostic.error(
+              ComponentTestsReader.FORMAT,
+              "Another test is already called '%s'.".formatted(name),
+              place));
+    }
+  }
+
+  private Optional<Diagnostic> contradiction(Case test) {
+    WrittenRequirement requirement = requirements.get(test.requirement());
+    if (requirement == null) {
+      return Optional.empty();
+    }
+    for (Threshold threshold : RequirementThresholds.of(requirement, component)) {
+      if (isAlwaysIn(threshold, test)) {
+        for (String output : threshold.outputs()) {
+          TestExpectation expected = test.outputs().get(output);
+          if (expected != null && !isPossible(threshold.effect(), expected)) {
+            return Optional.of(contradiction(test, threshold, output, expected));
+          }
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static Diagnostic contradiction(
+      Case test, Threshold threshold, String output, TestExpectation expected) {
+    return Diagnostic.error(
+            "component.tests.contradiction",
+            "'%s' expects '%s' to be %s, but %s says \"%s\"."
+                .formatted(
+                    test.name(), output, expected.words(), test.requirement(), threshold.clause()),
+            test.place())
+        .withHint("Correct the expected output, the input, or the requirement.");
+  }
+
+  /** A value that changes on the way may have crossed a threshold. */
+  private static boolean isAlwaysIn(Threshold threshold, Case test) {
+    return test.calls().stream()
+        .map(call -> literal(call.get(threshold.input())))
+        .allMatch(value -> value.isPresent() && threshold.holds(value.getAsDouble()));
+  }
+
+  private static OptionalDouble literal(JsonNode written) {
+    return written == null
+        ? OptionalDouble.empty()
+        : TestValues.literal(written).map(OptionalDouble::of).orElse(OptionalDouble.empty());
+  }
+
+  private boolean isPossible(Effect effect, TestExpectation expected) {
+    Optional<JsonNode> exact = expected.exact();
+    if (exact.isPresent() && exact.get().isBoolean()) {
+      return exact.get().asBoolean() == (effect != Effect.NONE);
+    }
+    double least = expected.smallest();
+    double most = expected.greatest();
+    if (Double.isNaN(least) || Double.isNaN(most)) {
+      return true; // a text or an array, of which the requirement says nothing that is understood
+    }
+    boolean zero = least <= 0 && most >= 0;
+    boolean onlyZero = zero && Math.max(-least, most) <= ZERO;
+    return switch (effect) {
+      case NONE -> zero;
+      case SOME -> !onlyZero;
+      case FULL -> isNormalized ? least <= 1 && most >= 1 : !onlyZero;
+      case PARTIAL -> !onlyZero && (!isNormalized || (least < 1 - ZERO && most > ZERO));
+    };
+  }
+
+  /** What is not tested, as a finding at a place of the tests. */
+  Optional<Diagnostic> gaps(ComponentTests tests, SourceLocation place) {
+    List<String> missing = new ArrayList<>();
+    Set<String> tested = new TreeSet<>();
+    tests.tests().forEach(test -> tested.add(test.requirement()));
+    tests.properties().forEach(property -> tested.add(property.requirement()));
+    for (JsonNode id : component.json().path("requirements")) {
+      if (requirements.containsKey(id.asText()) && !tested.contains(id.asText())) {
+        missing.add("about " + id.asText());
+      }
+    }
+    thresholds()
+        .forEach((input, bounds) -> bounds.forEach(b -> missing.addAll(gaps(input, b, tests))));
+    return missing.isEmpty()
+        ? Optional.empty()
+        : Optional.of(
+            Diagnostic.error(
+                    "component.tests.gap",
+                    "No test is " + String.join(", none ", missing) + ".",
+                    place)
+                .withHint(
+                    "Add them; just below and just above mean at most a tenth of the value away."));
+  }
+
+  /** The values of inputs at which a requirement of the component wants something else. */
+  private Map<String, Set<Double>> thresholds() {
+    Map<String, Set<Double>> thresholds = new LinkedHashMap<>();
+    for (JsonNode id : component.json().path("requirements")) {
+      Optional.ofNullable(requirements.get(id.asText())).stream()
+          .flatMap(item -> RequirementThresholds.of(item, component).stream())
+          .forEach(
+              each ->
+                  thresholds
+                      .computeIfAbsent(each.input(), input -> new TreeSet<>())
+                      .addAll(each.bounds()));
+    }
+    return thresholds;
+  }
+
+  private static List<String> gaps(String input, double bound, ComponentTests tests) {
+    List<Double> values =
+        tests.tests().stream()
+            .map(test -> literal(test.calls().get(test.calls().size() - 1).get(input)))
+            .filter(OptionalDouble::isPresent)
+            .map(OptionalDouble::getAsDouble)
+            .toList();
+    double near = Math.max(Math.abs(bound) * NEAR, SAME);
+    double same = Math.max(Math.abs(bound) * SAME, SAME);
+    List<String> missing = new ArrayList<>();
+    if (values.stream().noneMatch(v -> v < bound - same && v >= bound - near)) {
+      missing.add("with '%s' just below %s".formatted(input, bound));
+    }
+    if (values.stream().noneMatch(v -> Math.abs(v - bound) <= same)) {
+      missing.add("with '%s' at %s".formatted(input, bound));
+    }
+    if (values.stream().noneMatch(v -> v > bound + same && v <= bound + near)) {
+      missing.add("with '%s' just above %s".formatted(input, bound));
+    }
+    return missing;
+  }
+}

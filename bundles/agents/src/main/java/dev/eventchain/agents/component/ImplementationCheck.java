@@ -1,0 +1,62 @@
+package dev.eventchain.agents.component;
+
+
+
+import dev.eventchain.agents.chain.ChainView.Component;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.sandbox.ComponentProbe;
+import dev.eventchain.sandbox.WorkFolder;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * Whether a Python module is the component that the chain describes, and copes with inputs at their
+ * edges.
+ */
+public final class ImplementationCheck {
+  private final ComponentProbe probe;
+  private final Component component;
+  private final Optional<ComponentTester> tests;
+
+  /**
+   * Prepares a check.
+   *
+   * @param tests of the component, if it has any
+   */
+  public ImplementationCheck(ComponentProbe probe, Component component, Optional<ComponentTester> tests) {
+    this.probe = probe;
+    this.component = component;
+    this.tests = tests;
+  }
+
+  public List<Diagnostic> check(SourceText python) {
+    try (WorkFolder folder = WorkFolder.create()) {
+      Path file = folder.path().resolve("component.py");
+      try {
+        Files.writeString(file, python.text());
+      } catch (IOException e) {
+        throw folder.unwritable(e);
+      }
+      List<Diagnostic> found =
+          probe.check(file, component.signature(), ProbeCalls.of(component.inputValues()));
+      if (found.isEmpty()) {
+        found = tests.map(each -> each.run(probe, file)).orElse(List.of());
+      }
+      return found.stream()
+          .map(finding -> finding.withLocation(renamed(finding.location(), python.name())))
+          .toList();
+    }
+  }
+
+  /** What is found in a test stays there. */
+  private SourceLocation renamed(SourceLocation place, String file) {
+    return tests.isPresent() && tests.get().holds(place)
+        ? place
+        : new SourceLocation(file, place.line(), place.column(), place.element(), place.excerpt());
+  }
+}

@@ -1,0 +1,114 @@
+package dev.eventchain.agents.component;
+
+
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.stream.Stream;
+
+/**
+ * A value to try an input with.
+ *
+ * @param name how findings name it
+ * @param value a Boolean, a number, a text, or an array as messages hold them
+ */
+record ProbeValue(String name, Object value) {
+  private static final int ARRAY_LENGTH = 8;
+  private static final int LONGEST = 100_000;
+
+  /**
+   * Values of a field type as message definitions write it, the usual one first; an unknown type is
+   * taken for a number.
+   */
+  static List<ProbeValue> of(String type) {
+    int bracket = type.indexOf('[');
+    if (bracket < 0) {
+      return scalars(type);
+    }
+    String element = type.substring(0, bracket);
+    String length = type.substring(bracket + 1).replace("]", "");
+    boolean fixed = length.matches("[1-9][0-9]{0,8}");
+    int count = fixed ? Math.min(Integer.parseInt(length), LONGEST) : ARRAY_LENGTH;
+    List<ProbeValue> arrays = new ArrayList<>();
+    for (ProbeValue value : scalars(element)) {
+      arrays.add(array(element, value, count, count + " times " + value.name()));
+    }
+    if (!fixed) {
+      ProbeValue usual = scalars(element).get(0);
+      arrays.add(array(element, usual, 0, "empty"));
+      arrays.add(array(element, usual, 1, "a single " + usual.name()));
+    }
+    return arrays;
+  }
+
+  private static List<ProbeValue> scalars(String type) {
+    return switch (type) {
+      case "bool", "boolean" -> all(true, false);
+      case "string", "wstring" -> all("x", "");
+      case "uint8", "byte", "octet", "char" -> all(1, 0, 255);
+      case "int8" -> all(1, 0, -1, 127, -128);
+      case "uint16" -> all(1, 0, 65_535);
+      case "int16" -> all(1, 0, -1, 32_767, -32_768);
+      case "uint32" -> all(1, 0, 4_294_967_295L);
+      case "int32" -> all(1, 0, -1, Integer.MAX_VALUE, Integer.MIN_VALUE);
+      case "uint64" -> all(1, 0, Long.MAX_VALUE);
+      case "int64" -> all(1, 0, -1, Long.MAX_VALUE, Long.MIN_VALUE);
+      case "double", "float64" -> numbers(Double.MAX_VALUE);
+      default -> numbers(1.0e38);
+    };
+  }
+
+  /** Twice the largest number is infinite, and infinity less infinity is none. */
+  private static List<ProbeValue> numbers(double largest) {
+    return all(
+        1.0,
+        0.0,
+        -1.0,
+        1.0e-9,
+        1.0e6,
+        largest,
+        -largest,
+        Double.NaN,
+        Double.POSITIVE_INFINITY,
+        Double.NEGATIVE_INFINITY);
+  }
+
+  private static List<ProbeValue> all(Object... values) {
+    return Stream.of(values).map(value -> new ProbeValue(text(value), value)).toList();
+  }
+
+  private static String text(Object value) {
+    return value instanceof String text ? "'" + text + "'" : value.toString();
+  }
+
+  private static ProbeValue array(String element, ProbeValue value, int count, String name) {
+    return new ProbeValue(
+        name,
+        switch (element) {
+          case "uint8", "byte", "octet", "char" -> bytes(value, count);
+          case "float32" -> floats(value, count);
+          case "float64" -> doubles(value, count);
+          default -> Collections.nCopies(count, value.value());
+        });
+  }
+
+  private static byte[] bytes(ProbeValue value, int count) {
+    byte[] bytes = new byte[count];
+    Arrays.fill(bytes, ((Number) value.value()).byteValue());
+    return bytes;
+  }
+
+  private static float[] floats(ProbeValue value, int count) {
+    float[] floats = new float[count];
+    Arrays.fill(floats, ((Number) value.value()).floatValue());
+    return floats;
+  }
+
+  private static double[] doubles(ProbeValue value, int count) {
+    double[] doubles = new double[count];
+    Arrays.fill(doubles, ((Number) value.value()).doubleValue());
+    return doubles;
+  }
+}

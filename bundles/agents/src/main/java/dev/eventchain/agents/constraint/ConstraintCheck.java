@@ -1,0 +1,94 @@
+package dev.eventchain.agents.constraint;
+
+
+
+import dev.eventchain.constraints.OclConstraint;
+import dev.eventchain.constraints.OclRules;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.ocl.evaluation.DeepStack;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
+
+/**
+ * Whether an OCL document parses, covers every design rule, and says something with each of its
+ * constraints.
+ */
+public final class ConstraintCheck {
+
+  private final List<String> ruleIds;
+  private final Collection<EPackage> packages;
+  private final List<EObject> model;
+
+  /**
+   * Prepares the check.
+   *
+   * @param ruleIds the ids of the design rules
+   * @param packages the metamodel
+   * @param model the roots of a model to start the search for witnesses from; it is not changed
+   */
+  public ConstraintCheck(List<String> ruleIds, Collection<EPackage> packages, List<EObject> model) {
+    this.ruleIds = List.copyOf(ruleIds);
+    this.packages = packages;
+    this.model = List.copyOf(model);
+  }
+
+  public List<Diagnostic> check(SourceText document) {
+    OclRules rules = OclRules.parse(List.of(document), packages);
+    List<Diagnostic> diagnostics = new ArrayList<>(rules.diagnostics());
+    if (Diagnostic.anyError(diagnostics)) {
+      return diagnostics;
+    }
+    if (rules.constraints().isEmpty()) {
+      diagnostics.add(
+          Diagnostic.error(
+              "agents.constraint.none", "The document contains no invariant.", document.at(0)));
+      return diagnostics;
+    }
+    diagnostics.addAll(uncovered(document, rules));
+    diagnostics.addAll(vacuous(rules.constraints()));
+    return diagnostics;
+  }
+
+  private List<Diagnostic> uncovered(SourceText document, OclRules rules) {
+    Set<String> covered =
+        rules.constraints().stream()
+            .flatMap(constraint -> constraint.named(ruleIds).stream())
+            .collect(Collectors.toSet());
+    return ruleIds.stream()
+        .filter(id -> !covered.contains(id))
+        .map(
+            id ->
+                Diagnostic.error(
+                        "agents.rule.uncovered",
+                        "No constraint is marked as the one for the design rule " + id + ".",
+                        document.at(0))
+                    .withHint("Write '-- " + id + ": ...' right above its invariant."))
+        .toList();
+  }
+
+  private List<Diagnostic> vacuous(List<OclConstraint> constraints) {
+    return DeepStack.call(() -> constraints.stream().flatMap(c -> objection(c).stream()).toList());
+  }
+
+  private List<Diagnostic> objection(OclConstraint constraint) {
+    return ConstraintProof.objection(constraint, model)
+        .map(
+            objection ->
+                Diagnostic.error(
+                        "agents.constraint.vacuous",
+                        objection
+                            + ": changed values, references and contained objects of the model made"
+                            + " no difference.",
+                        constraint.location())
+                    .withHint("Write it so that it can both hold and fail.")
+                    .withRule(constraint.qualifiedName()))
+        .stream()
+        .toList();
+  }
+}

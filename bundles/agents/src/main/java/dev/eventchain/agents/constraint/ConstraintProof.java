@@ -1,0 +1,104 @@
+package dev.eventchain.agents.constraint;
+
+
+
+import dev.eventchain.constraints.OclConstraint;
+import dev.eventchain.constraints.OclConstraint.Verdict;
+import dev.eventchain.ocl.evaluation.TimeBudget;
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EObject;
+
+/**
+ * Searches, for a constraint, one model for which it holds and one for which it fails: the given
+ * model, and changes of what the constraint reads, one and then two at a time. A constraint for
+ * which only one of both is found says nothing.
+ */
+final class ConstraintProof {
+  /**
+   * Changed models that are tried for a constraint: more than any true constraint needed, and done
+   * in a second or two.
+   */
+  private static final int MOST_MODELS = 4000;
+
+  /** The processor time of a proof. Some constraints take long on each of the models. */
+  private static final Duration TIME_LIMIT = Duration.ofSeconds(30);
+
+  private final OclConstraint constraint;
+  private final TimeBudget budget;
+  private boolean holds;
+  private boolean fails;
+  private int models;
+
+  private ConstraintProof(OclConstraint constraint, TimeBudget budget) {
+    this.constraint = constraint;
+    this.budget = budget;
+  }
+
+  /** What is wrong with the constraint: nothing if both models were found. */
+  static Optional<String> objection(OclConstraint constraint, List<EObject> roots) {
+    return objection(constraint, roots, TimeBudget.of(TIME_LIMIT));
+  }
+
+  /**
+   * As {@link #objection(OclConstraint, List)}.
+   *
+   * @param budget the time that the search may take
+   */
+  static Optional<String> objection(
+      OclConstraint constraint, List<EObject> roots, TimeBudget budget) {
+    ConstraintProof proof = new ConstraintProof(constraint, budget);
+    proof.search(ModelCopy.of(roots));
+    if (proof.holds && proof.fails) {
+      return Optional.empty();
+    }
+    String within = proof.budget.isSpent() ? " in the time available" : "";
+    String missing = proof.holds ? "fails" : "holds";
+    return Optional.of(
+        "No model was found%s for which '%s' %s".formatted(within, constraint.name(), missing));
+  }
+
+  private void search(ModelCopy model) {
+    judge(model);
+    List<ModelChange> changes = ModelChange.all(model, constraint);
+    tryAll(model, changes);
+    for (ModelChange first : changes) {
+      if (isDecided()) {
+        return;
+      }
+      ModelCopy changed = model.with(first);
+      tryAll(changed, ModelChange.all(changed, constraint));
+    }
+  }
+
+  private void tryAll(ModelCopy model, List<ModelChange> changes) {
+    for (ModelChange change : changes) {
+      if (isDecided()) {
+        return;
+      }
+      judge(model.with(change));
+    }
+  }
+
+  private boolean isDecided() {
+    return (holds && fails) || models >= MOST_MODELS || budget.isSpent();
+  }
+
+  private void judge(ModelCopy model) {
+    models++;
+    boolean all = true;
+    boolean any = false;
+    if (!(constraint.context() instanceof EClass type)) {
+      return; // nothing changes the values of a data type here
+    }
+    for (EObject element : model.instancesOf(type)) {
+      Verdict verdict = constraint.evaluate(element, budget);
+      fails |= verdict == Verdict.FALSE;
+      all &= verdict == Verdict.TRUE;
+      any = true;
+    }
+    holds |= any && all;
+  }
+}

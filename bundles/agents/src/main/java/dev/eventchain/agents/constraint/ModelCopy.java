@@ -1,0 +1,49 @@
+package dev.eventchain.agents.constraint;
+
+
+
+import java.util.ArrayList;
+import java.util.List;
+import org.eclipse.emf.common.util.TreeIterator;
+import org.eclipse.emf.common.util.URI;
+import org.eclipse.emf.ecore.EClass;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.resource.Resource;
+import org.eclipse.emf.ecore.resource.impl.ResourceImpl;
+import org.eclipse.emf.ecore.util.EcoreUtil;
+
+/** A model by itself, whose objects are known by their position in it. */
+final class ModelCopy {
+  private final List<EObject> roots;
+  private final List<EObject> objects = new ArrayList<>();
+
+  private ModelCopy(List<EObject> roots) {
+    this.roots = List.copyOf(roots);
+    Resource resource = new ResourceImpl(URI.createURI("changed"));
+    resource.getContents().addAll(this.roots);
+    TreeIterator<EObject> all = resource.getAllContents();
+    while (all.hasNext()) {
+      objects.add(all.next());
+    }
+  }
+
+  /** A copy of some roots. */
+  static ModelCopy of(List<EObject> roots) {
+    return new ModelCopy(List.copyOf(EcoreUtil.copyAll(roots)));
+  }
+
+  /** A copy with a change. */
+  ModelCopy with(ModelChange change) {
+    ModelCopy copy = of(roots);
+    change.apply(copy);
+    return new ModelCopy(copy.roots);
+  }
+
+  List<EObject> objects() {
+    return objects;
+  }
+
+  List<EObject> instancesOf(EClass type) {
+    return objects.stream().filter(type::isInstance).toList();
+  }
+}

@@ -1,0 +1,88 @@
+package dev.eventchain.agents.prompt;
+
+
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import java.util.List;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+
+/** Findings as a language model is told them: numbered, with place, source line and hint. */
+public final class FindingsText {
+  // Enough to work on; the rest usually has the same causes, and comes back in the next round if
+  // not.
+  private static final int MOST = 25;
+
+  private static final Pattern CLAUSE_END = Pattern.compile("(?<=[.;?]) ");
+  private static final Pattern ABOUT_FILES =
+      Pattern.compile(
+          "(^| )--[a-z]|PACKAGE/msg/NAME|Looked for among|\\b[Ff](iles?|olders?)\\b"
+              + "|\\.(json|yaml|md|xmi|ecore|msg|py|ocl)\\b");
+
+  /** The file that is spoken of; what is in quotes is a name. */
+  private static final Pattern THE_FILE = Pattern.compile("\\b([Tt]h)(?:e|is) file(?!['`])\\b");
+
+  private static final Pattern A_FILE =
+      Pattern.compile("(?<!['`./])\\bfile(s?)\\b(?!['`]|[.][a-z])");
+
+  private FindingsText() {}
+
+  /**
+   * The findings, those in an answer with the line of it.
+   *
+   * @param file the name of the file that the answer becomes
+   */
+  public static String of(String file, List<Diagnostic> findings) {
+    StringBuilder out = new StringBuilder();
+    for (int i = 0; i < Math.min(findings.size(), MOST); i++) {
+      append(out, i + 1, findings.get(i), findings.get(i).location().file().equals(file));
+    }
+    if (findings.size() > MOST) {
+      out.append("And %d more.\n".formatted(findings.size() - MOST));
+    }
+    return out.toString();
+  }
+
+  private static void append(
+      StringBuilder out, int number, Diagnostic finding, boolean ofTheAnswer) {
+    SourceLocation place = finding.location();
+    out.append(number).append(". ");
+    if (place.line() > 0 && ofTheAnswer) {
+      out.append("Line ").append(place.line()).append(", column ").append(place.column());
+      out.append(place.element().isEmpty() ? ": " : ", at " + place.element() + ": ");
+    } else if (!place.element().isEmpty() && ofTheAnswer) {
+      out.append("At ").append(place.element()).append(": ");
+    }
+    out.append(ofTheAnswer(finding.message()));
+    if (!finding.rule().isEmpty()) {
+      out.append(" (").append(finding.rule()).append(')');
+    }
+    out.append(" [").append(finding.id()).append("]\n");
+    if (!place.excerpt().isBlank() && ofTheAnswer) {
+      out.append("   > ").append(place.excerpt().strip()).append('\n');
+    }
+    String hint = aboutTheAnswer(finding.hint());
+    if (!hint.isEmpty()) {
+      out.append("   ").append(hint).append('\n');
+    }
+  }
+
+  /** What is said of a file is said of what the model sees: its answer. */
+  private static String ofTheAnswer(String text) {
+    String answer = THE_FILE.matcher(text).replaceAll("$1e answer");
+    return A_FILE.matcher(answer).replaceAll("document$1");
+  }
+
+  /**
+   * A hint without what speaks of files and options: who answers sees and changes the answer only.
+   */
+  private static String aboutTheAnswer(String hint) {
+    String kept =
+        CLAUSE_END
+            .splitAsStream(ofTheAnswer(hint))
+            .filter(clause -> !ABOUT_FILES.matcher(clause).find())
+            .collect(Collectors.joining(" "));
+    return kept.endsWith(";") ? kept.substring(0, kept.length() - 1) + "." : kept;
+  }
+}

@@ -1,0 +1,80 @@
+package dev.eventchain.agents.prompt;
+
+
+
+import dev.eventchain.messages.FieldType;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.messages.MessageType;
+import dev.eventchain.messages.RosNames;
+import dev.eventchain.model.Signal;
+import dev.eventchain.project.SoftwareBase;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+
+/** Message definitions as prompts show them, each type with the types inside it. */
+public final class MessageText {
+  private final MessageCatalog catalog;
+  private final Map<String, MessageType> types = new TreeMap<>();
+
+  private MessageText(MessageCatalog catalog) {
+    this.catalog = catalog;
+  }
+
+  /** The types that existing software uses, and those that a project defines itself. */
+  public static MessageText of(MessageCatalog catalog, SoftwareBase base) {
+    MessageText text = new MessageText(catalog);
+    Stream<String> signals = base.signals().orElse(List.of()).stream().map(Signal::messageType);
+    Stream.of(signals, base.messageTypes().stream(), catalog.ownNames().stream())
+        .flatMap(names -> names)
+        .map(RosNames::fullMessageType)
+        .distinct()
+        .forEach(text::add);
+    return text;
+  }
+
+  /** A type that is not known, or wrong, is said by the checks. */
+  private void add(String name) {
+    Deque<MessageType> open = new ArrayDeque<>();
+    catalog.find(name).ifPresent(open::add);
+    while (!open.isEmpty()) {
+      MessageType type = open.remove();
+      if (types.put(type.name(), type) == null) {
+        type.fields().stream()
+            .map(MessageType.Field::type)
+            .map(FieldType::message)
+            .flatMap(Optional::stream)
+            .forEach(open::add);
+      }
+    }
+  }
+
+  /** Each type with its fields, a line each, by name. */
+  public String definitions() {
+    return types.values().stream().map(MessageText::text).collect(Collectors.joining("\n"));
+  }
+
+  private static String text(MessageType type) {
+    Stream<String> constants =
+        type.constants().stream()
+            .map(each -> " %s %s=%s".formatted(each.type(), each.name(), each.value()));
+    Stream<String> fields =
+        type.fields().stream().map(each -> " %s %s".formatted(each.type(), each.name()));
+    return Stream.of(Stream.of(type.name() + ":"), constants, fields)
+        .flatMap(lines -> lines)
+        .collect(Collectors.joining("\n"));
+  }
+
+  /** The packages whose types there are. */
+  public String packages() {
+    return catalog.names().stream()
+        .map(name -> name.substring(0, name.indexOf('/')))
+        .distinct()
+        .collect(Collectors.joining(", "));
+  }
+}

@@ -1,0 +1,66 @@
+package dev.eventchain.agents.prompt;
+
+
+
+import dev.eventchain.jsonmodels.MetamodelSchema;
+import dev.eventchain.llm.chat.AnswerSchema;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.EventchainPackage;
+import dev.eventchain.model.eventchain.EventchainPackage.Literals;
+import dev.eventchain.model.eventchain.Requirement;
+import dev.eventchain.model.eventchain.SoftwareNode;
+import java.util.List;
+import org.eclipse.emf.ecore.EStructuralFeature;
+
+/**
+ * The schema of an instance model of an event chain. It is narrower than the metamodel: without
+ * what is measured, derived or added later, and with what every description states. The ids of
+ * requirements and of components are those that exist; the ids of data are free, since to find the
+ * data is the task.
+ */
+public final class ModelSchema {
+
+  private static final List<EStructuralFeature> NOT_ASKED =
+      List.of(
+          Literals.EVENT_CHAIN__DESCRIPTION,
+          Literals.EVENT_CHAIN__LATENCY_CONSTRAINTS,
+          Literals.EVENT_CHAIN__MEASURED,
+          Literals.SOFTWARE_NODE__BEST_CASE_EXECUTION_TIME,
+          Literals.SOFTWARE_NODE__WORST_CASE_EXECUTION_TIME,
+          Literals.SOFTWARE_NODE__MEMORY,
+          Literals.SOFTWARE_NODE__MEASURED);
+
+  private static final List<EStructuralFeature> ALWAYS =
+      List.of(
+          Literals.EVENT_CHAIN__NAME,
+          Literals.SOFTWARE_NODE__NAME,
+          Literals.SOFTWARE_NODE__ORIGIN,
+          Literals.SOFTWARE_NODE__IMPLEMENTATION,
+          Literals.DATA__NAME,
+          Literals.DATA__TOPIC_NAME,
+          Literals.DATA__MESSAGE_TYPE,
+          Literals.DATA__FIELD_NAME,
+          Literals.QOS_PROFILE__NAME,
+          Literals.REQUIREMENT__TEXT);
+
+  private ModelSchema() {}
+
+  /**
+   * The schema.
+   *
+   * @param direct the chain as its description gives it
+   */
+  public static AnswerSchema of(EventChain direct) {
+    MetamodelSchema schema =
+        MetamodelSchema.of(List.of(EventchainPackage.eINSTANCE), Literals.EVENT_CHAIN)
+            .without(NOT_ASKED)
+            .demanding(ALWAYS)
+            .knowing(
+                Literals.REQUIREMENT,
+                direct.getRequirements().stream().map(Requirement::getId).toList())
+            .knowing(
+                Literals.SOFTWARE_NODE,
+                direct.getSoftware().stream().map(SoftwareNode::getName).toList());
+    return new AnswerSchema(schema.nested(), schema.flat());
+  }
+}

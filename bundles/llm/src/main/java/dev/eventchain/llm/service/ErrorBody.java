@@ -1,0 +1,135 @@
+package dev.eventchain.llm.service;
+
+
+
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.MissingNode;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.http.HttpHeaders;
+import java.nio.charset.StandardCharsets;
+import java.time.DateTimeException;
+import java.time.Duration;
+import java.time.ZonedDateTime;
+import java.time.format.DateTimeFormatter;
+import java.util.List;
+import java.util.Locale;
+import java.util.Optional;
+
+/** What services say when they refuse a call. It is foreign text: shortened, and on one line. */
+public final class ErrorBody {
+  private static final ObjectMapper MAPPER = new ObjectMapper();
+  private static final int READ = 64 << 10;
+  private static final int SHOWN = 300;
+  private static final List<String> QUOTA =
+      List.of("insufficient_quota", "billing", "credit balance", "exceeded your current quota");
+
+  private ErrorBody() {}
+
+  /** What an answer with a status that is not a success means. */
+  static CallFailure failure(int status, HttpHeaders headers, InputStream body) throws IOException {
+    String text = new String(body.readNBytes(READ), StandardCharsets.UTF_8);
+    body.close();
+    return failure(status, message(parse(text)).orElse(text), retryAfter(headers));
+  }
+
+  /** What an error in the middle of an answer means. */
+  static CallFailure ofEvent(JsonNode data) {
+    JsonNode error = data.path("error");
+    int status = error.path("code").asInt(0);
+    String type = error.path("type").asText("");
+    String message = message(data).orElse(data.toString());
+    if (type.contains("overloaded") || type.contains("rate_limit") || status == 0) {
+      return failure(503, message, Optional.empty());
+    }
+    return failure(status, message, Optional.empty());
+  }
+
+  private static CallFailure failure(int status, String said, Optional<Duration> retryAfter) {
+    String message = "HTTP status " + status + (said.isBlank() ? "" : ": " + shown(said));
+    if (QUOTA.stream().anyMatch(said.toLowerCase(Locale.ROOT)::contains)) {
+      return new CallFailure(
+          CallFailure.Kind.QUOTA, message, "Check the account's limits and payments.");
+    }
+    return switch (status) {
+      case 401, 403 ->
+          new CallFailure(
+              CallFailure.Kind.KEY,
+              message,
+              "Check the key in the environment variable that 'eventchain doctor' names.");
+      case 429 ->
+          new CallFailure(
+              CallFailure.Kind.LIMITED, message, "Wait, or ask another model.", retryAfter);
+      case 408, 500, 502, 503, 504, 529 ->
+          new CallFailure(
+              CallFailure.Kind.FAILED,
+              message,
+              "Try again later, or ask another model.",
+              retryAfter);
+      default ->
+          new CallFailure(
+              CallFailure.Kind.REJECTED,
+              message,
+              "Check the model's name and the service's 'url' and 'wire' in eventchain.yaml.");
+    };
+  }
+
+  private static JsonNode parse(String text) {
+    try {
+      return MAPPER.readTree(text);
+    } catch (JsonProcessingException e) {
+      return MissingNode.getInstance();
+    }
+  }
+
+  /** OpenAI, Anthropic and Gemini: error.message; Ollama: error; some have an array around it. */
+  private static Optional<String> message(JsonNode body) {
+    JsonNode object = body.isArray() ? body.path(0) : body;
+    JsonNode error = object.path("error");
+    String text = error.isTextual() ? error.asText() : error.path("message").asText("");
+    String type = error.path("type").asText(error.path("code").asText(""));
+    if (text.isBlank()) {
+      text = object.path("message").asText("");
+    }
+    String whole = type.isBlank() || text.contains(type) ? text : text + " (" + type + ")";
+    return Optional.of(whole).filter(known -> !known.isBlank());
+  }
+
+  /** Seconds, or a date (RFC 9110, section 10.2.3). */
+  private static Optional<Duration> retryAfter(HttpHeaders headers) {
+    return headers
+        .firstValue("Retry-After")
+        .flatMap(
+            value -> {
+              try {
+                return Optional.of(
+                    value.matches("\\d{1,9}(\\.\\d+)?")
+                        ? Duration.ofMillis(Math.round(Double.parseDouble(value) * 1000))
+                        : until(value));
+              } catch (DateTimeException e) {
+                return Optional.empty();
+              }
+            })
+        .filter(time -> !time.isNegative());
+  }
+
+  private static Duration until(String date) {
+    ZonedDateTime when = ZonedDateTime.parse(date, DateTimeFormatter.RFC_1123_DATE_TIME);
+    return Duration.between(ZonedDateTime.now(when.getZone()), when);
+  }
+
+  /** The beginning of a body, for people. */
+  static String start(InputStream body) throws IOException {
+    String text = new String(body.readNBytes(READ), StandardCharsets.UTF_8);
+    body.close();
+    return shown(text.replaceAll("<[^>]*>", " "));
+  }
+
+  /** Foreign text on one line, without what does something to a terminal. */
+  public static String shown(String text) {
+    String line = text.strip().replaceAll("[\\s\\p{Cntrl}\\p{Cf}]+", " ");
+    return line.length() <= SHOWN ? line : line.substring(0, SHOWN - 3) + "...";
+  }
+}

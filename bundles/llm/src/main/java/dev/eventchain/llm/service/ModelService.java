@@ -1,0 +1,66 @@
+package dev.eventchain.llm.service;
+
+
+
+import java.net.URI;
+import java.time.Duration;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * A service that language models are asked at.
+ *
+ * @param name what models of it are called by, as in {@code NAME/MODEL}
+ * @param url without what the wire adds, such as {@code /chat/completions}
+ * @param key the environment variable with the key; empty where the service wants none
+ * @param deadline for a whole call, with its repetitions
+ * @param silence how long nothing may come in the middle of an answer
+ * @param maximumTokens where an answer is cut, if the request does not say
+ */
+public record ModelService(
+    String name,
+    Wire wire,
+    URI url,
+    Optional<String> key,
+    Duration deadline,
+    Duration silence,
+    int maximumTokens) {
+
+  public static final Duration DEADLINE = Duration.ofMinutes(5);
+  static final Duration SILENCE = Duration.ofMinutes(1);
+  static final int MAXIMUM_TOKENS = 16_384;
+
+  private static final Map<String, ModelService> KNOWN =
+      Map.of(
+          "openai", known("openai", Wire.OPENAI, "https://api.openai.com/v1"),
+          "groq", known("groq", Wire.OPENAI_COMPATIBLE, "https://api.groq.com/openai/v1"),
+          "gemini",
+              known("gemini", Wire.GEMINI, "https://generativelanguage.googleapis.com/v1beta"),
+          "anthropic", known("anthropic", Wire.ANTHROPIC, "https://api.anthropic.com/v1"),
+          "ollama", own("ollama", Wire.OLLAMA, "http://localhost:11434"),
+          "vllm", own("vllm", Wire.OPENAI_COMPATIBLE, "http://localhost:8000/v1"),
+          "llamacpp", own("llamacpp", Wire.OPENAI_COMPATIBLE, "http://localhost:8080/v1"));
+
+  /** Those that need no configuration, by name. */
+  static Map<String, ModelService> known() {
+    return KNOWN;
+  }
+
+  private static ModelService known(String name, Wire wire, String url) {
+    return of(name, wire, URI.create(url), Optional.of(variable(name)));
+  }
+
+  private static ModelService own(String name, Wire wire, String url) {
+    return of(name, wire, URI.create(url), Optional.empty());
+  }
+
+  /** One with the usual limits. */
+  static ModelService of(String name, Wire wire, URI url, Optional<String> key) {
+    return new ModelService(name, wire, url, key, DEADLINE, SILENCE, MAXIMUM_TOKENS);
+  }
+
+  /** The variable that holds the key of a service where nothing else is said. */
+  static String variable(String name) {
+    return name.toUpperCase(java.util.Locale.ROOT).replaceAll("[^A-Z0-9]", "_") + "_API_KEY";
+  }
+}

@@ -1,0 +1,123 @@
+package dev.eventchain.pipeline.design;
+
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.stage.Fingerprint;
+import dev.eventchain.pipeline.project.Configuration;
+
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.agents.AgentResult;
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.llm.Spending;
+import dev.eventchain.project.ProjectFolder;
+import java.io.IOException;
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Stream;
+
+/** What the stages that ask a language model have in common. */
+final class AgentReport {
+
+  private AgentReport() {}
+
+  /** Adds what decides an answer besides files: settings, and how answers are had. */
+  static void fingerprint(RunContext run, Stage stage, Fingerprint fingerprint) {
+    Configuration configuration = run.project().configuration();
+    fingerprint
+        .addSetting("name", configuration.name())
+        .addSetting("title", configuration.title())
+        .addSetting("frequency", configuration.frequency())
+        .add(configuration.models(stage.id()))
+        .add(configuration.repairs())
+        .add(run.options().llm().orElse(configuration.llm()))
+        .addMeans(recordings(run, stage));
+  }
+
+  private static List<Path> recordings(RunContext run, Stage stage) {
+    Path recordings = run.project().recordings();
+    List<Path> files = new ArrayList<>(filesBelow(recordings.resolve(stage.id())));
+    if (stage == Stage.IMPLEMENT) {
+      files.addAll(filesBelow(recordings.resolve("test")));
+    }
+    return files;
+  }
+
+  /** The model that answered and where its answers came from. */
+  static ObjectNode of(RunContext run, Stage stage, List<AgentResult> results) {
+    ObjectNode report = JsonNodeFactory.instance.objectNode();
+    report.put("model", String.join(", ", run.project().configuration().models(stage.id())));
+    Set<String> provenance = new TreeSet<>();
+    results.stream()
+        .flatMap(result -> result.attempts().stream())
+        .forEach(attempt -> provenance.add(attempt.response().provenance()));
+    report.put("provenance", String.join(", ", provenance));
+    Set<String> returned = new TreeSet<>();
+    results.forEach(result -> returned.addAll(returned(result)));
+    ArrayNode ids = report.putArray("returned");
+    returned.forEach(ids::add);
+    report.set("conversation", run.models().conversation(stage).deepCopy());
+    return report;
+  }
+
+  /** What was wrong with answers that went back. */
+  private static List<String> returned(AgentResult result) {
+    return result.attempts().subList(0, result.attempts().size() - 1).stream()
+        .flatMap(attempt -> attempt.findings().stream())
+        .filter(finding -> finding.severity() == Severity.ERROR)
+        .map(Diagnostic::id)
+        .toList();
+  }
+
+  /** What was found in an answer, in the files that it becomes. */
+  static List<Diagnostic> placed(RunContext run, AgentResult result) {
+    return result.diagnostics().stream().map(run.models()::placed).toList();
+  }
+
+  /** How many answers had to be corrected, and what the run has spent; empty if nothing. */
+  static String effort(RunContext run, List<AgentResult> results) {
+    int repairs = results.stream().mapToInt(result -> result.attempts().size() - 1).sum();
+    String corrected =
+        repairs == 0 ? "" : ", " + Coverage.counted(repairs, "answer") + " corrected";
+    return corrected + spent(run.models().spending().lines());
+  }
+
+  private static String spent(List<Spending.Line> lines) {
+    if (lines.isEmpty()) {
+      return "";
+    }
+    long tokens = lines.stream().mapToLong(each -> each.inputTokens() + each.outputTokens()).sum();
+    BigDecimal cost =
+        lines.stream()
+            .flatMap(each -> each.cost().stream())
+            .reduce(BigDecimal.ZERO, BigDecimal::add);
+    String price =
+        lines.stream().allMatch(each -> each.cost().isPresent())
+            ? ", cost "
+                + cost.setScale(4, RoundingMode.HALF_UP).stripTrailingZeros().toPlainString()
+            : "";
+    return String.format(Locale.ROOT, "; %,d tokens%s so far", tokens, price);
+  }
+
+  private static List<Path> filesBelow(Path folder) {
+    if (!Files.isDirectory(folder)) {
+      return List.of();
+    }
+    try (Stream<Path> files = Files.walk(folder)) {
+      return files.filter(Files::isRegularFile).sorted().toList();
+    } catch (IOException e) {
+      throw ProjectFolder.unreadable(folder, e);
+    }
+  }
+}

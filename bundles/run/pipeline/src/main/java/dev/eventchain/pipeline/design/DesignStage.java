@@ -1,0 +1,70 @@
+package dev.eventchain.pipeline.design;
+
+import dev.eventchain.pipeline.stage.StageWork;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.pipeline.stage.Fingerprint;
+import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.stage.StageResult;
+import dev.eventchain.pipeline.stage.ProjectChecks;
+import dev.eventchain.pipeline.project.Configuration;
+
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.agents.AgentResult;
+import dev.eventchain.agents.DesignAgent;
+import dev.eventchain.check.ChainChecks;
+import dev.eventchain.check.ChainModel;
+import dev.eventchain.description.EventChainWriter;
+import dev.eventchain.project.ProjectFolder;
+import java.util.List;
+
+/**
+ * Requirements and software base to {@code chain.json}. Where people edit the model of the chain,
+ * the chain is written from that.
+ */
+public final class DesignStage implements StageWork {
+
+  @Override
+  public void fingerprint(RunContext run, Fingerprint fingerprint) {
+    Project project = run.project();
+    AgentReport.fingerprint(run, Stage.DESIGN, fingerprint);
+    fingerprint.addFile(project.requirements()).addFile(project.designRulesFile());
+    fingerprint.addFiles(project.softwareBaseFiles());
+    fingerprint.addFiles(project.messageFiles());
+    project.editedModel().ifPresent(fingerprint::addFile);
+    fingerprint.addFiles(project.ownConstraints());
+  }
+
+  @Override
+  public StageResult execute(RunContext run) {
+    if (run.project().editedModel().isPresent()) {
+      ChainModel model = run.loadChain(run.project().editedModel().get());
+      ChainChecks.Outcome checked = ProjectChecks.withoutGenerated(run).check(model);
+      ProjectChecks.refuseErrors(run, checked);
+      run.write(ProjectFolder.DESCRIPTION, EventChainWriter.write(model.chain()));
+      return StageResult.of(
+          "the chain of model/chain.xmi, which people edit",
+          List.of(ProjectFolder.DESCRIPTION),
+          checked.diagnostics());
+    }
+    Configuration configuration = run.project().configuration();
+    AgentResult designed =
+        new DesignAgent(run.models().agent(Stage.DESIGN))
+            .design(
+                configuration.title(),
+                configuration.frequency(),
+                run.requirements(),
+                run.designRules(),
+                run.softwareBase(),
+                run.messages());
+    run.write(ProjectFolder.DESCRIPTION, designed.text());
+    ObjectNode report = AgentReport.of(run, Stage.DESIGN, List.of(designed));
+    int count = run.requirements().items().size();
+    return new StageResult(
+        "event chain from " + count + " requirements" + AgentReport.effort(run, List.of(designed)),
+        List.of(ProjectFolder.DESCRIPTION),
+        AgentReport.placed(run, designed),
+        report);
+  }
+}

@@ -1,0 +1,236 @@
+package dev.eventchain.pipeline.design;
+
+import dev.eventchain.pipeline.stage.StageWork;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.pipeline.stage.Fingerprint;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.stage.StageResult;
+import dev.eventchain.pipeline.stage.ComponentFiles;
+import dev.eventchain.pipeline.stage.ChainSnapshot;
+
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.agents.AgentResult;
+import dev.eventchain.agents.component.ComponentTester;
+import dev.eventchain.agents.ImplementAgent;
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.jsonmodels.Modeled;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.sandbox.ComponentProbe;
+import dev.eventchain.sandbox.Confinement;
+import dev.eventchain.project.ProjectFolder;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Supplier;
+
+/** The components of the chain that do not exist yet: {@code components/*.py}. */
+public final class ImplementStage implements StageWork {
+
+  @Override
+  public void fingerprint(RunContext run, Fingerprint fingerprint) {
+    AgentReport.fingerprint(run, Stage.IMPLEMENT, fingerprint);
+    fingerprint
+        .addFile(run.file(ProjectFolder.DESCRIPTION))
+        .addFile(run.project().requirements())
+        .addFile(run.project().softwareBase().resolve("components.json"))
+        .add(run.project().configuration().models("test"))
+        .addFiles(TestFiles.ofProject(run.project()));
+    if (!TestFiles.ofProject(run.project()).isEmpty()) {
+      fingerprint.addFiles(run.project().softwareBaseFiles());
+    }
+  }
+
+  @Override
+  public StageResult execute(RunContext run) {
+    Path description = run.required(ProjectFolder.DESCRIPTION, Stage.DESIGN);
+    EventChain chain = readChain(run, description);
+    List<SoftwareNode> missing = run.softwareBase().missing(chain);
+    TestFiles tests = new TestFiles(run, SourceText.read(description));
+    Work work = new Work(run, SourceText.read(description), tests);
+    if (run.models().corrections().isEmpty()) {
+      work.implement(missing);
+    } else {
+      work.correct(missing);
+    }
+    work.found.addAll(tests.ofNoComponent(names(chain.getSoftware())));
+    work.testExisting(existing(chain, missing));
+    List<String> files = work.removeOthers();
+    List<AgentResult> asked = new ArrayList<>(tests.results());
+    asked.addAll(work.results);
+    ObjectNode report = AgentReport.of(run, Stage.IMPLEMENT, asked);
+    if (!missing.isEmpty()) {
+      report.put("confinement", Confinement.detect().describe());
+      report.put("python", run.python(Stage.IMPLEMENT).version());
+    }
+    return new StageResult(details(work, missing, asked), files, work.found, report);
+  }
+
+  /** All tests run, for their number is said as well; those of edited files are among them. */
+  @Override
+  public Optional<Checked> checkEdited(RunContext run, Collection<String> editedOutputs) {
+    SourceText description = SourceText.read(run.required(ProjectFolder.DESCRIPTION, Stage.DESIGN));
+    EventChain chain = readChain(run, run.file(ProjectFolder.DESCRIPTION));
+    List<SoftwareNode> missing = run.softwareBase().missing(chain);
+    Work work = new Work(run, description, new TestFiles(run, description));
+    missing.forEach(node -> work.test(node.getName()));
+    work.testExisting(existing(chain, missing));
+    return Optional.of(new Checked(details(work, missing, List.of()), work.found));
+  }
+
+  /** What is made and found on the way. */
+  private static final class Work {
+    private final RunContext run;
+    private final SourceText chain;
+    private final TestFiles tests;
+    private final List<String> files = new ArrayList<>();
+    private final List<Diagnostic> found = new ArrayList<>();
+    private final List<AgentResult> results = new ArrayList<>();
+    private int tested;
+
+    Work(RunContext run, SourceText chain, TestFiles tests) {
+      this.run = run;
+      this.chain = chain;
+      this.tests = tests;
+    }
+
+    void implement(List<SoftwareNode> missing) {
+      List<Diagnostic> awaited = new ArrayList<>();
+      for (SoftwareNode node : missing) {
+        run.progress().step(Stage.IMPLEMENT, node.getName());
+        Optional<ComponentTester> tester =
+            ask(
+                () -> tests.written(node.getName()).orElseGet(() -> tests.propose(node.getName())),
+                awaited);
+        // Who waits for tests may ask for the component meanwhile: it is asked without them.
+        Optional<AgentResult> answered = ask(() -> implement(node.getName(), tester), awaited);
+        if (answered.isPresent() && tester.isPresent()) {
+          keep(ComponentFiles.name(node.getName()), answered.get(), tester.get());
+        }
+      }
+      if (!awaited.isEmpty()) {
+        throw new DiagnosticException(DiagnosticException.Reason.WAITING, awaited);
+      }
+    }
+
+    /** What a verdict has changed; everything else stays as it is. */
+    void correct(List<SoftwareNode> missing) {
+      for (SoftwareNode node : missing) {
+        Optional<AgentResult> correction =
+            Optional.ofNullable(run.models().corrections().get(node.getName()));
+        if (correction.isPresent()) {
+          keep(
+              ComponentFiles.name(node.getName()),
+              correction.get(),
+              tests.standing(node.getName()));
+        } else {
+          files.add(ComponentFiles.name(node.getName()));
+          test(node.getName());
+        }
+      }
+    }
+
+    private AgentResult implement(String component, Optional<ComponentTester> tester) {
+      return new ImplementAgent(run.models().agent(Stage.IMPLEMENT), probe())
+          .implement(chain, component, run.requirements(), tester);
+    }
+
+    private void keep(String file, AgentResult answered, ComponentTester tester) {
+      run.write(file, answered.text());
+      files.add(file);
+      results.add(answered);
+      // The tests of the answer say nothing about a person's version that is kept.
+      if (run.output().isEdited(file)) {
+        count(tester, tester.check(probe().ofExisting(), run.file(file)));
+      } else {
+        count(tester, AgentReport.placed(run, answered));
+      }
+    }
+
+    /** A component as it is, which a person may have edited, by the tests as they are. */
+    void test(String component) {
+      run.progress().step(Stage.IMPLEMENT, "tests of " + component);
+      ComponentTester tester = tests.standing(component);
+      count(tester, tester.check(probe().ofExisting(), run.file(ComponentFiles.name(component))));
+    }
+
+    private void count(ComponentTester tester, List<Diagnostic> failed) {
+      found.addAll(tester.diagnostics());
+      found.addAll(failed);
+      tested += Diagnostic.anyError(failed) ? 0 : tester.count();
+    }
+
+    /** What exists already has tests where people wrote some. */
+    void testExisting(List<SoftwareNode> existing) {
+      for (SoftwareNode node : existing) {
+        Optional<ComponentTester> tester = tests.written(node.getName());
+        if (tester.isPresent()) {
+          run.progress().step(Stage.IMPLEMENT, "tests of " + node.getName());
+          Path file = ComponentFiles.of(run, node);
+          count(tester.get(), tester.get().run(probe().ofExisting(), file));
+        }
+      }
+    }
+
+    /** Removes what an earlier run wrote, and names what this one did. */
+    List<String> removeOthers() {
+      found.addAll(run.output().removeOthers(ComponentFiles.FOLDER, files));
+      found.addAll(run.output().removeOthers(TestFiles.FOLDER, tests.proposed()));
+      List<String> all = new ArrayList<>(files);
+      all.addAll(tests.proposed());
+      return all;
+    }
+
+    private ComponentProbe probe() {
+      return new ComponentProbe(run.python(Stage.IMPLEMENT));
+    }
+  }
+
+  private static List<SoftwareNode> existing(EventChain chain, List<SoftwareNode> missing) {
+    return chain.getSoftware().stream().filter(node -> !missing.contains(node)).toList();
+  }
+
+  private static List<String> names(List<SoftwareNode> nodes) {
+    return nodes.stream().map(SoftwareNode::getName).toList();
+  }
+
+  /** A person who is asked for one component may as well be asked for all of them. */
+  private static <T> Optional<T> ask(Supplier<T> question, List<Diagnostic> awaited) {
+    try {
+      return Optional.of(question.get());
+    } catch (DiagnosticException e) {
+      if (e.reason() != DiagnosticException.Reason.WAITING) {
+        throw e;
+      }
+      awaited.addAll(e.diagnostics());
+      return Optional.empty();
+    }
+  }
+
+  private static String details(Work work, List<SoftwareNode> missing, List<AgentResult> asked) {
+    Set<String> corrected = work.run.models().corrections().keySet();
+    String implemented =
+        missing.isEmpty()
+            ? "no component is missing"
+            : String.join(", ", corrected.isEmpty() ? names(missing) : corrected)
+                + (corrected.isEmpty() ? "" : " corrected after the verdict");
+    String tested =
+        work.tested == 0 ? "" : ", " + Coverage.counted(work.tested, "component test") + " passed";
+    return implemented + tested + AgentReport.effort(work.run, asked);
+  }
+
+  private static EventChain readChain(RunContext run, Path description) {
+    Modeled<EventChain> chain = ChainSnapshot.direct(run, description);
+    if (Diagnostic.anyError(chain.diagnostics())) {
+      throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, chain.diagnostics());
+    }
+    return chain.root();
+  }
+}

@@ -1,0 +1,125 @@
+package dev.eventchain.pipeline.design;
+
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.run.Stage;
+
+
+import dev.eventchain.agents.AgentResult;
+import dev.eventchain.agents.component.ComponentTester;
+import dev.eventchain.agents.TestAgent;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.documents.YamlLayout;
+import dev.eventchain.jsonmodels.JsonDocument;
+import dev.eventchain.project.ProjectFolder;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Optional;
+
+/**
+ * The tests of components: files {@code tests/NAME.yaml} of the project, and where there is none
+ * for a component that is missing, what a language model proposes, which lies in {@code out/tests}.
+ */
+final class TestFiles {
+  static final String FOLDER = "tests";
+  private static final String SUFFIX = ".yaml";
+
+  private final RunContext run;
+  private final SourceText chain;
+  private final List<String> proposed = new ArrayList<>();
+  private final List<AgentResult> results = new ArrayList<>();
+
+  TestFiles(RunContext run, SourceText chain) {
+    this.run = run;
+    this.chain = chain;
+  }
+
+  /** Those that people wrote. */
+  static List<Path> ofProject(Project project) {
+    Path folder = project.folder().resolve(FOLDER);
+    return Files.isDirectory(folder)
+        ? ProjectFolder.below(folder).stream()
+            .filter(file -> file.toString().endsWith(SUFFIX))
+            .toList()
+        : List.of();
+  }
+
+  /** The tests that people wrote of a component. */
+  Optional<ComponentTester> written(String component) {
+    Path file = run.project().folder().resolve(FOLDER).resolve(component + SUFFIX);
+    return Files.isRegularFile(file) ? Optional.of(read(file, component)) : Optional.empty();
+  }
+
+  /** Proposes tests of a component, which people may edit. */
+  ComponentTester propose(String component) {
+    AgentResult proposal =
+        new TestAgent(run.models().agent(Stage.IMPLEMENT, "test"))
+            .propose(chain, component, run.requirements());
+    results.add(proposal);
+    String name = FOLDER + "/" + component + SUFFIX;
+    run.write(name, YamlLayout.of(JsonDocument.parse(SourceText.of(name, proposal.text())).root()));
+    proposed.add(name);
+    return read(run.file(name), component);
+  }
+
+  /**
+   * The tests that a component was implemented by in this run or an earlier one.
+   *
+   * @throws DiagnosticException if there are none any more
+   */
+  ComponentTester standing(String component) {
+    String name = FOLDER + "/" + component + SUFFIX;
+    return written(component)
+        .orElseGet(
+            () -> {
+              proposed.add(name);
+              return read(run.file(name), component);
+            });
+  }
+
+  private ComponentTester read(Path file, String component) {
+    ComponentTester tests =
+        ComponentTester.read(SourceText.read(file), chain, component, run.requirements());
+    if (Diagnostic.anyError(tests.diagnostics())) {
+      throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, tests.diagnostics());
+    }
+    return tests;
+  }
+
+  /** Tests that nothing runs. */
+  List<Diagnostic> ofNoComponent(Collection<String> components) {
+    return ofProject(run.project()).stream()
+        .filter(file -> !components.contains(name(file)))
+        .map(
+            file ->
+                Diagnostic.error(
+                        "component.tests.unused",
+                        "The chain has no component '%s', so these tests are not run."
+                            .formatted(name(file)),
+                        SourceLocation.of(file))
+                    .withHint(NearestName.hint(name(file), components)))
+        .toList();
+  }
+
+  private static String name(Path file) {
+    String name = file.getFileName().toString();
+    return name.substring(0, name.length() - SUFFIX.length());
+  }
+
+  /** The files that were proposed. */
+  List<String> proposed() {
+    return List.copyOf(proposed);
+  }
+
+  /** How they came about. */
+  List<AgentResult> results() {
+    return List.copyOf(results);
+  }
+}

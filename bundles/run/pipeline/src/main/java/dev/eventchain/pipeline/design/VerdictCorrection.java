@@ -1,0 +1,121 @@
+package dev.eventchain.pipeline.design;
+
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.stage.ComponentFiles;
+
+
+import dev.eventchain.agents.AgentResult;
+import dev.eventchain.agents.ImplementAgent;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.DiagnosticException.Reason;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.model.eventchain.Requirement;
+import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.sandbox.ComponentProbe;
+import dev.eventchain.simulation.SimulationResult;
+import dev.eventchain.simulation.verdict.ScenarioVerdict;
+import dev.eventchain.project.ProjectFolder;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/**
+ * Sends a failed verdict back to the language model that wrote the components: to one component
+ * after the other, in the order of the chain, until one is changed.
+ */
+public final class VerdictCorrection {
+  private final RunContext run;
+  private final List<ScenarioVerdict> failed;
+
+  private VerdictCorrection(RunContext run, List<ScenarioVerdict> failed) {
+    this.run = run;
+    this.failed = failed;
+  }
+
+  /** Whether a run has simulated everything, and writes components. */
+  public static boolean isAllowed(RunContext run) {
+    return run.options().runs(Stage.IMPLEMENT)
+        && !run.options().isPartial()
+        && !run.options().isAttached() // others do not take up what is changed here
+        && run.models().simulated().isPresent();
+  }
+
+  /**
+   * Asks for a correction.
+   *
+   * @return the component that was changed, by its name; nothing if no scenario fails by a
+   *     criterion, or nobody changes anything
+   * @throws DiagnosticException WAITING for a person's answer
+   */
+  public static Map<String, AgentResult> ask(RunContext run, SimulationResult simulated) {
+    List<ScenarioVerdict> failed =
+        simulated.verdicts().stream()
+            .filter(verdict -> verdict.worked() && !VerdictText.failed(verdict).isEmpty())
+            .toList();
+    return failed.isEmpty() ? Map.of() : new VerdictCorrection(run, failed).ask();
+  }
+
+  private Map<String, AgentResult> ask() {
+    Set<String> requirements =
+        failed.stream()
+            .flatMap(verdict -> verdict.requirements().stream())
+            .collect(Collectors.toSet());
+    for (SoftwareNode node : run.softwareBase().missing(run.chain().chain())) {
+      boolean concerned =
+          node.getSatisfies().stream().map(Requirement::getId).anyMatch(requirements::contains);
+      if (concerned && !run.output().isEdited(ComponentFiles.name(node.getName()))) {
+        Optional<AgentResult> corrected = ask(node);
+        if (corrected.isPresent()) {
+          return Map.of(node.getName(), corrected.get());
+        }
+      }
+    }
+    return Map.of();
+  }
+
+  private Optional<AgentResult> ask(SoftwareNode node) {
+    Path file = run.file(ComponentFiles.name(node.getName()));
+    SourceText present = SourceText.read(file);
+    run.progress().step(Stage.SIMULATE, "asking for a correction of " + node.getName());
+    try {
+      AgentResult answered = correct(node, present);
+      return answered.text().equals(present.text()) ? Optional.empty() : Optional.of(answered);
+    } catch (DiagnosticException e) {
+      // Of an evaluation nobody knows what it would have come to.
+      boolean evaluated = run.models().isEvaluated() && e.reason() != Reason.FINDINGS;
+      if (e.reason() == Reason.WAITING || evaluated) {
+        throw e;
+      }
+      Diagnostic first = e.diagnostics().get(0);
+      if (!first.id().equals("llm.recording.missing")) {
+        run.find(
+            Diagnostic.warning(
+                    "agents.verdict.uncorrected",
+                    "The failed scenarios were sent back to the model of '%s' without success: %s"
+                        .formatted(node.getName(), first.message()),
+                    SourceLocation.of(file))
+                .withHint(first.hint()));
+      }
+      return Optional.empty();
+    }
+  }
+
+  private AgentResult correct(SoftwareNode node, SourceText present) {
+    SourceText chain = SourceText.read(run.required(ProjectFolder.DESCRIPTION, Stage.DESIGN));
+    return new ImplementAgent(
+            run.models().correcting(), new ComponentProbe(run.python(Stage.IMPLEMENT)))
+        .correct(
+            chain,
+            node.getName(),
+            run.requirements(),
+            Optional.of(new TestFiles(run, chain).standing(node.getName())),
+            present,
+            VerdictText.of(node, failed));
+  }
+}

@@ -1,0 +1,136 @@
+package dev.eventchain.pipeline.design;
+
+
+
+import dev.eventchain.model.eventchain.Data;
+import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.simulation.verdict.ScenarioVerdict;
+import dev.eventchain.simulation.verdict.ScenarioVerdict.CriterionResult;
+import dev.eventchain.simulation.verdict.ScenarioVerdict.Curve;
+import dev.eventchain.simulation.verdict.ScenarioVerdict.Margin;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+
+/**
+ * A failed verdict as the language model that wrote a component is told it: each criterion that
+ * does not hold, and what the component read and wrote around the time that decided it.
+ */
+final class VerdictText {
+  /** Criteria beyond these usually have the same cause. */
+  private static final int MOST_CRITERIA = 5;
+
+  private static final int MOST_OTHERS = 6;
+  private static final double BEFORE = 0.6; // s
+  private static final double AFTER = 0.1; // s
+  private static final double STEP = 0.1; // s
+
+  private final SoftwareNode component;
+  private final StringBuilder text = new StringBuilder();
+
+  private VerdictText(SoftwareNode component) {
+    this.component = component;
+  }
+
+  /** The criteria of a scenario that were tested and do not hold. */
+  static List<CriterionResult> failed(ScenarioVerdict verdict) {
+    return verdict.criteria().stream()
+        .filter(criterion -> criterion.tested() && !criterion.passed())
+        .toList();
+  }
+
+  /** What failed, for who wrote a component. */
+  static String of(SoftwareNode component, List<ScenarioVerdict> verdicts) {
+    VerdictText told = new VerdictText(component);
+    int number = 0;
+    for (ScenarioVerdict verdict : verdicts) {
+      for (CriterionResult criterion : failed(verdict)) {
+        if (++number <= MOST_CRITERIA) {
+          told.add(number, verdict, criterion);
+        }
+      }
+    }
+    if (number > MOST_CRITERIA) {
+      told.text.append("And ").append(number - MOST_CRITERIA).append(" more.\n");
+    }
+    return told.text.toString();
+  }
+
+  private void add(int number, ScenarioVerdict verdict, CriterionResult criterion) {
+    List<Double> times = verdict.series().time();
+    double end = times.isEmpty() ? 0 : times.get(times.size() - 1);
+    double time = criterion.margin().map(Margin::time).orElse(end);
+    text.append(
+        String.format(
+            Locale.ROOT,
+            "%d. Scenario \"%s\" (%s), at %.2f s: expected %s, but found: %s.\n",
+            number,
+            verdict.title(),
+            String.join(", ", verdict.requirements()),
+            time,
+            criterion.text(),
+            criterion.measured()));
+    addTable(verdict, time);
+  }
+
+  private void addTable(ScenarioVerdict verdict, double time) {
+    List<Integer> rows = rows(verdict.series().time(), time);
+    Map<String, Curve> columns = columns(verdict.series().curves(), rows);
+    text.append("\n| time [s] |");
+    columns.forEach((name, curve) -> text.append(" %s [%s] |".formatted(name, curve.unit())));
+    text.append("\n|---|").append("---|".repeat(columns.size())).append('\n');
+    for (int row : rows) {
+      text.append(String.format(Locale.ROOT, "| %.2f |", verdict.series().time().get(row)));
+      columns.values().forEach(curve -> text.append(cell(curve.values().get(row))));
+      text.append('\n');
+    }
+    text.append('\n');
+  }
+
+  private static String cell(double value) {
+    return Double.isFinite(value) ? String.format(Locale.ROOT, " %.4g |", value) : " - |";
+  }
+
+  /** The component's own curves, then some of the others that change. */
+  private Map<String, Curve> columns(List<Curve> curves, List<Integer> rows) {
+    Map<String, Curve> columns = new LinkedHashMap<>();
+    for (Curve curve : curves) {
+      own(curve).ifPresent(name -> columns.put(name, curve));
+    }
+    int own = columns.size();
+    for (Curve curve : curves) {
+      long values = rows.stream().map(row -> curve.values().get(row)).distinct().count();
+      if (values > 1 && own(curve).isEmpty() && columns.size() < own + MOST_OTHERS) {
+        columns.put(curve.name(), curve);
+      }
+    }
+    return columns;
+  }
+
+  private Optional<String> own(Curve curve) {
+    return name(component.getInput(), curve.name(), "input")
+        .or(() -> name(component.getOutput(), curve.name(), "output"));
+  }
+
+  private static Optional<String> name(List<Data> data, String curve, String kind) {
+    return data.stream()
+        .filter(each -> curve.equals(each.getTopicName() + "." + each.getFieldName()))
+        .map(each -> kind + " " + each.getName())
+        .findFirst();
+  }
+
+  private static List<Integer> rows(List<Double> times, double time) {
+    List<Integer> rows = new ArrayList<>();
+    double next = time - BEFORE;
+    for (int i = 0; i < times.size() && times.get(i) <= time + AFTER; i++) {
+      if (times.get(i) >= next) {
+        rows.add(i);
+        next = times.get(i) + STEP * 0.99;
+      }
+    }
+    return rows;
+  }
+}

@@ -1,0 +1,165 @@
+package dev.eventchain.pipeline.diagram;
+
+
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
+import java.nio.charset.StandardCharsets;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.regex.MatchResult;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import net.sourceforge.plantuml.FileFormat;
+import net.sourceforge.plantuml.FileFormatOption;
+import net.sourceforge.plantuml.SourceStringReader;
+import net.sourceforge.plantuml.core.Diagram;
+import net.sourceforge.plantuml.core.ImageData;
+import net.sourceforge.plantuml.error.PSystemError;
+
+/**
+ * PlantUML text as an SVG picture, drawn by the PlantUML library inside this process: no Graphviz,
+ * no font of this machine, no file, no network. The same text gives the same bytes everywhere. The
+ * only class that knows the library, so that only a command that draws loads it.
+ */
+final class DiagramImage {
+
+  /** The layout recurses along the longest path of the graph. */
+  private static final long STACK_BYTES = 256L << 20;
+
+  /** Wall time for each second of processor time: machines are busy. */
+  private static final int WALL_FACTOR = 60;
+
+  /** The library writes its version into each picture. */
+  private static final Pattern VERSION = Pattern.compile("<\\?plantuml [^?]*\\?>");
+
+  /** A bar of a fork or a join. */
+  private static final Pattern BAR =
+      Pattern.compile("<rect x=\"([\\d.]+)\" y=\"([\\d.]+)\" width=\"80\" height=\"8\" ");
+
+  /** The start of an arrow's line. */
+  private static final Pattern LINE = Pattern.compile(" d=\"M([\\d.]+),([\\d.]+) ");
+
+  private static final double BAR_WIDTH = 80;
+  private static final double BAR_HEIGHT = 8;
+
+  /** How high the layout takes a bar to be: as high as a line of text. */
+  private static final double LAID_OUT_HEIGHT = 24;
+
+  static {
+    System.setProperty("java.awt.headless", "true");
+    // Neither files nor addresses, whatever a text says. The library reads this once.
+    System.setProperty("PLANTUML_SECURITY_PROFILE", "SANDBOX");
+  }
+
+  private DiagramImage() {}
+
+  /**
+   * Draws a text.
+   *
+   * @param text what a template of templates/plantuml wrote
+   * @param longest the processor time that it may take
+   * @return nothing if it takes longer; the library cannot be stopped, and continues in a daemon
+   *     thread
+   * @throws IllegalStateException if the library cannot draw it: the template is wrong then
+   */
+  static Optional<byte[]> svg(String text, Duration longest) {
+    String[] svg = new String[1];
+    Throwable[] failure = new Throwable[1];
+    Thread drawing = new Thread(null, () -> svg[0] = draw(text), "diagram", STACK_BYTES);
+    drawing.setDaemon(true);
+    drawing.setUncaughtExceptionHandler((thread, thrown) -> failure[0] = thrown);
+    drawing.start();
+    try {
+      await(drawing, longest);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new IllegalStateException("The drawing was interrupted", e);
+    }
+    if (failure[0] != null) {
+      throw new IllegalStateException("PlantUML cannot draw this: " + failure[0], failure[0]);
+    }
+    if (drawing.isAlive()) {
+      return Optional.empty();
+    }
+    String picture = joinBars(VERSION.matcher(svg[0]).replaceAll(""));
+    return Optional.of(picture.getBytes(StandardCharsets.UTF_8));
+  }
+
+  /** Waits for a thread to end or to have used some processor time, but not for ever. */
+  private static void await(Thread thread, Duration longest) throws InterruptedException {
+    ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+    boolean measurable = threads.isThreadCpuTimeSupported() && threads.isThreadCpuTimeEnabled();
+    long end = System.nanoTime() + WALL_FACTOR * longest.toNanos();
+    Duration left = longest;
+    while (thread.isAlive() && left.compareTo(Duration.ZERO) > 0 && System.nanoTime() < end) {
+      // It cannot use more processor time than goes by on the wall.
+      thread.join(left.toMillis() + 1);
+      long used = measurable ? threads.getThreadCpuTime(thread.getId()) : longest.toNanos();
+      left = longest.minusNanos(used);
+    }
+  }
+
+  private static String draw(String text) {
+    Diagram diagram = new SourceStringReader(text).getBlocks().get(0).getDiagram();
+    if (diagram instanceof PSystemError error) {
+      throw new IllegalStateException(error.getDescription() + "\n" + text);
+    }
+    ByteArrayOutputStream svg = new ByteArrayOutputStream();
+    try {
+      FileFormatOption option = new FileFormatOption(FileFormat.SVG_DETERMINISTIC, false);
+      ImageData image = diagram.exportDiagram(svg, 0, option);
+      if (image.getStatus() != 0) {
+        throw new IllegalStateException("status " + image.getStatus());
+      }
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    return svg.toString(StandardCharsets.UTF_8);
+  }
+
+  /**
+   * Lets arrows start at their bar. PlantUML 1.2026.9 lays bars out as high as a line of text and
+   * draws them at the top of that, so that what leaves a bar begins below a gap.
+   */
+  private static String joinBars(String svg) {
+    List<MatchResult> bars = BAR.matcher(svg).results().toList();
+    if (bars.isEmpty()) {
+      return svg;
+    }
+    List<double[]> corners = new ArrayList<>();
+    bars.forEach(bar -> corners.add(new double[] {number(bar, 1), number(bar, 2)}));
+    return LINE.matcher(svg)
+        .replaceAll(line -> Matcher.quoteReplacement(lengthened(line, corners)));
+  }
+
+  private static String lengthened(MatchResult line, List<double[]> corners) {
+    double x = number(line, 1);
+    double y = number(line, 2);
+    for (double[] corner : corners) {
+      boolean below = Math.abs(y - corner[1] - LAID_OUT_HEIGHT) < 1;
+      if (below && x >= corner[0] && x <= corner[0] + BAR_WIDTH) {
+        String bottom = Double.toString(corner[1] + BAR_HEIGHT);
+        return " d=\"M"
+            + line.group(1)
+            + ","
+            + bottom
+            + " L"
+            + line.group(1)
+            + ","
+            + line.group(2)
+            + " ";
+      }
+    }
+    return line.group();
+  }
+
+  private static double number(MatchResult match, int group) {
+    return Double.parseDouble(match.group(group));
+  }
+}

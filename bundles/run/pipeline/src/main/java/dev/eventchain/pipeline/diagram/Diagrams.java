@@ -1,0 +1,196 @@
+package dev.eventchain.pipeline.diagram;
+
+import dev.eventchain.pipeline.files.WrittenFiles;
+
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.m2t.TemplateModule;
+import dev.eventchain.m2t.generation.GenerationContext;
+import dev.eventchain.m2t.generation.GenerationResult;
+import dev.eventchain.model.EventChainMetamodel;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.EventchainPackage;
+import dev.eventchain.output.OutputFolder;
+import dev.eventchain.output.OutputFolder.OnEdit;
+import dev.eventchain.xmi.LoadedModel;
+import dev.eventchain.xmi.Origins;
+import dev.eventchain.xmi.XmiStore;
+import dev.eventchain.templates.ShippedTemplates;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.EPackage;
+import org.eclipse.emf.ecore.EcorePackage;
+
+/** Diagrams of models and metamodels, as PlantUML text and as an SVG picture. */
+public final class Diagrams {
+
+  /** The set of templates, one for each kind of diagram. */
+  private static final String TEMPLATES = "plantuml";
+
+  /** How many boxes and arrows a diagram may have: larger ones are unreadable. */
+  private static final int MOST = 1000;
+
+  /** The processor time of a layout. Arrows between far boxes make it take minutes. */
+  private static final Duration LONGEST = Duration.ofSeconds(60);
+
+  /** A line of PlantUML text that is a box or an arrow. */
+  private static final Pattern ITEM =
+      Pattern.compile(
+          "^((state|object|class|enum|interface|abstract) |\\S+ (\"[^\"]*\" )?\\S*(--|\\.\\.))",
+          Pattern.MULTILINE);
+
+  /** What is drawn. */
+  public enum Kind {
+    /** An event chain: its components in order, with the topics between them. */
+    ACTIVITY,
+    /** The elements of any model with their attributes and references. */
+    INSTANCE,
+    /** The classes of any Ecore metamodel. */
+    METAMODEL;
+
+    @Override
+    public String toString() {
+      return name().toLowerCase(Locale.ROOT);
+    }
+  }
+
+  private final List<EPackage> metamodels = new ArrayList<>();
+  private final List<EObject> roots = new ArrayList<>();
+  private final Path source;
+  private Origins origins = new Origins();
+
+  private Diagrams(List<Path> ecores, Map<String, Path> map, List<Path> models) {
+    List<Path> files = Stream.concat(models.stream(), ecores.stream()).toList();
+    XmiStore store =
+        EventChainMetamodel.store(
+            files.stream().map(f -> f.resolveSibling("")).distinct().toList(), map);
+    ecores.forEach(ecore -> metamodels.addAll(store.loadMetamodel(ecore)));
+    for (LoadedModel model : store.loadAll(models)) {
+      roots.addAll(model.roots());
+      origins = model.origins();
+    }
+    source = files.get(0);
+    if (metamodels.isEmpty()) {
+      metamodels.add(EventchainPackage.eINSTANCE);
+    }
+  }
+
+  /**
+   * Writes {@code KIND.puml} and {@code KIND.svg} for each kind.
+   *
+   * @param ecores the model's metamodels; none for event chains
+   * @param map the folders that beginnings of references stand for: {@code platform:/resource/}
+   * @param models the models that are drawn; may be none if only metamodels are
+   * @param overwrite whether files that a person has edited are replaced
+   * @return what was found; a diagram with an error among its findings is not written
+   * @throws DiagnosticException INPUT if a file cannot be read, or the output not written
+   */
+  public static WrittenFiles draw(
+      Set<Kind> kinds,
+      List<Path> ecores,
+      Map<String, Path> map,
+      List<Path> models,
+      Path folder,
+      boolean overwrite) {
+    Diagrams diagrams = new Diagrams(ecores, map, models);
+    WrittenFiles files = new WrittenFiles(Optional.of(folder));
+    try (OutputFolder output = OutputFolder.open(folder)) {
+      for (Kind kind : kinds) {
+        List<Diagnostic> found = new ArrayList<>();
+        Map<String, byte[]> drawn = diagrams.draw(kind, found);
+        files.found(found);
+        files.write(output, drawn, overwrite ? OnEdit.OVERWRITE : OnEdit.KEEP);
+      }
+    }
+    return files;
+  }
+
+  private Map<String, byte[]> draw(Kind kind, List<Diagnostic> found) {
+    List<? extends EObject> drawn = drawn(kind);
+    if (drawn.isEmpty()) {
+      found.add(nothing(kind));
+      return Map.of();
+    }
+    TemplateModule module =
+        TemplateModule.compile(
+            ShippedTemplates.module(TEMPLATES, kind.toString()).orElseThrow(),
+            ShippedTemplates.modules(TEMPLATES),
+            List.of(EventchainPackage.eINSTANCE, EcorePackage.eINSTANCE));
+    GenerationResult result = module.generate(drawn, context(kind));
+    found.addAll(module.warnings());
+    found.addAll(result.diagnostics());
+    byte[] text = result.files().get(kind + ".puml");
+    if (text == null || Diagnostic.anyError(result.diagnostics())) {
+      return Map.of();
+    }
+    String drawing = new String(text, StandardCharsets.UTF_8);
+    long size = ITEM.matcher(drawing).results().count();
+    Optional<byte[]> picture = size > MOST ? Optional.empty() : DiagramImage.svg(drawing, LONGEST);
+    if (picture.isEmpty()) {
+      found.add(tooLarge(kind, size));
+      return Map.of();
+    }
+    return new TreeMap<>(Map.of(kind + ".puml", text, kind + ".svg", picture.get()));
+  }
+
+  private GenerationContext context(Kind kind) {
+    String from =
+        kind == Kind.METAMODEL
+            ? metamodels.get(0).getNsURI()
+            : String.valueOf(source.getFileName());
+    return GenerationContext.of(origins::locate)
+        .withProperties(
+            Map.of(
+                "provenance",
+                "Made by Eventchain from " + from + " with templates/plantuml/" + kind + ".mtl"));
+  }
+
+  private List<? extends EObject> drawn(Kind kind) {
+    return switch (kind) {
+      case ACTIVITY ->
+          roots.stream()
+              .filter(root -> root instanceof EventChain chain && !chain.getSoftware().isEmpty())
+              .limit(1)
+              .toList();
+      case INSTANCE -> roots;
+      case METAMODEL -> metamodels;
+    };
+  }
+
+  private Diagnostic nothing(Kind kind) {
+    String what = kind == Kind.ACTIVITY ? "no event chain with a component" : "no element";
+    return Diagnostic.error(
+            "diagram.nothing",
+            "There is nothing to draw: the model has " + what + ".",
+            SourceLocation.of(source))
+        .withHint("Draw a model of another metamodel with --kind instance.");
+  }
+
+  private Diagnostic tooLarge(Kind kind, long size) {
+    String problem =
+        size > MOST
+            ? "at most " + MOST + " are drawn"
+            : "their layout takes more than " + LONGEST.toSeconds() + " s of processor time";
+    return Diagnostic.error(
+            "diagram.too-large",
+            "The %s diagram has %d boxes and arrows; %s.".formatted(kind, size, problem),
+            SourceLocation.of(source))
+        .withHint(
+            kind == Kind.INSTANCE
+                ? "Draw a smaller model, or an event chain with --kind activity."
+                : "Draw a part of it.");
+  }
+}

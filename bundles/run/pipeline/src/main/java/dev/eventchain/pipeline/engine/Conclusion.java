@@ -1,0 +1,291 @@
+package dev.eventchain.pipeline.engine;
+
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.stage.StageOutcome;
+import dev.eventchain.pipeline.run.Progress;
+import dev.eventchain.pipeline.report.EarlierRun;
+import dev.eventchain.pipeline.run.RunResult;
+import dev.eventchain.pipeline.simulate.UntestedFindings;
+import dev.eventchain.pipeline.simulate.RequirementOutcomes;
+import dev.eventchain.pipeline.simulate.SimulationReport;
+import dev.eventchain.pipeline.report.ReportData;
+import dev.eventchain.pipeline.report.ReportPage;
+
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.MissingNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.DiagnosticException.Reason;
+import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.Suppressions.Suppressed;
+import dev.eventchain.pipeline.run.Progress.Status;
+import dev.eventchain.pipeline.run.RunResult.FaultLine;
+import dev.eventchain.pipeline.run.RunResult.ScenarioLine;
+import dev.eventchain.pipeline.run.RunResult.Verdict;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+
+/** What a run comes to: the verdict, and the report about it. */
+final class Conclusion {
+
+  private final RunContext run;
+  private final Map<Stage, StageOutcome> outcomes;
+  private final Optional<Reason> failure;
+  private final Progress progress;
+  private final EarlierRun before;
+
+  /**
+   * Of a run whose stages have ended.
+   *
+   * @param failure why it could not go on, if it could not
+   * @param before what the report compares with
+   */
+  Conclusion(
+      RunContext run,
+      Map<Stage, StageOutcome> outcomes,
+      Optional<Reason> failure,
+      Progress progress,
+      EarlierRun before) {
+    this.run = run;
+    this.outcomes = outcomes;
+    this.failure = failure;
+    this.progress = progress;
+    this.before = before;
+  }
+
+  RunResult conclude() {
+    List<Diagnostic> found = new ArrayList<>();
+    List<Suppressed> suppressed = new ArrayList<>();
+    Coverage coverage = Coverage.NONE;
+    for (StageOutcome outcome : outcomes.values()) {
+      found.addAll(outcome.diagnostics());
+      suppressed.addAll(outcome.found().suppressed());
+      coverage = coverage.and(outcome.coverage());
+    }
+    found.addAll(run.takeFindings());
+    // Stages that need a valid model find what validation found.
+    found = new ArrayList<>(new LinkedHashSet<>(found));
+    suppressed = new ArrayList<>(new LinkedHashSet<>(suppressed));
+    found.addAll(aboutSuppressions(found, suppressed, coverage));
+    List<ScenarioLine> scenarios = scenarioLines();
+    Verdict verdict = verdict(found);
+    boolean unproved = scenarios.stream().anyMatch(scenario -> !scenario.passed());
+    if (verdict == Verdict.PASSED && unproved && suppressed.isEmpty()) {
+      throw new IllegalStateException("a scenario did not pass, and no finding says why");
+    }
+    String summary = summary(verdict, scenarios, found) + suppressedText(suppressed) + attached();
+    Optional<Path> report = Optional.empty();
+    boolean reportable = !run.options().isPartial() && !failure.equals(Optional.of(Reason.WAITING));
+    if (run.options().runs(Stage.REPORT) && reportable) {
+      report = writeReport(verdict, summary, found);
+      found.addAll(run.takeFindings());
+    }
+    return new RunResult(verdict, summary, scenarios, found, suppressed, coverage, report, failure)
+        .withFaults(faultLines());
+  }
+
+  /**
+   * Which suppressions have ended, and which match nothing: of all in a run of all stages, else of
+   * those about the model when it was checked.
+   */
+  private List<Diagnostic> aboutSuppressions(
+      List<Diagnostic> found, List<Suppressed> suppressed, Coverage coverage) {
+    boolean everything =
+        failure.isEmpty()
+            && !run.options().isPartial()
+            && outcomes.values().stream().noneMatch(o -> o.status() == Status.NOT_RUN);
+    List<Diagnostic> all = new ArrayList<>(found);
+    suppressed.forEach(each -> all.add(each.finding()));
+    return run.options().suppressions().warnings(all, coverage, everything);
+  }
+
+  private Verdict verdict(List<Diagnostic> found) {
+    if (failure.isPresent() && failure.get() != Reason.FINDINGS) {
+      return Verdict.INCOMPLETE;
+    }
+    if (failure.isPresent() || Diagnostic.anyError(found)) {
+      return onlyUntested(found) ? Verdict.INCOMPLETE : Verdict.FAILED;
+    }
+    boolean judged =
+        outcome(Stage.SIMULATE).status() != Status.NOT_RUN && !run.options().isPartial();
+    return judged ? Verdict.PASSED : Verdict.INCOMPLETE;
+  }
+
+  /** Whether all that was found wrong is that something was not tested. */
+  private static boolean onlyUntested(List<Diagnostic> found) {
+    return Diagnostic.anyError(found)
+        && found.stream()
+            .filter(each -> each.severity() == Severity.ERROR)
+            .allMatch(UntestedFindings::include);
+  }
+
+  private String summary(Verdict verdict, List<ScenarioLine> scenarios, List<Diagnostic> found) {
+    long passed = scenarios.stream().filter(ScenarioLine::passed).count();
+    String scenarioText = passed + " of " + scenarios.size() + " scenarios passed";
+    long errors = found.stream().filter(finding -> finding.severity() == Severity.ERROR).count();
+    String errorText = Coverage.counted(errors, "error");
+    String requirements = RequirementOutcomes.counted(requirementOutcomes());
+    String counted = faultText() + (requirements.isEmpty() ? "" : requirements + ", ");
+    return switch (verdict) {
+      case PASSED ->
+          requirements.isEmpty() && faultText().isEmpty()
+              ? scenarioText
+              : (scenarioText + ", " + counted).replaceFirst(", $", "");
+      case FAILED -> scenarios.isEmpty() ? errorText : scenarioText + ", " + counted + errorText;
+      case INCOMPLETE ->
+          onlyUntested(found)
+              ? untested(scenarios, scenarioText) + ": " + counted + errorText
+              : failure.isPresent() ? stopped() : unjudged(scenarios, scenarioText);
+    };
+  }
+
+  private JsonNode requirementOutcomes() {
+    StageOutcome simulated = outcome(Stage.SIMULATE);
+    return simulated.status() == Status.NOT_RUN || simulated.report().isEmpty()
+        ? MissingNode.getInstance()
+        : simulated.report().get().path("requirements");
+  }
+
+  private static String untested(List<ScenarioLine> scenarios, String scenarioText) {
+    return scenarios.isEmpty()
+        ? "nothing was simulated"
+        : scenarioText + ", but not all was tested";
+  }
+
+  /** A verdict must not hide that findings are left out of it. */
+  private static String suppressedText(List<Suppressed> suppressed) {
+    int count = suppressed.size();
+    return count == 0 ? "" : ", " + Coverage.counted(count, "finding") + " suppressed";
+  }
+
+  /** A verdict about nodes that others run must say so. */
+  private String attached() {
+    String words =
+        outcome(Stage.SIMULATE)
+            .report()
+            .map(report -> report.path(SimulationReport.ATTACHED).asText())
+            .orElse("");
+    return words.isEmpty() ? "" : " (" + words + ")";
+  }
+
+  private String stopped() {
+    if (failure.equals(Optional.of(Reason.WAITING))) {
+      return "waiting for " + Coverage.counted(awaited(), "answer");
+    }
+    return outcomes.values().stream()
+        .filter(outcome -> outcome.status() == Status.FAILED)
+        .map(outcome -> "stopped in the stage '" + outcome.stage().id() + "'")
+        .findFirst()
+        .orElse("stopped");
+  }
+
+  private long awaited() {
+    return outcomes.values().stream()
+        .flatMap(outcome -> outcome.diagnostics().stream())
+        .filter(finding -> finding.id().equals("llm.handoff.waiting"))
+        .count();
+  }
+
+  private String unjudged(List<ScenarioLine> scenarios, String scenarioText) {
+    return scenarios.isEmpty()
+        ? lastDetails()
+        : scenarioText + "; no verdict, because the others were not simulated";
+  }
+
+  /** What the last stage made, where a run was not asked for a verdict. */
+  private String lastDetails() {
+    return outcomes.values().stream()
+        .filter(outcome -> outcome.status() != Status.NOT_RUN)
+        .reduce((earlier, later) -> later)
+        .map(StageOutcome::details)
+        .orElse("nothing to do");
+  }
+
+  /** The scenarios of this run; those of an earlier one prove nothing about it. */
+  private List<ScenarioLine> scenarioLines() {
+    StageOutcome simulated = outcome(Stage.SIMULATE);
+    List<ScenarioLine> lines = new ArrayList<>();
+    if (simulated.status() != Status.NOT_RUN && simulated.report().isPresent()) {
+      for (JsonNode scenario : simulated.report().get().path("scenarios")) {
+        lines.add(
+            new ScenarioLine(
+                scenario.path("name").asText(),
+                scenario.path("tested").asBoolean(),
+                scenario.path("passed").asBoolean(),
+                scenario.path("text").asText()));
+      }
+    }
+    return lines;
+  }
+
+  /** How many of the faults that are judged went as expected, and how many are not judged. */
+  private String faultText() {
+    long judged = 0;
+    long passed = 0;
+    long observed = 0;
+    for (JsonNode fault : faults()) {
+      boolean isJudged = fault.path("judged").asBoolean();
+      judged += isJudged ? 1 : 0;
+      observed += isJudged ? 0 : 1;
+      passed += fault.path("passed").asBoolean() ? 1 : 0;
+    }
+    String text =
+        judged == 0 ? "" : passed + " of " + Coverage.counted(judged, "fault") + " as expected, ";
+    return observed == 0 ? text : text + Coverage.counted(observed, "fault") + " not judged, ";
+  }
+
+  /** What came of faults in this run. */
+  private List<FaultLine> faultLines() {
+    List<FaultLine> lines = new ArrayList<>();
+    for (JsonNode fault : faults()) {
+      boolean tested = fault.path("judged").asBoolean() && fault.path("tested").asBoolean();
+      lines.add(
+          new FaultLine(
+              fault.path("name").asText(),
+              tested,
+              fault.path("passed").asBoolean(),
+              fault.path("text").asText()));
+    }
+    return lines;
+  }
+
+  private JsonNode faults() {
+    StageOutcome simulated = outcome(Stage.SIMULATE);
+    return simulated.status() == Status.NOT_RUN || simulated.report().isEmpty()
+        ? MissingNode.getInstance()
+        : simulated.report().get().path("faults");
+  }
+
+  private StageOutcome outcome(Stage stage) {
+    return outcomes.get(stage);
+  }
+
+  private Optional<Path> writeReport(Verdict verdict, String summary, List<Diagnostic> found) {
+    progress.started(Stage.REPORT);
+    long start = System.nanoTime();
+    try {
+      ReportData collected = new ReportData(run, outcomes, before);
+      ObjectNode data = collected.collect(verdict, summary, found);
+      run.writeResult(ReportPage.FILE, ReportPage.render(collected.chain(), data));
+      ended(Status.DONE, start, run.file(ReportPage.FILE).toString());
+      return Optional.of(run.file(ReportPage.FILE));
+    } catch (DiagnosticException e) {
+      e.diagnostics().forEach(run::find);
+      ended(Status.FAILED, start, e.diagnostics().get(0).message());
+      return Optional.empty();
+    }
+  }
+
+  private void ended(Status status, long start, String details) {
+    progress.ended(Stage.REPORT, status, Duration.ofNanos(System.nanoTime() - start), details);
+  }
+}

@@ -1,0 +1,405 @@
+package dev.eventchain.pipeline.engine;
+
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.stage.StageWork;
+import dev.eventchain.pipeline.design.DesignStage;
+import dev.eventchain.pipeline.design.ImplementStage;
+import dev.eventchain.pipeline.design.ModelStage;
+import dev.eventchain.pipeline.design.ConstrainStage;
+import dev.eventchain.pipeline.generate.ValidateStage;
+import dev.eventchain.pipeline.generate.GenerateStage;
+import dev.eventchain.pipeline.simulate.SimulateStage;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.pipeline.stage.StageMemory;
+import dev.eventchain.pipeline.run.Progress;
+import dev.eventchain.pipeline.report.EarlierRun;
+import dev.eventchain.pipeline.stage.StageOutcome;
+import dev.eventchain.pipeline.run.RunResult;
+import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.run.RunOptions;
+import dev.eventchain.pipeline.stage.Sample;
+import dev.eventchain.pipeline.design.VerdictCorrection;
+import dev.eventchain.pipeline.stage.Fingerprint;
+import dev.eventchain.pipeline.stage.StageRecord;
+import dev.eventchain.pipeline.simulate.ProjectScenarios;
+import dev.eventchain.pipeline.stage.StageResult;
+
+
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Suppressions.Parted;
+import dev.eventchain.output.OutputFolder;
+import dev.eventchain.pipeline.run.Progress.Status;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.stream.Collectors;
+
+/** The stages of a run in order, as far as they are asked for and can go. */
+public final class PipelineRun {
+
+  private static final Map<Stage, StageWork> WORK =
+      new EnumMap<>(
+          Map.of(
+              Stage.DESIGN, new DesignStage(),
+              Stage.IMPLEMENT, new ImplementStage(),
+              Stage.MODEL, new ModelStage(),
+              Stage.CONSTRAIN, new ConstrainStage(),
+              Stage.VALIDATE, new ValidateStage(),
+              Stage.GENERATE, new GenerateStage(),
+              Stage.SIMULATE, new SimulateStage()));
+
+  /** The stages that a corrected component concerns. */
+  private static final List<Stage> CORRECTED =
+      List.of(Stage.IMPLEMENT, Stage.GENERATE, Stage.SIMULATE);
+
+  private final RunContext run;
+  private final StageMemory memory;
+  private final Progress progress;
+  private final EarlierRun before;
+  private final StandingResults standing;
+  private final Map<Stage, StageOutcome> outcomes = new EnumMap<>(Stage.class);
+  private Optional<DiagnosticException.Reason> failure = Optional.empty();
+
+  /**
+   * How a run ended, with what each of its stages came to.
+   *
+   * @param outcomes in the order of the stages
+   */
+  public record Ended(RunResult result, Map<Stage, StageOutcome> outcomes) {}
+
+  private PipelineRun(RunContext run, StageMemory memory, EarlierRun before) {
+    this.run = run;
+    this.memory = memory;
+    this.progress = run.progress();
+    this.before = before;
+    this.standing = new StandingResults(run, memory);
+  }
+
+  /**
+   * Runs stages of a project.
+   *
+   * @param sample the run of an evaluation that this is, if it is one
+   * @return how the run ended, also when a stage could not continue
+   * @throws DiagnosticException INPUT if the output folder cannot be written or is in use
+   */
+  public static Ended run(
+      Project project, RunOptions options, Progress progress, Optional<Sample> sample) {
+    EarlierRun before = EarlierRun.read(options.compare());
+    try (OutputFolder output = outputFor(options)) {
+      RunContext context = new RunContext(project, options, output, progress, sample);
+      StageMemory memory = new StageMemory(output, options.output());
+      if (!options.readsOnly()) {
+        boolean restored = !output.hasRecords() && memory.restoreRecords();
+        context.findLostRecords(restored);
+      }
+      context.write(RunContext.IGNORE, new byte[0]);
+      PipelineRun run = new PipelineRun(context, memory, before);
+      return new Ended(run.runStages(), run.outcomes);
+    }
+  }
+
+  /** Validation alone writes nothing, so that it works where nothing can be written. */
+  private static OutputFolder outputFor(RunOptions options) {
+    return options.readsOnly()
+        ? OutputFolder.inMemory(new HashMap<>())
+        : OutputFolder.open(options.output());
+  }
+
+  private RunResult runStages() {
+    for (Stage stage : Stage.values()) {
+      if (stage == Stage.REPORT) {
+        break;
+      }
+      boolean possible = failure.isEmpty() || asksMeanwhile(stage) || isTriedAnyway(stage);
+      end(run.options().runs(stage) && possible ? runGuarded(stage) : notRun(stage));
+    }
+    correctByVerdict();
+    boolean judged = outcomes.get(Stage.SIMULATE).report().isPresent();
+    if (failure.isPresent() && (!judged || run.options().isPartial())) {
+      standing.withdraw(stoppedIn());
+    }
+    boolean simulates = run.options().runs(Stage.SIMULATE);
+    if (failure.isEmpty() && !simulates && !run.options().readsOnly()) {
+      restoreVerdict();
+    }
+    RunResult result =
+        new Conclusion(run, outcomes, failure, progress, before)
+            .conclude()
+            .withRecordings(run.recordings());
+    if (result.report().isEmpty()) {
+      standing.putReportBack();
+    }
+    return result;
+  }
+
+  private void end(StageOutcome outcome) {
+    outcomes.put(outcome.stage(), outcome);
+    progress.ended(outcome.stage(), outcome.status(), outcome.duration(), outcome.details());
+  }
+
+  /** As long as a failed verdict changes a component, the stages from there on run again. */
+  private void correctByVerdict() {
+    int rounds = run.project().configuration().repairs();
+    while (rounds-- > 0 && mayBeCorrected()) {
+      long start = System.nanoTime();
+      try {
+        run.models().correct(VerdictCorrection.ask(run, run.models().simulated().orElseThrow()));
+      } catch (DiagnosticException e) {
+        failure = Optional.of(e.reason());
+        end(stopped(Stage.IMPLEMENT, e, start));
+        return;
+      }
+      if (run.models().corrections().isEmpty()) {
+        return;
+      }
+      failure = Optional.empty();
+      for (Stage stage : CORRECTED) {
+        end(failure.isEmpty() ? runGuarded(stage) : notRun(stage));
+      }
+    }
+  }
+
+  private boolean mayBeCorrected() {
+    return failure.equals(Optional.of(DiagnosticException.Reason.FINDINGS))
+        && outcomes.get(Stage.SIMULATE).report().isPresent()
+        && VerdictCorrection.isAllowed(run);
+  }
+
+  /**
+   * Whether a stage asks for something that does not depend on the answer that another one waits
+   * for: a person who is asked for components may as well be asked for the rest.
+   */
+  private boolean asksMeanwhile(Stage stage) {
+    return failure.equals(Optional.of(DiagnosticException.Reason.WAITING))
+        && (stage == Stage.MODEL || stage == Stage.CONSTRAIN)
+        && !outcomes.get(Stage.DESIGN).status().isStopped();
+  }
+
+  /**
+   * Whether a stage is judged by itself, in an evaluation, and what it works on is there: that one
+   * answer is wrong says nothing about the others.
+   */
+  private boolean isTriedAnyway(Stage stage) {
+    DiagnosticException.Reason reason = failure.orElseThrow();
+    boolean judged =
+        reason == DiagnosticException.Reason.FINDINGS
+            || reason == DiagnosticException.Reason.WAITING;
+    return run.models().isEvaluated() && judged && NeededStages.areDone(stage, outcomes);
+  }
+
+  /** The verdict of before stands again if a simulation now would have nothing to do. */
+  private void restoreVerdict() {
+    try {
+      new EarlierStages(run, memory, WORK).require(Stage.SIMULATE);
+      standing.recall(fingerprint(Stage.SIMULATE).value());
+    } catch (DiagnosticException e) {
+      // It is about other files than today's. Whoever simulates next is told which.
+      return;
+    }
+  }
+
+  private Fingerprint fingerprint(Stage stage) {
+    Fingerprint fingerprint = new Fingerprint(run).add(stage.id());
+    WORK.get(stage).fingerprint(run, fingerprint);
+    return fingerprint;
+  }
+
+  private Map<String, String> written(List<String> outputs) {
+    return outputs.stream()
+        .distinct()
+        .collect(Collectors.toMap(name -> name, run.output()::written));
+  }
+
+  private Stage stoppedIn() {
+    return outcomes.values().stream()
+        .filter(outcome -> outcome.status().isStopped())
+        .map(StageOutcome::stage)
+        .findFirst()
+        .orElseThrow();
+  }
+
+  /** Whatever ends a stage, a verdict of before does not outlive it. */
+  private StageOutcome runGuarded(Stage stage) {
+    boolean ended = false;
+    try {
+      StageOutcome outcome = runStage(stage);
+      ended = true;
+      return outcome;
+    } finally {
+      if (!ended) {
+        standing.withdraw(stage);
+      }
+    }
+  }
+
+  private StageOutcome runStage(Stage stage) {
+    progress.started(stage);
+    long start = System.nanoTime();
+    try {
+      if (stage == run.options().first()) {
+        new EarlierStages(run, memory, WORK).require(stage).forEach(run::find);
+        checkScenarios();
+      }
+      Fingerprint fingerprint = fingerprint(stage);
+      String key = fingerprint.value();
+      Optional<StageRecord> remembered =
+          mayBeSkipped(stage) ? recall(stage, key) : Optional.empty();
+      return remembered.isPresent()
+          ? unchanged(stage, remembered.get(), start)
+          : executed(stage, key, fingerprint.sources(), start);
+    } catch (DiagnosticException e) {
+      failure = Optional.of(e.reason());
+      return stopped(stage, e, start);
+    }
+  }
+
+  /** Ends a run that is to reach a verdict about scenarios that cannot lead to one. */
+  private void checkScenarios() {
+    if (run.options().runs(Stage.SIMULATE)) {
+      List<Diagnostic> found = ProjectScenarios.check(run);
+      if (Diagnostic.anyError(run.options().suppressions().part(found).remaining())) {
+        throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, found);
+      }
+      found.forEach(run::find);
+    }
+  }
+
+  /** What keeps a stage from its result cannot be suppressed. */
+  private StageOutcome stopped(Stage stage, DiagnosticException problem, long start) {
+    List<Diagnostic> found = new ArrayList<>(run.takeFindings());
+    found.addAll(problem.diagnostics());
+    return new StageOutcome(
+        stage,
+        problem.reason() == DiagnosticException.Reason.WAITING ? Status.WAITING : Status.FAILED,
+        since(start),
+        reason(problem),
+        new Parted(found, List.of()),
+        Coverage.NONE,
+        Optional.empty());
+  }
+
+  private boolean mayBeSkipped(Stage stage) {
+    boolean anyway = stage == Stage.SIMULATE && run.options().simulatesAnyway();
+    boolean corrected = stage == Stage.IMPLEMENT && !run.models().corrections().isEmpty();
+    boolean asked = run.options().again() || anyway || isPartial(stage) || corrected;
+    return WORK.get(stage).skippable() && !asked;
+  }
+
+  /** Whether a stage simulates only some scenarios: then it writes no results. */
+  private boolean isPartial(Stage stage) {
+    return stage == Stage.SIMULATE && run.options().isPartial();
+  }
+
+  /** Files that a person edited are written again if they are results, or to be replaced. */
+  private Optional<StageRecord> recall(Stage stage, String key) {
+    if (stage == Stage.SIMULATE) {
+      return standing.recall(key);
+    }
+    return memory
+        .recall(stage, key)
+        .filter(
+            record ->
+                !run.options().overwrite()
+                    || record.outputs().keySet().stream().noneMatch(run.output()::isEdited));
+  }
+
+  private StageOutcome executed(Stage stage, String key, Map<String, String> sources, long start) {
+    StageWork work = WORK.get(stage);
+    if (work.skippable()) {
+      announce(stage, key);
+    }
+    // What was found before the stage's work is about this run, and not remembered.
+    List<Diagnostic> all = new ArrayList<>(run.takeFindings());
+    StageResult result = work.execute(run);
+    List<Diagnostic> found = new ArrayList<>(run.takeFindings());
+    found.addAll(result.diagnostics());
+    all.addAll(found);
+    Parted parted = run.options().suppressions().part(all);
+    boolean failed = Diagnostic.anyError(parted.remaining());
+    if (failed) {
+      failure = Optional.of(DiagnosticException.Reason.FINDINGS);
+    } else if (work.skippable() && !isPartial(stage)) {
+      // An error that is suppressed today may count tomorrow: then the stage must run again.
+      String skippedBy = Diagnostic.anyError(found) ? StageRecord.NEVER : key;
+      memory.remember(stage, record(skippedBy, sources, result, found));
+    }
+    return ended(stage, failed ? Status.FAILED : Status.DONE, start, result, parted);
+  }
+
+  private StageRecord record(
+      String key, Map<String, String> sources, StageResult result, List<Diagnostic> found) {
+    return new StageRecord(
+        key,
+        sources,
+        written(result.outputs()),
+        result.details(),
+        found,
+        result.coverage(),
+        result.report());
+  }
+
+  /** Whatever happens from here on, the files are no longer those that are remembered. */
+  private void announce(Stage stage, String key) {
+    boolean resultsStay = isPartial(stage) && standing.recall(key).isPresent();
+    if (!resultsStay) {
+      standing.withdraw(stage);
+    }
+    if (!isPartial(stage)) {
+      memory.forget(stage);
+    }
+  }
+
+  /** A person may have edited what the stage wrote: then that is said again, and checked. */
+  private StageOutcome unchanged(Stage stage, StageRecord record, long start) {
+    run.models().recall(stage, record.report());
+    StageResult result = EditedOutputs.check(run, WORK.get(stage), record);
+    List<Diagnostic> found = new ArrayList<>(run.takeFindings());
+    result.diagnostics().stream().filter(each -> !found.contains(each)).forEach(found::add);
+    Parted parted = run.options().suppressions().part(found);
+    if (Diagnostic.anyError(parted.remaining())) {
+      failure = Optional.of(DiagnosticException.Reason.FINDINGS);
+      return ended(stage, Status.FAILED, start, result, parted);
+    }
+    return ended(stage, Status.UNCHANGED, start, result, parted);
+  }
+
+  private static StageOutcome ended(
+      Stage stage, Status status, long start, StageResult result, Parted found) {
+    return new StageOutcome(
+        stage,
+        status,
+        since(start),
+        result.details(),
+        found,
+        result.coverage(),
+        Optional.of(result.report()));
+  }
+
+  /** What an earlier run found out proves nothing about the files of this one. */
+  private static StageOutcome notRun(Stage stage) {
+    return new StageOutcome(
+        stage,
+        Status.NOT_RUN,
+        Duration.ZERO,
+        "",
+        new Parted(List.of(), List.of()),
+        Coverage.NONE,
+        Optional.empty());
+  }
+
+  private static String reason(DiagnosticException e) {
+    int count = e.diagnostics().size();
+    String more = count > 1 ? " (and " + (count - 1) + " more)" : "";
+    return e.diagnostics().get(0).message().lines().findFirst().orElse("") + more;
+  }
+
+  private static Duration since(long start) {
+    return Duration.ofNanos(System.nanoTime() - start);
+  }
+}

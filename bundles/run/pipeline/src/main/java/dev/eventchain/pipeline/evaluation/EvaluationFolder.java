@@ -1,0 +1,149 @@
+package dev.eventchain.pipeline.evaluation;
+
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.project.Configuration;
+import dev.eventchain.pipeline.stage.Fingerprint;
+
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.Sha256;
+import dev.eventchain.documents.JsonLayout;
+import dev.eventchain.output.OutputFolder;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * The folder of an evaluation: a folder for each run, with a file that is there when the run has
+ * ended and says what it was made from. Thread-safe.
+ */
+final class EvaluationFolder implements AutoCloseable {
+
+  static final String NAME = "evaluation";
+  static final String JSON = "evaluation.json";
+  static final String PAGE = "evaluation.html";
+
+  private static final String RESULT = "result.json";
+  private static final Set<String> RESERVED = Set.of(JSON, PAGE);
+  private static final int LONGEST_NAME = 60;
+  private static final int HASH = 8;
+  private static final ObjectMapper MAPPER = new ObjectMapper();
+
+  private final Path base;
+  private final OutputFolder output;
+
+  private EvaluationFolder(Path base) {
+    this.base = base;
+    this.output = OutputFolder.open(base);
+  }
+
+  /**
+   * Opens the folder below the one of a project's results, and takes away what an evaluation of
+   * before has left there of its own: it does not outlive the beginning of another one.
+   */
+  static EvaluationFolder open(Path results) {
+    EvaluationFolder folder = new EvaluationFolder(results.resolve(NAME));
+    folder.output.write(RunContext.IGNORE, new byte[0], OutputFolder.OnEdit.OVERWRITE);
+    RESERVED.forEach(folder.output::remove);
+    return folder;
+  }
+
+  /** The name of a run's folder: safe, whatever the model is called, and no other's. */
+  static String nameOf(String model, int number) {
+    String safe = model.replaceAll("[^A-Za-z0-9._-]", "_").replaceAll("^[.-]|[.-]$", "_");
+    safe = safe.substring(0, Math.min(safe.length(), LONGEST_NAME));
+    boolean same = safe.equals(model) && !RESERVED.contains(safe);
+    String hash = Sha256.of(model).hex().substring(0, HASH);
+    return "%s/run-%02d".formatted(same ? safe : safe + "-" + hash, number);
+  }
+
+  Path path(String name) {
+    return base.resolve(name);
+  }
+
+  /** What a run came to that has ended, if it was made from the same. */
+  Optional<EvaluatedRun> finished(String run, String inputs) {
+    Optional<byte[]> bytes = output.read(run + "/" + RESULT);
+    try {
+      JsonNode result = bytes.isEmpty() ? null : MAPPER.readTree(bytes.get());
+      return result != null && result.path("inputs").asText().equals(inputs)
+          ? Optional.of(MAPPER.treeToValue(result.path("run"), EvaluatedRun.class))
+          : Optional.empty();
+    } catch (IOException | RuntimeException e) {
+      // What cannot be read only costs the run.
+      return Optional.empty();
+    }
+  }
+
+  /** From now on there is no result of a run. */
+  void begin(String run) {
+    output.remove(run + "/" + RESULT);
+  }
+
+  /** Keeps what a run came to. */
+  void finish(String run, String inputs, EvaluatedRun result) {
+    ObjectNode json = MAPPER.createObjectNode();
+    json.put("inputs", inputs);
+    json.set("run", MAPPER.valueToTree(result));
+    write(run + "/" + RESULT, JsonLayout.of(json) + "\n");
+  }
+
+  /** Replaces whatever is there: it is a result. */
+  void write(String name, String text) {
+    byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+    output.write(name, bytes, OutputFolder.OnEdit.OVERWRITE);
+  }
+
+  /** What decides what a run comes to: files, settings, and this program. */
+  static String inputs(
+      Project project,
+      EvaluationOptions options,
+      String model,
+      int number,
+      Optional<ReferenceChain> reference) {
+    Configuration settings = project.configuration();
+    Sha256 digest = new Sha256();
+    for (Object part :
+        List.of(
+            Fingerprint.PROGRAM,
+            model,
+            number,
+            options.source(project),
+            options.timeLimit(),
+            options.suppressions().inForce(),
+            settings.name(),
+            settings.title(),
+            settings.frequency(),
+            settings.repairs(),
+            settings.template(),
+            settings.packageFacts(),
+            reference)) {
+      add(digest, String.valueOf(part));
+    }
+    project.sources().forEach(file -> addFile(digest, project, file));
+    if (options.takesRecordings(project)) {
+      Project.existingBelow(project.recordings()).forEach(each -> addFile(digest, project, each));
+    }
+    return digest.hex();
+  }
+
+  private static void addFile(Sha256 digest, Project project, Path file) {
+    add(digest, project.folder().relativize(file).toString());
+    add(digest, Fingerprint.contentOf(file));
+  }
+
+  private static void add(Sha256 digest, String text) {
+    digest.add(text.length() + ":").add(text);
+  }
+
+  @Override
+  public void close() {
+    output.close();
+  }
+}

@@ -1,0 +1,79 @@
+package dev.eventchain.pipeline.evaluation;
+
+import dev.eventchain.pipeline.project.Configuration;
+import dev.eventchain.pipeline.project.Project;
+
+
+import dev.eventchain.diagnostics.Suppressions;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * The language models that an evaluation compares, and how.
+ *
+ * @param output the folder of the project's results, below which the evaluation has one of its own
+ * @param models empty for those that the project's configuration names
+ * @param runs how many runs each model does
+ * @param parallel how many runs are done at once
+ * @param llm how answers are had; empty: as the project's configuration says
+ * @param suppressions the findings that do not count
+ * @param timeLimit the processor time that a constraint may take on the whole model
+ */
+public record EvaluationOptions(
+    Path output,
+    List<String> models,
+    int runs,
+    int parallel,
+    Optional<String> llm,
+    Suppressions suppressions,
+    Duration timeLimit) {
+
+  private static final int MOST_RUNS = 99;
+  private static final int MOST_PARALLEL = 64;
+  private static final String COMMAND = "command:";
+
+  /**
+   * Checks what does not depend on the project.
+   *
+   * @throws IllegalArgumentException saying what is wrong
+   */
+  public EvaluationOptions {
+    models = models.stream().map(String::strip).toList();
+    require(
+        runs >= 1 && runs <= MOST_RUNS,
+        "the number of runs must be 1 to " + MOST_RUNS + ": --runs 5");
+    require(
+        parallel >= 1 && parallel <= MOST_PARALLEL,
+        "1 to " + MOST_PARALLEL + " runs can be done at once: --parallel 2");
+    require(models.stream().noneMatch(String::isEmpty), "a model has no name: --models a,b");
+    require(!models.contains(Configuration.DIRECT), "'direct' is not a language model");
+    Set<String> seen = new LinkedHashSet<>();
+    models.forEach(model -> require(seen.add(model), "'" + model + "' is named twice"));
+  }
+
+  private static void require(boolean holds, String otherwise) {
+    if (!holds) {
+      throw new IllegalArgumentException(otherwise);
+    }
+  }
+
+  /** How answers are had. */
+  String source(Project project) {
+    return llm.orElse(project.configuration().llm());
+  }
+
+  /** The same for people: without what a command is told, and without folders. */
+  String kindOfSource(Project project) {
+    return source(project).replaceFirst("(?s):.*", "");
+  }
+
+  /** Whether answers are taken from the project's recordings. */
+  boolean takesRecordings(Project project) {
+    String source = source(project);
+    return !source.equals("live") && !source.startsWith(COMMAND);
+  }
+}

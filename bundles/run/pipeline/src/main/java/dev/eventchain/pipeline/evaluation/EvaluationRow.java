@@ -1,0 +1,113 @@
+package dev.eventchain.pipeline.evaluation;
+
+import dev.eventchain.pipeline.project.Configuration;
+
+
+import dev.eventchain.pipeline.evaluation.EvaluatedRun.Grade;
+import dev.eventchain.pipeline.evaluation.EvaluatedRun.Score;
+import dev.eventchain.pipeline.evaluation.EvaluatedRun.State;
+import dev.eventchain.pipeline.evaluation.EvaluatedRun.Usage;
+import java.math.BigDecimal;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.function.Function;
+
+/**
+ * A row of the table: the runs of a model. Runs with answers that people wrote are never counted
+ * together with others.
+ *
+ * @param authored whether people wrote answers of its runs, so that it measures no language model
+ * @param counted the runs that count
+ * @param uncounted those that do not
+ */
+record EvaluationRow(
+    String model, boolean authored, List<EvaluatedRun> counted, List<EvaluatedRun> uncounted) {
+
+  /** What is judged, by its name in files. */
+  static final Map<String, Function<EvaluatedRun, Score>> ARTEFACTS = artefacts();
+
+  /**
+   * How many of the runs in which there was something to judge passed.
+   *
+   * @param of their number
+   */
+  record Rate(int passed, int of) {
+    Optional<WilsonInterval> interval() {
+      return WilsonInterval.of(passed, of);
+    }
+  }
+
+  private static Map<String, Function<EvaluatedRun, Score>> artefacts() {
+    Map<String, Function<EvaluatedRun, Score>> artefacts = new LinkedHashMap<>();
+    artefacts.put("chainModel", EvaluatedRun::chainModel);
+    artefacts.put("functionCode", EvaluatedRun::functionCode);
+    artefacts.put("overall", EvaluatedRun::overall);
+    return artefacts;
+  }
+
+  /** The rows of a model: one, or two where people wrote answers of some of its runs. */
+  static List<EvaluationRow> of(String model, List<EvaluatedRun> runs) {
+    List<EvaluatedRun> uncounted = runs.stream().filter(run -> !run.isCounted()).toList();
+    List<EvaluationRow> rows = new ArrayList<>();
+    for (boolean authored : new boolean[] {false, true}) {
+      List<EvaluatedRun> counted =
+          runs.stream().filter(run -> run.isCounted() && run.authored() == authored).toList();
+      if (!counted.isEmpty()) {
+        rows.add(
+            new EvaluationRow(model, authored, counted, rows.isEmpty() ? uncounted : List.of()));
+      }
+    }
+    return rows.isEmpty() ? List.of(new EvaluationRow(model, false, List.of(), uncounted)) : rows;
+  }
+
+  /** How often an artefact passed, with the first answers only or with those after repair. */
+  Rate rate(Function<EvaluatedRun, Score> artefact, boolean repaired) {
+    List<Grade> grades =
+        counted.stream()
+            .map(artefact)
+            .map(score -> repaired ? score.last() : score.first())
+            .filter(grade -> grade != Grade.UNKNOWN)
+            .toList();
+    return new Rate((int) grades.stream().filter(Grade.PASSED::equals).count(), grades.size());
+  }
+
+  /** The runs that do not count, by why. */
+  Map<State, Integer> reasons() {
+    Map<State, Integer> reasons = new EnumMap<>(State.class);
+    uncounted.forEach(run -> reasons.merge(run.state(), 1, Integer::sum));
+    return reasons;
+  }
+
+  /** In how many runs something happened, most often first. */
+  Map<String, Integer> classes(Function<EvaluatedRun, List<String>> each) {
+    SortedMap<String, Integer> counts = new TreeMap<>();
+    counted.forEach(run -> each.apply(run).forEach(name -> counts.merge(name, 1, Integer::sum)));
+    Map<String, Integer> sorted = new LinkedHashMap<>();
+    counts.entrySet().stream()
+        .sorted((one, other) -> other.getValue() - one.getValue())
+        .forEach(entry -> sorted.put(entry.getKey(), entry.getValue()));
+    return sorted;
+  }
+
+  Usage usage() {
+    return counted.stream().map(EvaluatedRun::usage).reduce(Usage.NONE, Usage::and);
+  }
+
+  /** What the answers cost; nothing where a price or a number of tokens is not known. */
+  Optional<BigDecimal> cost(Configuration configuration) {
+    Usage usage = usage();
+    return usage.unknown() > 0 || usage.calls() == 0
+        ? Optional.empty()
+        : configuration.services().cost(model, usage.inputTokens(), usage.outputTokens());
+  }
+
+  double seconds() {
+    return counted.stream().mapToDouble(run -> run.host().seconds()).sum();
+  }
+}

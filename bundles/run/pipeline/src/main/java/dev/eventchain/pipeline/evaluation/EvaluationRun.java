@@ -1,0 +1,302 @@
+package dev.eventchain.pipeline.evaluation;
+
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.stage.Sample;
+import dev.eventchain.pipeline.run.Progress;
+import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.run.RunOptions;
+import dev.eventchain.pipeline.engine.PipelineRun;
+import dev.eventchain.pipeline.stage.StageOutcome;
+
+
+import com.fasterxml.jackson.databind.JsonNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.DiagnosticException.Reason;
+import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.output.OutputFolder;
+import dev.eventchain.pipeline.evaluation.EvaluatedRun.Grade;
+import dev.eventchain.pipeline.evaluation.EvaluatedRun.Host;
+import dev.eventchain.pipeline.evaluation.EvaluatedRun.Score;
+import dev.eventchain.pipeline.evaluation.EvaluatedRun.State;
+import dev.eventchain.pipeline.evaluation.EvaluatedRun.Usage;
+import dev.eventchain.pipeline.run.Progress.Status;
+import dev.eventchain.pipeline.run.RunResult.Verdict;
+import dev.eventchain.project.ProjectFolder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Stream;
+
+/** Does one run of an evaluation, and judges what comes of it. */
+final class EvaluationRun {
+
+  private static final String IMPLEMENT = Stage.IMPLEMENT.id();
+
+  /** A component whose tests the model cannot write is not one that passes them. */
+  private static final Set<String> CODE = Set.of("test", IMPLEMENT);
+
+  private static final Set<String> UNRECORDED =
+      Set.of("llm.recording.missing", "llm.recording.exhausted");
+
+  /** Says only that what follows it is wrong. */
+  private static final String REJECTED = "agents.answer.rejected";
+
+  private static final String AUTHORED = "authored";
+
+  private final Task task;
+  private final Sample sample;
+  private final Progress progress;
+
+  /**
+   * What is to be done.
+   *
+   * @param options of the runs of stages, with the folder of this run
+   * @param reference the chain whose components are written where none has been designed
+   */
+  record Task(
+      Project project,
+      RunOptions options,
+      String model,
+      int number,
+      Optional<ReferenceChain> reference) {}
+
+  /**
+   * What came of it.
+   *
+   * @param findings why it does not count, if it does not
+   */
+  record Done(EvaluatedRun run, List<Diagnostic> findings) {}
+
+  EvaluationRun(Task task, Sample sample, Progress progress) {
+    this.task = task;
+    this.sample = sample;
+    this.progress = progress;
+  }
+
+  /**
+   * Does it.
+   *
+   * @throws DiagnosticException if the project or this machine is to blame, and not the model
+   */
+  Done perform() {
+    long start = System.nanoTime();
+    PipelineRun.Ended ended = run(task.options(), sample);
+    Optional<Done> stopped = stopped(ended, sample, task.options().output());
+    if (stopped.isPresent()) {
+      return stopped.get();
+    }
+    if (isDone(ended, Stage.DESIGN)) {
+      Score code = functionCode(ended, sample);
+      return judged(ended, code, "the run's own chain", List.of(), start);
+    }
+    if (task.reference().isEmpty()) {
+      return judged(ended, Score.UNKNOWN, "", List.of(), start);
+    }
+    return onReference(ended, task.reference().get(), start);
+  }
+
+  private PipelineRun.Ended run(RunOptions options, Sample asked) {
+    Project project = task.project().evaluating(asked.model());
+    return PipelineRun.run(project, options, progress, Optional.of(asked));
+  }
+
+  /** The components of a chain that this run has not designed. */
+  private Done onReference(PipelineRun.Ended ended, ReferenceChain reference, long start) {
+    Path folder = task.options().output().resolve("reference");
+    try (OutputFolder output = OutputFolder.open(folder)) {
+      byte[] description = reference.description().getBytes(StandardCharsets.UTF_8);
+      output.write(ProjectFolder.DESCRIPTION, description, OutputFolder.OnEdit.OVERWRITE);
+    }
+    Sample second = sample.again();
+    PipelineRun.Ended implemented =
+        run(task.options().in(folder, Stage.IMPLEMENT, Stage.IMPLEMENT), second);
+    Optional<Done> stopped = stopped(implemented, second, folder);
+    boolean unrecorded =
+        stopped.map(Done::run).map(EvaluatedRun::state).stream().anyMatch(State.UNRECORDED::equals);
+    if (stopped.isPresent() && !unrecorded) {
+      return stopped.get();
+    }
+    if (unrecorded) {
+      return judged(ended, Score.UNKNOWN, "", second.calls(), start);
+    }
+    Done done =
+        judged(ended, functionCode(implemented, second), reference.name(), second.calls(), start);
+    return new Done(done.run().withFailures(failures(implemented)), List.of());
+  }
+
+  /** Why a run does not count, if its end is not that of the model's answers. */
+  private Optional<Done> stopped(PipelineRun.Ended ended, Sample asked, Path folder) {
+    Optional<Reason> failure = ended.result().failure();
+    List<Diagnostic> last = lastFailure(ended);
+    List<Diagnostic> unasked = unasked(ended);
+    if (unasked.stream().map(Diagnostic::id).anyMatch(UNRECORDED::contains)) {
+      return Optional.of(uncounted(State.UNRECORDED, State.UNRECORDED.words(), List.of()));
+    }
+    if (failure.equals(Optional.of(Reason.UNAVAILABLE)) && !unasked.isEmpty()) {
+      return Optional.of(uncounted(State.UNREACHABLE, unasked.get(0).message(), unasked));
+    }
+    if (failure.equals(Optional.of(Reason.UNAVAILABLE)) || !unasked.isEmpty()) {
+      throw new DiagnosticException(
+          failure.orElse(Reason.INPUT), unasked.isEmpty() ? last : unasked);
+    }
+    if (failure.equals(Optional.of(Reason.INPUT))) {
+      requireFault(Reason.INPUT, asked, last, isBelow(folder, last));
+    }
+    List<Diagnostic> awaited = awaited(ended);
+    if (!awaited.isEmpty()) {
+      return Optional.of(uncounted(State.WAITING, State.WAITING.words(), awaited));
+    }
+    if (failure.isPresent()) {
+      requireFault(failure.get(), asked, last, true);
+    }
+    return Optional.empty();
+  }
+
+  /** What happens before a model has answered is not its fault, nor what is about other files. */
+  private static void requireFault(
+      Reason reason, Sample asked, List<Diagnostic> found, boolean own) {
+    if (asked.calls().isEmpty() || !own) {
+      throw new DiagnosticException(reason, found);
+    }
+  }
+
+  private static boolean isBelow(Path folder, List<Diagnostic> found) {
+    String base = SourceLocation.of(folder).file() + "/";
+    return found.stream().allMatch(each -> each.location().file().startsWith(base));
+  }
+
+  private Done uncounted(State state, String reason, List<Diagnostic> found) {
+    String line = reason.lines().findFirst().orElse("");
+    return new Done(EvaluatedRun.uncounted(task.model(), task.number(), state, line), found);
+  }
+
+  private static List<Diagnostic> lastFailure(PipelineRun.Ended ended) {
+    return ended.outcomes().values().stream()
+        .filter(outcome -> outcome.status() == Status.FAILED)
+        .map(StageOutcome::diagnostics)
+        .reduce((earlier, later) -> later)
+        .orElse(List.of());
+  }
+
+  /** Why an answer could not be had, in whatever stage, and be it one after repair. */
+  private static List<Diagnostic> unasked(PipelineRun.Ended ended) {
+    return ended.outcomes().values().stream()
+        .filter(outcome -> outcome.status() == Status.FAILED)
+        .flatMap(outcome -> outcome.diagnostics().stream())
+        .filter(each -> each.severity() == Severity.ERROR && each.id().startsWith("llm."))
+        .toList();
+  }
+
+  private static List<Diagnostic> awaited(PipelineRun.Ended ended) {
+    return ended.outcomes().values().stream()
+        .filter(outcome -> outcome.status() == Status.WAITING)
+        .flatMap(outcome -> outcome.diagnostics().stream())
+        .toList();
+  }
+
+  private static boolean isDone(PipelineRun.Ended ended, Stage stage) {
+    return ended.outcomes().get(stage).status() == Status.DONE;
+  }
+
+  /** Where no component is missing, there is no code to judge. */
+  private static Score functionCode(PipelineRun.Ended ended, Sample asked) {
+    boolean written = asked.calls().stream().anyMatch(call -> CODE.contains(call.task()));
+    return written
+        ? Score.of(isDone(ended, Stage.IMPLEMENT), isRepaired(asked.calls(), Set.of(IMPLEMENT)))
+        : Score.UNKNOWN;
+  }
+
+  private static boolean isRepaired(List<Sample.Call> calls, Collection<String> tasks) {
+    return calls.stream().anyMatch(call -> call.repair() && tasks.contains(call.task()));
+  }
+
+  private Done judged(
+      PipelineRun.Ended ended, Score code, String chain, List<Sample.Call> more, long start) {
+    List<Sample.Call> calls = Stream.concat(sample.calls().stream(), more.stream()).toList();
+    Set<String> modeling = Set.of("design", "model", "constrain");
+    boolean valid =
+        Stream.of(Stage.DESIGN, Stage.MODEL, Stage.CONSTRAIN, Stage.VALIDATE)
+            .allMatch(stage -> isDone(ended, stage));
+    boolean passed =
+        valid && isDone(ended, Stage.IMPLEMENT) && ended.result().verdict() == Verdict.PASSED;
+    boolean repaired = calls.stream().anyMatch(Sample.Call::repair);
+    return new Done(
+        new EvaluatedRun(
+            task.model(),
+            task.number(),
+            State.COUNTED,
+            "",
+            Score.of(valid, isRepaired(calls, modeling)),
+            code,
+            Score.of(passed, repaired),
+            code.last() == Grade.UNKNOWN ? "" : chain,
+            calls.stream().anyMatch(call -> call.response().provenance().equals(AUTHORED)),
+            calls.stream().map(call -> call.response().model()).distinct().sorted().toList(),
+            usage(calls),
+            failures(ended),
+            returned(ended),
+            new Host((System.nanoTime() - start) / 1e9)),
+        List.of());
+  }
+
+  private static Usage usage(List<Sample.Call> calls) {
+    Usage sum = Usage.NONE;
+    for (Sample.Call call : calls) {
+      sum =
+          sum.and(
+              call.response()
+                  .usage()
+                  .map(each -> new Usage(1, 0, each.inputTokens(), each.outputTokens()))
+                  .orElse(new Usage(1, 1, 0, 0)));
+    }
+    return sum;
+  }
+
+  /** What each stage failed by, and, where none did, what keeps the verdict from being PASSED. */
+  private static List<String> failures(PipelineRun.Ended ended) {
+    Set<String> classes = new TreeSet<>();
+    for (Map.Entry<Stage, StageOutcome> each : ended.outcomes().entrySet()) {
+      if (each.getValue().status() == Status.FAILED) {
+        classes.addAll(classes(each.getKey().id(), each.getValue().diagnostics()));
+      }
+    }
+    if (classes.isEmpty() && ended.result().verdict() != Verdict.PASSED) {
+      classes.addAll(classes(Stage.REPORT.id(), ended.result().diagnostics()));
+    }
+    return List.copyOf(classes);
+  }
+
+  private static List<String> classes(String stage, List<Diagnostic> found) {
+    List<String> ids =
+        found.stream()
+            .filter(finding -> finding.severity() == Severity.ERROR)
+            .map(Diagnostic::id)
+            .distinct()
+            .toList();
+    return ids.stream()
+        .filter(id -> !id.equals(REJECTED) || ids.size() == 1)
+        .map(id -> stage + ": " + id)
+        .toList();
+  }
+
+  private static List<String> returned(PipelineRun.Ended ended) {
+    List<String> classes = new ArrayList<>();
+    ended
+        .outcomes()
+        .forEach(
+            (stage, outcome) -> {
+              for (JsonNode id : outcome.report().map(r -> r.path("returned")).stream().toList()) {
+                id.forEach(each -> classes.add(stage.id() + ": " + each.asText()));
+              }
+            });
+    return classes;
+  }
+}

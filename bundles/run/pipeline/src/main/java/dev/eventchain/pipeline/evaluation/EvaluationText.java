@@ -1,0 +1,158 @@
+package dev.eventchain.pipeline.evaluation;
+
+import dev.eventchain.pipeline.project.Configuration;
+
+
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Printable;
+import dev.eventchain.pipeline.evaluation.EvaluatedRun.Grade;
+import dev.eventchain.pipeline.evaluation.EvaluatedRun.Usage;
+import dev.eventchain.pipeline.evaluation.EvaluationRow.Rate;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.Collectors;
+
+/** The table of an evaluation for a terminal. */
+final class EvaluationText {
+
+  /** What is said of answers that people wrote. */
+  static final String LABEL = "authored by people: not an evaluation of a language model";
+
+  private final Configuration configuration;
+  private final StringBuilder out = new StringBuilder();
+
+  private EvaluationText(Configuration configuration) {
+    this.configuration = configuration;
+  }
+
+  /** The text; without a table where nothing was counted. */
+  static String of(Configuration configuration, List<EvaluationRow> rows) {
+    EvaluationText text = new EvaluationText(configuration);
+    String label = label(rows);
+    text.out.append(label.isEmpty() ? "" : label + "\n\n");
+    if (rows.stream().anyMatch(row -> !row.counted().isEmpty())) {
+      text.line("", "chain model", "function code", "overall");
+    }
+    rows.forEach(text::add);
+    return text.out.toString();
+  }
+
+  /** What stands on top of every form of the report; empty where nothing is to be said. */
+  static String label(List<EvaluationRow> rows) {
+    List<EvaluationRow> authored = rows.stream().filter(EvaluationRow::authored).toList();
+    if (authored.isEmpty()) {
+      return "";
+    }
+    boolean all = rows.stream().allMatch(row -> row.authored() || row.counted().isEmpty());
+    String models = authored.stream().map(EvaluationRow::model).collect(Collectors.joining(", "));
+    return (all ? "The answers" : "Answers of " + Printable.line(models)) + " are " + LABEL + ".";
+  }
+
+  private void add(EvaluationRow row) {
+    out.append(Printable.line(row.model())).append(row.authored() ? " (authored)" : "");
+    out.append(": ").append(String.join("; ", facts(row, configuration))).append('\n');
+    if (row.counted().isEmpty()) {
+      return;
+    }
+    for (boolean repaired : new boolean[] {false, true}) {
+      List<String> cells =
+          EvaluationRow.ARTEFACTS.values().stream()
+              .map(artefact -> cell(row.rate(artefact, repaired)))
+              .toList();
+      String name = repaired ? "with repair" : "without repair";
+      line(name, cells.get(0), cells.get(1), cells.get(2));
+    }
+    classes("failed by", row.classes(EvaluatedRun::failures));
+    classes("fixed by repair", row.classes(EvaluatedRun::returned));
+  }
+
+  /** How many runs of a row count, and what they took. */
+  static List<String> facts(EvaluationRow row, Configuration configuration) {
+    return List.of(counted(row), cost(row, configuration), seconds(row)).stream()
+        .filter(fact -> !fact.isEmpty())
+        .toList();
+  }
+
+  /** How many runs count, and why the others do not. */
+  static String counted(EvaluationRow row) {
+    int all = row.counted().size() + row.uncounted().size();
+    String others =
+        row.reasons().entrySet().stream()
+            .map(entry -> entry.getKey().words() + ": " + entry.getValue())
+            .collect(Collectors.joining(", "));
+    return row.counted().size()
+        + " of "
+        + Coverage.counted(all, "run")
+        + " counted"
+        + (others.isEmpty() ? "" : " (" + others + ")");
+  }
+
+  private static String cost(EvaluationRow row, Configuration configuration) {
+    Usage usage = row.usage();
+    if (usage.calls() == 0) {
+      return "";
+    }
+    String tokens =
+        usage.unknown() == usage.calls()
+            ? "tokens unknown"
+            : String.format(Locale.ROOT, "%,d tokens", usage.inputTokens() + usage.outputTokens())
+                + (usage.unknown() == 0 ? "" : ", those of some answers unknown");
+    return tokens
+        + row.cost(configuration).map(cost -> ", cost " + cost.toPlainString()).orElse("");
+  }
+
+  private static String seconds(EvaluationRow row) {
+    return row.counted().isEmpty() ? "" : String.format(Locale.ROOT, "%.1f s", row.seconds());
+  }
+
+  /** A rate with its interval. */
+  static String cell(Rate rate) {
+    return rate.interval()
+        .map(
+            interval ->
+                String.format(
+                    Locale.ROOT,
+                    "%d/%d  %.0f\u2013%.0f %%",
+                    rate.passed(),
+                    rate.of(),
+                    interval.low() * 100,
+                    interval.high() * 100))
+        .orElse("nothing to judge");
+  }
+
+  private void classes(String title, Map<String, Integer> classes) {
+    String text =
+        classes.entrySet().stream()
+            .map(entry -> entry.getKey() + " " + entry.getValue() + "x")
+            .collect(Collectors.joining("\n" + " ".repeat(20)));
+    if (!text.isEmpty()) {
+      line(title, text, "", "");
+    }
+  }
+
+  private void line(String title, String one, String two, String three) {
+    String line = String.format(Locale.ROOT, "  %-17s %-20s %-20s %s\n", title, one, two, three);
+    out.append(line.stripTrailing()).append('\n');
+  }
+
+  /** What a run came to, in a few words. */
+  static String words(EvaluatedRun run) {
+    return run.isCounted()
+        ? "chain model %s, function code %s, overall %s"
+            .formatted(
+                word(run.chainModel().last()),
+                word(run.functionCode().last()),
+                word(run.overall().last()))
+        : "not counted: " + Printable.line(run.reason());
+  }
+
+  /** A grade for people. */
+  static String word(Grade grade) {
+    return switch (grade) {
+      case PASSED -> "passed";
+      case FAILED -> "failed";
+      case UNKNOWN -> "not judged";
+    };
+  }
+}

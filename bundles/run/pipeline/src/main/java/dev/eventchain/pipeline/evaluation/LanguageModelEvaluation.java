@@ -1,0 +1,236 @@
+package dev.eventchain.pipeline.evaluation;
+
+import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.stage.Sample;
+import dev.eventchain.pipeline.run.RunOptions;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.run.Progress;
+
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.llm.Spending;
+import dev.eventchain.pipeline.evaluation.EvaluatedRun.State;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ExecutionException;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+
+/**
+ * Compares language models: each does all tasks of several runs of a project, and the results are
+ * counted, as in the paper's table.
+ */
+public final class LanguageModelEvaluation {
+
+  private static final String HANDOFF = "handoff:";
+
+  /** After these, asking the same model again is of no use. */
+  private static final Set<String> LASTING =
+      Set.of("llm.service.unreachable", "llm.key.missing", "llm.key.refused", "llm.quota.spent");
+
+  /** Is told how an evaluation continues, on any thread. */
+  public interface Listener {
+    /** A run does something. */
+    void step(String model, int run, String message);
+
+    /**
+     * A run has ended.
+     *
+     * @param counted whether it counts
+     * @param words what it came to
+     */
+    void ended(String model, int run, boolean counted, Duration duration, String words);
+  }
+
+  private final Project project;
+  private final EvaluationOptions options;
+  private final Listener listener;
+  private final EvaluationFolder folder;
+  private final Optional<ReferenceChain> reference;
+  private final Spending spending;
+  private final Set<String> unreachable = ConcurrentHashMap.newKeySet();
+  private volatile boolean ended;
+
+  private LanguageModelEvaluation(
+      Project project, EvaluationOptions options, Listener listener, EvaluationFolder folder) {
+    this.project = project;
+    this.options = options;
+    this.listener = listener;
+    this.folder = folder;
+    this.reference = ReferenceChain.of(project, options.output());
+    this.spending = new Spending(project.configuration().services());
+  }
+
+  /**
+   * Evaluates. What has ended before and was made from the same is taken as it is; what was begun
+   * continues with the answers that it has got.
+   *
+   * @throws IllegalArgumentException if the options do not fit the project
+   * @throws DiagnosticException if the project or this machine is to blame for what went wrong
+   */
+  public static EvaluationOutcome run(Project project, EvaluationOptions given, Listener listener) {
+    EvaluationOptions options = of(project, given);
+    try (EvaluationFolder folder = EvaluationFolder.open(options.output())) {
+      LanguageModelEvaluation evaluation =
+          new LanguageModelEvaluation(project, options, listener, folder);
+      return new EvaluationResult(project, options, folder, evaluation.runAll()).write();
+    }
+  }
+
+  /** The JSON Schema of {@code evaluation.json}. */
+  public static String schema() {
+    return EvaluationJson.schema();
+  }
+
+  /** Who names a model as the source of answers names the model. */
+  private static EvaluationOptions of(Project project, EvaluationOptions given) {
+    String source = given.source(project);
+    boolean isModel =
+        project.configuration().services().names().contains(source.replaceFirst("(?s)/.*", ""))
+            && source.contains("/");
+    if (isModel && !given.models().isEmpty() && given.llm().isPresent()) {
+      throw new IllegalArgumentException(
+          "--llm " + source + " names a model, and so does --models");
+    }
+    boolean named = !given.models().isEmpty();
+    List<String> models =
+        named
+            ? given.models()
+            : isModel ? List.of(source) : project.configuration().languageModels();
+    if (models.isEmpty()) {
+      throw new IllegalArgumentException("no language model is configured: --models a,b");
+    }
+    return new EvaluationOptions(
+        given.output(),
+        models,
+        given.runs(),
+        given.parallel(),
+        isModel ? Optional.of("live") : given.llm(),
+        given.suppressions(),
+        given.timeLimit());
+  }
+
+  /** Whatever their order in time, the runs are in that of the models. */
+  private List<EvaluationRun.Done> runAll() {
+    ExecutorService workers = Executors.newFixedThreadPool(options.parallel());
+    try {
+      List<Future<EvaluationRun.Done>> begun = new ArrayList<>();
+      for (String model : options.models()) {
+        for (int number = 1; number <= options.runs(); number++) {
+          int run = number;
+          begun.add(workers.submit(() -> perform(model, run)));
+        }
+      }
+      List<EvaluationRun.Done> done = new ArrayList<>();
+      for (Future<EvaluationRun.Done> each : begun) {
+        done.add(each.get());
+      }
+      return done;
+    } catch (ExecutionException e) {
+      ended = true;
+      throw rethrown(e.getCause());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new IllegalStateException("nobody interrupts an evaluation", e);
+    } finally {
+      workers.shutdown();
+    }
+  }
+
+  private static RuntimeException rethrown(Throwable cause) {
+    if (cause instanceof Error error) {
+      throw error;
+    }
+    return (RuntimeException) cause;
+  }
+
+  private EvaluationRun.Done perform(String model, int number) {
+    long start = System.nanoTime();
+    String name = EvaluationFolder.nameOf(model, number);
+    String inputs = EvaluationFolder.inputs(project, options, model, number, reference);
+    Optional<EvaluatedRun> before = folder.finished(name, inputs);
+    EvaluationRun.Done done =
+        before.isPresent()
+            ? new EvaluationRun.Done(before.get(), List.of())
+            : ended || unreachable.contains(model)
+                ? notBegun(model, number)
+                : performNow(model, number, name);
+    if (before.isEmpty() && done.run().isCounted()) {
+      folder.finish(name, inputs, done.run());
+    }
+    Duration duration = Duration.ofNanos(System.nanoTime() - start);
+    String words = EvaluationText.words(done.run()) + (before.isPresent() ? " (as before)" : "");
+    listener.ended(model, number, done.run().isCounted(), duration, words);
+    return done;
+  }
+
+  private static EvaluationRun.Done notBegun(String model, int number) {
+    String reason = State.NOT_BEGUN.words();
+    return new EvaluationRun.Done(
+        EvaluatedRun.uncounted(model, number, State.NOT_BEGUN, reason), List.of());
+  }
+
+  private EvaluationRun.Done performNow(String model, int number, String name) {
+    folder.begin(name);
+    Path recordings = folder.path(name).resolve("recordings");
+    Sample sample = new Sample(model, number - 1, project.recordings(), recordings, spending);
+    EvaluationRun.Task task =
+        new EvaluationRun.Task(project, runOptions(name), model, number, reference);
+    EvaluationRun.Done done =
+        new EvaluationRun(task, sample, new Steps(model, number, listener)).perform();
+    for (Diagnostic finding : done.findings()) {
+      ended |= Spending.ENDS.contains(finding.id());
+      if (LASTING.contains(finding.id())) {
+        unreachable.add(model);
+      }
+    }
+    return done;
+  }
+
+  /** Everything is made again, of answers that are recorded; nobody edits in this folder. */
+  private RunOptions runOptions(String name) {
+    String source = options.source(project);
+    boolean ownFolder = source.startsWith(HANDOFF) && source.length() > HANDOFF.length();
+    String own = ownFolder ? source + "/" + name : source;
+    return new RunOptions(
+        folder.path(name),
+        Stage.DESIGN,
+        Stage.REPORT,
+        true,
+        Optional.of(own),
+        true,
+        true,
+        List.of(),
+        RunOptions.Driver.LOCKSTEP,
+        false,
+        Optional.empty(),
+        Optional.empty(),
+        options.suppressions(),
+        options.timeLimit());
+  }
+
+  /** Passes on what a run does. */
+  private record Steps(String model, int run, Listener listener) implements Progress {
+    @Override
+    public void started(Stage stage) {
+      step(stage, stage.purpose());
+    }
+
+    @Override
+    public void step(Stage stage, String message) {
+      listener.step(model, run, stage.title() + ": " + message);
+    }
+
+    @Override
+    public void ended(Stage stage, Status status, Duration duration, String details) {
+      // What a run comes to is said when it has ended.
+    }
+  }
+}

@@ -1,0 +1,167 @@
+package dev.eventchain.pipeline.generate;
+
+import dev.eventchain.pipeline.stage.StageWork;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.pipeline.stage.Fingerprint;
+import dev.eventchain.pipeline.stage.ComponentFiles;
+import dev.eventchain.pipeline.project.Templates;
+import dev.eventchain.pipeline.stage.StageResult;
+import dev.eventchain.pipeline.stage.ChainSnapshot;
+import dev.eventchain.pipeline.stage.ProjectChecks;
+
+
+import dev.eventchain.check.ChainChecks;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.m2t.TemplateModule;
+import dev.eventchain.m2t.generation.GenerationContext;
+import dev.eventchain.m2t.generation.GenerationResult;
+import dev.eventchain.model.eventchain.ComponentImplementation;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.EventchainPackage;
+import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.output.OutputFolder;
+import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.SoftwareBase;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.stream.Stream;
+
+/**
+ * The model to a package for the middleware: the nodes by templates, and the components next to
+ * them.
+ */
+public final class GenerateStage implements StageWork {
+
+  @Override
+  public void fingerprint(RunContext run, Fingerprint fingerprint) {
+    fingerprint
+        .addSetting("template", run.project().configuration().template())
+        .addFile(run.model())
+        .addFile(run.project().softwareBase().resolve("signals.json"))
+        .addFiles(run.project().messageFiles())
+        .addFile(run.file(ProjectFolder.GENERATED));
+    run.project().configuration().packageFacts().forEach(fingerprint::addSetting);
+    fingerprint.addFiles(run.project().ownConstraints());
+    fingerprint.addFiles(
+        run.softwareBase().components().stream().map(SoftwareBase.Component::file).toList());
+    for (SoftwareNode node : run.chain().chain().getSoftware()) {
+      fingerprint.addFile(run.file(ComponentFiles.name(node.getName())));
+    }
+    fingerprint.addFiles(Templates.ownFiles(run.project()));
+  }
+
+  @Override
+  public StageResult execute(RunContext run) {
+    ChainSnapshot model = run.chain();
+    // A generator must not turn an invalid model into software.
+    ChainChecks.Outcome checked = model.checks();
+    ProjectChecks.refuseErrors(run, checked);
+    String folder = Templates.folder(run.project());
+    TemplateModule module =
+        Templates.compile(
+            run.project(), List.of(EventchainPackage.eINSTANCE, MessageModel.metamodel()));
+    ComponentImports imports = imports(run, model.chain());
+    GenerationResult generated = generate(run, module, properties(run, imports));
+    List<Diagnostic> found = new ArrayList<>(module.warnings());
+    found.addAll(imports.unknown());
+    found.addAll(findings(generated));
+    if (Diagnostic.anyError(found)) {
+      throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, found);
+    }
+    // Errors are among them only if they are suppressed, for as long as that holds.
+    found.addAll(checked.diagnostics());
+    SortedMap<String, byte[]> files = new TreeMap<>(OutputFolder.WRITING_ORDER);
+    generated.files().forEach((file, content) -> files.put(folder + "/" + file, content));
+    String written = components(run, model.chain(), folder, files);
+    files.forEach(run::write);
+    run.writeResult(
+        TraceFile.NAME, TraceFile.content(generated.trace(), folder + "/", run.baseFolders()));
+    found.addAll(run.output().removeOthers(folder, files.keySet()));
+    List<String> outputs = new ArrayList<>(files.keySet());
+    outputs.add(TraceFile.NAME);
+    return StageResult.of(files.size() + " files in " + written, outputs, found);
+  }
+
+  private static List<Diagnostic> findings(GenerationResult generated) {
+    Stream<Diagnostic> lost = generated.printed().stream().map(GenerateStage::lost).distinct();
+    List<Diagnostic> found =
+        Diagnostic.anyError(generated.diagnostics())
+            ? generated.diagnosticsIfUnwritten()
+            : generated.diagnostics();
+    return Stream.concat(found.stream(), lost).toList();
+  }
+
+  private static Diagnostic lost(GenerationResult.Printed printed) {
+    return Diagnostic.warning(
+            "project.template.printed",
+            "The text that this block prints is lost: a stage has no standard output.",
+            printed.block())
+        .withHint("Write a file, or leave the block out of the templates of the project.");
+  }
+
+  private static GenerationResult generate(
+      RunContext run, TemplateModule module, Map<String, String> properties) {
+    ChainSnapshot model = run.chain();
+    String folder = Templates.folder(run.project());
+    return module.generate(
+        List.of(model.chain(), MessageModel.of(model.chain(), run.messages())),
+        GenerationContext.of(model::locate)
+            .withEarlier(name -> run.output().read(folder + "/" + name))
+            .withProperties(properties)
+            .withTrace());
+  }
+
+  /** What the first lines of generated files say, and what the package says of itself. */
+  private static Map<String, String> properties(RunContext run, ComponentImports imports) {
+    String version = GenerateStage.class.getPackage().getImplementationVersion();
+    Map<String, String> properties = new TreeMap<>(run.project().configuration().packageFacts());
+    properties.put("provenance.model", run.model().getFileName().toString());
+    properties.put("package.rosdep", String.join(" ", imports.rosdepKeys()));
+    properties.put("package.pip", String.join(" ", imports.pipNames()));
+    if (version != null) {
+      properties.put("provenance.version", version);
+    }
+    return properties;
+  }
+
+  private static ComponentImports imports(RunContext run, EventChain chain) {
+    ComponentImports imports =
+        new ComponentImports(run.messages(), Templates.installsWithPip(run.project()));
+    for (SoftwareNode node : chain.getSoftware()) {
+      if (node.getImplementation() == ComponentImplementation.COMPONENT) {
+        imports.add(node.getName(), SourceText.read(ComponentFiles.of(run, node)));
+      }
+    }
+    return imports;
+  }
+
+  /**
+   * Puts the components where the manifest of the generated files says; without one, as templates
+   * of a project may generate, into a package that is called after the chain.
+   *
+   * @return the folder of the package
+   */
+  private static String components(
+      RunContext run, EventChain chain, String folder, SortedMap<String, byte[]> files) {
+    Optional<GeneratedPackage> generated = GeneratedPackage.among(run, files);
+    String name = chain.getName().toLowerCase(Locale.ROOT);
+    for (SoftwareNode node : chain.getSoftware()) {
+      if (node.getImplementation() == ComponentImplementation.COMPONENT) {
+        String unstated =
+            folder + "/" + name + "/" + name + "/" + ComponentFiles.name(node.getName());
+        String file = generated.map(found -> found.componentFile(node)).orElse(unstated);
+        String text = SourceText.read(ComponentFiles.of(run, node)).text();
+        files.put(file, text.getBytes(StandardCharsets.UTF_8));
+      }
+    }
+    return generated.map(GeneratedPackage::folder).orElse(folder + "/" + name);
+  }
+}

@@ -1,0 +1,110 @@
+package dev.eventchain.pipeline.generate;
+
+
+
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonGenerator;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.m2t.generation.GenerationTrace;
+import dev.eventchain.m2t.generation.GenerationTrace.Origin;
+import dev.eventchain.m2t.generation.GenerationTrace.Segment;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+
+/**
+ * The file that says which template lines and model elements made which lines of the generated
+ * files, as JSON with a line for each run of output lines:
+ *
+ * <pre>
+ * {"files":[{"file":"ros2/aeb/aeb/x_node.py","lines":[
+ *   {"first":1,"last":3,"from":[{"template":"templates/ros2-python/node.mtl","line":12,
+ *     "element":"EventChain[aeb]/software[X]","model":"chain.xmi","modelLine":7}]}]}]}
+ * </pre>
+ *
+ * <p>What is not known is left out: {@code element}, {@code model} and {@code modelLine} where no
+ * model element was at work, or where nobody knows where it is.
+ */
+public final class TraceFile {
+
+  public static final String NAME = "trace.json";
+
+  private final List<String> bases;
+
+  private TraceFile(List<Path> bases) {
+    this.bases = bases.stream().map(base -> SourceLocation.of(base).file() + "/").toList();
+  }
+
+  /**
+   * The file's content.
+   *
+   * @param prefix goes before the name of each generated file
+   * @param bases folders to whose files templates and models are named relatively, so that the
+   *     content does not depend on where a project lies; the first that holds a file counts
+   */
+  public static byte[] content(GenerationTrace trace, String prefix, List<Path> bases) {
+    TraceFile file = new TraceFile(bases);
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    try (JsonGenerator json = new JsonFactory().createGenerator(bytes)) {
+      json.writeStartObject();
+      json.writeArrayFieldStart("files");
+      for (Map.Entry<String, List<Segment>> each : trace.files().entrySet()) {
+        json.writeStartObject();
+        json.writeStringField("file", prefix + each.getKey());
+        json.writeArrayFieldStart("lines");
+        for (Segment segment : each.getValue()) {
+          json.writeRaw("\n");
+          file.write(segment, json);
+        }
+        json.writeEndArray();
+        json.writeEndObject();
+      }
+      json.writeEndArray();
+      json.writeEndObject();
+      json.writeRaw("\n");
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    return bytes.toByteArray();
+  }
+
+  private void write(Segment segment, JsonGenerator json) throws IOException {
+    json.writeStartObject();
+    json.writeNumberField("first", segment.firstLine());
+    json.writeNumberField("last", segment.lastLine());
+    json.writeArrayFieldStart("from");
+    for (Origin origin : segment.origins()) {
+      write(origin, json);
+    }
+    json.writeEndArray();
+    json.writeEndObject();
+  }
+
+  private void write(Origin origin, JsonGenerator json) throws IOException {
+    SourceLocation element = origin.element();
+    json.writeStartObject();
+    json.writeStringField("template", relative(origin.template().file()));
+    json.writeNumberField("line", origin.template().line());
+    if (!element.element().isEmpty()) {
+      json.writeStringField("element", element.element());
+    }
+    if (!element.file().isEmpty()) {
+      json.writeStringField("model", relative(element.file()));
+    }
+    if (element.line() > 0) {
+      json.writeNumberField("modelLine", element.line());
+    }
+    json.writeEndObject();
+  }
+
+  private String relative(String file) {
+    return bases.stream()
+        .filter(file::startsWith)
+        .findFirst()
+        .map(base -> file.substring(base.length()))
+        .orElse(file);
+  }
+}

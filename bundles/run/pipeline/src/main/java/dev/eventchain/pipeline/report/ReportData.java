@@ -1,0 +1,179 @@
+package dev.eventchain.pipeline.report;
+
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.stage.StageOutcome;
+import dev.eventchain.pipeline.stage.ChainSnapshot;
+import dev.eventchain.pipeline.simulate.SimulateStage;
+import dev.eventchain.pipeline.diagram.ChainPicture;
+import dev.eventchain.pipeline.project.Configuration;
+
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Printable;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.EventchainFactory;
+import dev.eventchain.pipeline.run.RunResult.Verdict;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.function.Supplier;
+
+/** Collects what the report shows, from the stages' results and the files of the run. */
+public final class ReportData {
+
+  private static final double NANOSECONDS_IN_A_MILLISECOND = 1e6;
+
+  private final RunContext run;
+  private final Map<Stage, StageOutcome> outcomes;
+  private final EarlierRun before;
+  private final Optional<ChainSnapshot> model;
+  private final ObjectNode data = JsonNodeFactory.instance.objectNode();
+
+  /**
+   * Of a run.
+   *
+   * @param before what the report compares with
+   */
+  public ReportData(RunContext run, Map<Stage, StageOutcome> outcomes, EarlierRun before) {
+    this.run = run;
+    this.outcomes = outcomes;
+    this.before = before;
+    this.model = readable(run::chain);
+  }
+
+  /** The model as this run measured it; the model where nothing was measured; else an empty one. */
+  public EventChain chain() {
+    Optional<EventChain> measured =
+        outcomes.get(Stage.SIMULATE).report().isPresent()
+            ? readable(() -> run.loadChain(run.file(SimulateStage.MEASURED_MODEL)).chain())
+            : Optional.empty();
+    return measured
+        .or(() -> model.map(ChainSnapshot::chain))
+        .orElseGet(EventchainFactory.eINSTANCE::createEventChain);
+  }
+
+  public ObjectNode collect(Verdict verdict, String summary, List<Diagnostic> found) {
+    project(verdict, summary);
+    provenance();
+    stages();
+    model.ifPresent(m -> data.set("chain", ChainPicture.of(m.chain())));
+    data.set("validation", validation());
+    data.set("conversations", conversations());
+    diagnostics(found);
+    JsonNode simulated = report(Stage.SIMULATE);
+    data.set("scenarios", before.beside(arrayOf(simulated, "scenarios")));
+    for (String part : List.of("faults", "nodes", "hops", "topics")) {
+      data.set(part, arrayOf(simulated, part));
+    }
+    data.set("requirements", new Traceability(run, model, outcomes).table());
+    return data;
+  }
+
+  private void project(Verdict verdict, String summary) {
+    data.putObject("project")
+        .put("name", run.project().configuration().name())
+        .put("title", run.project().configuration().title())
+        .put("verdict", verdict.name().toLowerCase(Locale.ROOT))
+        .put("summary", summary);
+  }
+
+  private void provenance() {
+    ObjectNode provenance = data.putObject("provenance");
+    Configuration configuration = run.project().configuration();
+    provenance.put("llm", run.options().llm().orElse(configuration.llm()));
+    ObjectNode models = provenance.putObject("models");
+    for (Stage stage : List.of(Stage.DESIGN, Stage.IMPLEMENT, Stage.MODEL, Stage.CONSTRAIN)) {
+      copyText(report(stage), "model", models, stage.id());
+      copyText(report(stage), "provenance", provenance, "recordings");
+    }
+    for (Stage stage : List.of(Stage.IMPLEMENT, Stage.SIMULATE)) {
+      copyText(report(stage), "confinement", provenance, "confinement");
+      copyText(report(stage), "python", provenance, "python");
+    }
+    copyText(report(Stage.SIMULATE), "driver", provenance, "driver");
+    provenance.put("java", System.getProperty("java.version"));
+    provenance.put("tool", "eventchain " + version());
+  }
+
+  private static String version() {
+    String version = ReportData.class.getPackage().getImplementationVersion();
+    return version == null ? "(development)" : version;
+  }
+
+  /** What language models were asked, and what they said. */
+  private ArrayNode conversations() {
+    ArrayNode all = JsonNodeFactory.instance.arrayNode();
+    outcomes.keySet().forEach(stage -> all.addAll(run.models().conversation(stage)));
+    return all;
+  }
+
+  private void stages() {
+    ArrayNode stages = data.putArray("stages");
+    for (StageOutcome outcome : outcomes.values()) {
+      stages
+          .addObject()
+          .put("name", outcome.stage().id())
+          .put("title", outcome.stage().title())
+          .put("status", outcome.status().toString())
+          .put("milliseconds", outcome.duration().toNanos() / NANOSECONDS_IN_A_MILLISECOND)
+          .put("details", outcome.details());
+    }
+  }
+
+  /** Nothing where there is no model, or none that can be read: then that has been found before. */
+  private static <T> Optional<T> readable(Supplier<T> reader) {
+    try {
+      return Optional.of(reader.get());
+    } catch (DiagnosticException e) {
+      return Optional.empty();
+    }
+  }
+
+  private ArrayNode validation() {
+    ArrayNode all = JsonNodeFactory.instance.arrayNode();
+    for (Stage stage : List.of(Stage.VALIDATE, Stage.SIMULATE)) {
+      JsonNode one = report(stage).path("validation");
+      if (one.isObject()) {
+        all.add(one);
+      }
+    }
+    return all;
+  }
+
+  private void diagnostics(List<Diagnostic> found) {
+    ArrayNode all = data.putArray("diagnostics");
+    for (Diagnostic diagnostic : found) {
+      all.addObject()
+          .put("id", diagnostic.id())
+          .put("severity", diagnostic.severity().toString())
+          .put("message", Printable.clean(diagnostic.message()))
+          .put("file", diagnostic.location().file())
+          .put("line", diagnostic.location().line())
+          .put("column", diagnostic.location().column())
+          .put("element", diagnostic.location().element())
+          .put("hint", Printable.clean(diagnostic.hint()))
+          .put("rule", diagnostic.rule());
+    }
+  }
+
+  private JsonNode report(Stage stage) {
+    return outcomes.get(stage).report().orElse(JsonNodeFactory.instance.objectNode());
+  }
+
+  private static JsonNode arrayOf(JsonNode node, String name) {
+    return node.path(name).isArray() ? node.path(name) : JsonNodeFactory.instance.arrayNode();
+  }
+
+  private static void copyText(JsonNode from, String name, ObjectNode to, String newName) {
+    if (from.path(name).isTextual()) {
+      to.put(newName, from.path(name).asText());
+    }
+  }
+}

@@ -1,0 +1,163 @@
+package dev.eventchain.pipeline.report;
+
+import dev.eventchain.pipeline.project.Templates;
+
+
+import com.fasterxml.jackson.core.JsonGenerator;
+import com.fasterxml.jackson.core.SerializableString;
+import com.fasterxml.jackson.core.io.CharacterEscapes;
+import com.fasterxml.jackson.core.json.JsonWriteFeature;
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.json.JsonMapper;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.Sha256;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.m2t.TemplateModule;
+import dev.eventchain.m2t.generation.GenerationContext;
+import dev.eventchain.m2t.generation.GenerationResult;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.EventchainPackage;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.StringWriter;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.util.Base64;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/**
+ * The report of a run as one HTML file that needs nothing else: style, script and data are inside,
+ * and its Content-Security-Policy lets only exactly this style and this script take effect.
+ *
+ * <p>The templates of templates/report make the page from the model; what they are told besides is
+ * text, which they escape. The data of the script is untrusted, too: it is in the page as JSON in
+ * which nothing can end the element or start another, and the script turns it into text nodes only.
+ * A viewer that runs no script shows the verdict, the chain, the requirements and the measured
+ * values.
+ */
+public final class ReportPage {
+
+  /** In the order in which they make up the script; later parts use earlier ones. */
+  private static final List<String> SCRIPTS =
+      List.of(
+          "dom.js",
+          "scene.js",
+          "plots.js",
+          "chain.js",
+          "scenarios.js",
+          "faults.js",
+          "conversations.js",
+          "report.js");
+
+  private static final Set<String> VERDICTS = Set.of("passed", "failed", "incomplete");
+
+  /** The name of the report among the results of a run. */
+  public static final String FILE = "report.html";
+
+  private ReportPage() {}
+
+  /**
+   * The page in UTF-8. The same model and data, in the same order, give the same bytes.
+   *
+   * @param chain the measured model; an empty one where there is none
+   * @param data an object with what the run found out; every part of it may be absent
+   */
+  public static byte[] render(EventChain chain, JsonNode data) {
+    String style = "\n" + resource("report.css");
+    String script =
+        SCRIPTS.stream()
+            .map(ReportPage::resource)
+            .collect(Collectors.joining("\n", "\n\"use strict\";\n", ""));
+    JsonNode project = data.path("project");
+    String name = project.path("name").asText();
+    String verdict = project.path("verdict").asText();
+    Map<String, String> properties =
+        Map.of(
+            "name",
+            name,
+            "title",
+            project.path("title").asText(name),
+            "verdict",
+            VERDICTS.contains(verdict) ? verdict : "incomplete",
+            "summary",
+            project.path("summary").asText(),
+            "policy",
+            policy(style, script),
+            "style",
+            style,
+            "script",
+            script,
+            "data",
+            json(data));
+    TemplateModule module =
+        Templates.shipped("report", "report", List.of(EventchainPackage.eINSTANCE));
+    GenerationResult result =
+        module.generate(
+            List.of(chain),
+            GenerationContext.of(element -> SourceLocation.NONE).withProperties(properties));
+    if (Diagnostic.anyError(result.diagnostics())) {
+      throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, result.diagnostics());
+    }
+    return result.files().get(FILE);
+  }
+
+  private static String policy(String style, String script) {
+    return "default-src 'none'; style-src '%s'; script-src '%s'; base-uri 'none'; form-action 'none'"
+        .formatted(hash(style), hash(script));
+  }
+
+  private static String hash(String text) {
+    return "sha256-" + Base64.getEncoder().encodeToString(Sha256.of(text).bytes());
+  }
+
+  /** JSON in ASCII without a character that means something to HTML. */
+  private static String json(JsonNode data) {
+    JsonMapper mapper = JsonMapper.builder().build();
+    StringWriter text = new StringWriter();
+    try (JsonGenerator generator = mapper.createGenerator(text)) {
+      generator.setCharacterEscapes(new HtmlSafe());
+      generator.enable(JsonWriteFeature.ESCAPE_NON_ASCII.mappedFeature());
+      mapper.writeTree(generator, data);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    return text.toString();
+  }
+
+  /** A part of the pages that is in its own file. */
+  public static String resource(String name) {
+    try (InputStream stream = ReportPage.class.getResourceAsStream(name)) {
+      return new String(stream.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private static final class HtmlSafe extends CharacterEscapes {
+
+    private static final long serialVersionUID = 1L;
+
+    private final int[] escapes = standardAsciiEscapesForJSON();
+
+    HtmlSafe() {
+      for (char special : new char[] {'<', '>', '&'}) {
+        escapes[special] = ESCAPE_STANDARD;
+      }
+    }
+
+    @Override
+    public int[] getEscapeCodesForAscii() {
+      return escapes;
+    }
+
+    /** None of its own: everything outside ASCII is written as an escape already. */
+    @Override
+    public SerializableString getEscapeSequence(int character) {
+      return null;
+    }
+  }
+}

@@ -1,0 +1,40 @@
+package dev.eventchain.pipeline.run;
+
+
+
+import java.util.Locale;
+
+/** The stages of a run, in their order. Each reads files and writes files. */
+public enum Stage {
+  DESIGN("Design", "requirements and software base to an event chain"),
+  IMPLEMENT("Implement", "the components that are missing"),
+  MODEL("Model", "the event chain as an instance of the metamodel"),
+  CONSTRAIN("Constrain", "design rules to OCL"),
+  VALIDATE("Validate", "the model against its constraints"),
+  GENERATE("Generate", "the model to ROS 2 nodes"),
+  SIMULATE("Simulate", "the nodes in the closed loop, measured and judged"),
+  REPORT("Report", "one page about all of it");
+
+  private final String title;
+  private final String purpose;
+
+  Stage(String title, String purpose) {
+    this.title = title;
+    this.purpose = purpose;
+  }
+
+  /** The name that people see. */
+  public String title() {
+    return title;
+  }
+
+  /** What the stage makes of what, in a few words. */
+  public String purpose() {
+    return purpose;
+  }
+
+  /** The name on the command line and in files. */
+  public String id() {
+    return name().toLowerCase(Locale.ROOT);
+  }
+}

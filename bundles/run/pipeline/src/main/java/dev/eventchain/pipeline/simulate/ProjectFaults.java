@@ -1,0 +1,36 @@
+package dev.eventchain.pipeline.simulate;
+
+import dev.eventchain.pipeline.stage.RunContext;
+
+
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.simulation.fault.FaultPlan;
+import dev.eventchain.simulation.scenario.Scenario;
+import java.util.List;
+import java.util.Set;
+import java.util.stream.Collectors;
+
+/** The faults that a run is to inject. */
+final class ProjectFaults {
+
+  private ProjectFaults() {}
+
+  /**
+   * The faults of the scenarios that are simulated; that others are left out is found.
+   *
+   * @throws dev.eventchain.diagnostics.DiagnosticException INPUT if the file cannot be read
+   */
+  static FaultPlan selected(RunContext run, EventChain chain, List<Scenario> scenarios) {
+    if (run.options().faults().isEmpty()) {
+      return FaultPlan.NONE;
+    }
+    List<Scenario> all =
+        run.options().isPartial()
+            ? Scenario.readFolder(run.project().scenarios(), run.bench(), warning -> {})
+            : scenarios;
+    FaultPlan plan = FaultPlan.read(run.options().faults().get(), chain, run.bench(), all);
+    Set<String> names = scenarios.stream().map(Scenario::name).collect(Collectors.toSet());
+    plan.leftOut(names).ifPresent(run::find);
+    return plan.within(names);
+  }
+}

@@ -1,0 +1,90 @@
+package dev.eventchain.pipeline.simulate;
+
+import dev.eventchain.pipeline.stage.RunContext;
+
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.NearestName;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.simulation.scenario.Scenario;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+
+/** The scenarios of a project, and the requirements that they test. */
+public final class ProjectScenarios {
+
+  private ProjectScenarios() {}
+
+  /**
+   * Reads what a verdict will be about, before any language model is asked: a scenario that cannot
+   * be read, or that tests a requirement that there is not, would be found when all is paid for.
+   *
+   * @return the findings about the requirements that the scenarios name
+   * @throws DiagnosticException INPUT if the bench or a scenario cannot be read
+   */
+  public static List<Diagnostic> check(RunContext run) {
+    List<Scenario> scenarios =
+        Scenario.readFolder(run.project().scenarios(), run.bench(), warning -> {});
+    List<String> known = run.writtenRequirements().stream().map(WrittenRequirement::id).toList();
+    List<Diagnostic> found = new ArrayList<>();
+    if (known.isEmpty()) {
+      return found;
+    }
+    found.addAll(run.requirements().diagnostics());
+    for (Scenario scenario : scenarios) {
+      if (scenario.requirements().isEmpty()) {
+        found.add(unrelated(scenario));
+      }
+      scenario.requirements().stream()
+          .filter(id -> !known.contains(id))
+          .map(id -> unknown(scenario, id, known))
+          .forEach(found::add);
+    }
+    return found;
+  }
+
+  private static Diagnostic unrelated(Scenario scenario) {
+    return Diagnostic.warning(
+            "project.requirement.unknown",
+            "The scenario '" + scenario.name() + "' names no requirement, so it proves none.",
+            scenario.requirementsLocation())
+        .withHint("Name those that it tests: requirements: [ID, ...]");
+  }
+
+  private static Diagnostic unknown(Scenario scenario, String id, List<String> known) {
+    return Diagnostic.error(
+            "project.requirement.unknown",
+            "The scenario '%s' tests '%s', which is not a requirement of this project."
+                .formatted(scenario.name(), id),
+            scenario.requirementsLocation())
+        .withHint(NearestName.question(id, known));
+  }
+
+  /** The scenarios that a run asks for, in the order of their files. */
+  static List<Scenario> selected(RunContext run) {
+    List<Scenario> all = Scenario.readFolder(run.project().scenarios(), run.bench(), run::find);
+    Set<String> wanted = new TreeSet<>(run.options().scenarios());
+    if (wanted.isEmpty()) {
+      return all;
+    }
+    Set<String> names =
+        all.stream().map(Scenario::name).collect(Collectors.toCollection(TreeSet::new));
+    for (String name : wanted) {
+      if (!names.contains(name)) {
+        throw new DiagnosticException(
+            DiagnosticException.Reason.INPUT,
+            Diagnostic.error(
+                    "project.scenario.unknown",
+                    "There is no scenario '" + name + "'.",
+                    SourceLocation.of(run.project().scenarios()))
+                .withHint("The scenarios are " + String.join(", ", names) + "."));
+      }
+    }
+    return all.stream().filter(scenario -> wanted.contains(scenario.name())).toList();
+  }
+}

@@ -1,0 +1,196 @@
+package dev.eventchain.pipeline.simulate;
+
+import dev.eventchain.pipeline.stage.RunContext;
+
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.model.TopicIndex;
+import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.model.eventchain.ComponentImplementation;
+import dev.eventchain.model.eventchain.Data;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.Requirement;
+import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.simulation.bench.Bench;
+import dev.eventchain.simulation.scenario.Scenario;
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+
+/** Which requirements the scenarios can say something about, whatever happens in them. */
+final class RequirementCoverage {
+
+  private static final String UNTESTED = "project.requirement.untested";
+
+  private final EventChain chain;
+  private final TopicIndex topics;
+  private final Bench bench;
+  private final List<Scenario> scenarios;
+
+  private RequirementCoverage(EventChain chain, Bench bench, List<Scenario> scenarios) {
+    this.chain = chain;
+    this.topics = TopicIndex.of(chain);
+    this.bench = bench;
+    this.scenarios = scenarios;
+  }
+
+  /** What no scenario tests is not proved by all scenarios passing: an error for each. */
+  static List<Diagnostic> untested(RunContext run, EventChain chain, List<Scenario> scenarios) {
+    Map<String, String> unproven = unproven(run, chain, scenarios);
+    Set<String> named =
+        scenarios.stream()
+            .flatMap(scenario -> scenario.requirements().stream())
+            .collect(Collectors.toSet());
+    List<Diagnostic> found = new ArrayList<>();
+    for (WrittenRequirement item : run.writtenRequirements()) {
+      if (!named.contains(item.id())) {
+        found.add(
+            untested(
+                item,
+                "No scenario tests the requirement " + item.id() + ".",
+                "Name it under 'requirements' of a scenario that does"));
+      } else if (unproven.containsKey(item.id())) {
+        found.add(
+            untested(
+                item,
+                unproven.get(item.id()),
+                "Write a criterion on it into a scenario that names the requirement"));
+      }
+    }
+    return found;
+  }
+
+  /**
+   * What is not tested because people accept that something could not be judged must be accepted by
+   * itself: who suppresses a finding need not see which requirements hang on it.
+   *
+   * @param outcomes as {@link RequirementOutcomes#of} makes them
+   * @param found all findings so far; as long as one of them counts, nothing is added
+   */
+  static List<Diagnostic> unlisted(RunContext run, ArrayNode outcomes, List<Diagnostic> found) {
+    Suppressions.Parted parted = run.options().suppressions().part(found);
+    if (Diagnostic.anyError(parted.remaining())) {
+      return List.of();
+    }
+    Set<String> listed =
+        parted.suppressed().stream()
+            .map(Suppressions.Suppressed::finding)
+            .filter(finding -> finding.id().equals(UNTESTED))
+            .map(Diagnostic::rule)
+            .collect(Collectors.toSet());
+    Set<String> untested = RequirementOutcomes.untested(outcomes);
+    return run.writtenRequirements().stream()
+        .filter(item -> untested.contains(item.id()) && !listed.contains(item.id()))
+        .map(
+            item ->
+                untested(
+                    item,
+                    "Something that " + item.id() + " depends on could not be judged.",
+                    "Let its scenarios test it"))
+        .toList();
+  }
+
+  private static Diagnostic untested(WrittenRequirement item, String message, String hint) {
+    return Diagnostic.error(UNTESTED, message, item.location())
+        .withRule(item.id())
+        .withHint(hint + ", or suppress this finding with a reason and an expiry date.");
+  }
+
+  /**
+   * The requirements that scenarios name but that none of their criteria can prove, with the reason
+   * by the id: one that asks for a signal that leaves the chain needs a criterion on its value, and
+   * any other one a criterion that depends on what the components write that are to satisfy it.
+   */
+  static Map<String, String> unproven(RunContext run, EventChain chain, List<Scenario> scenarios) {
+    RequirementCoverage coverage = new RequirementCoverage(chain, run.bench(), scenarios);
+    Map<String, String> unproven = new TreeMap<>();
+    coverage.findIndependent(run.writtenRequirements(), unproven);
+    coverage.findUnread(unproven);
+    return unproven;
+  }
+
+  /** Nothing on the road shows whether a signal that leaves the chain is sent. */
+  private void findUnread(Map<String, String> unproven) {
+    for (SoftwareNode node : chain.getSoftware()) {
+      for (Data output : node.getOutput()) {
+        Optional<String> topic = TopicIndex.nameOf(output, node);
+        if (output.isExternal() && topic.isPresent()) {
+          String signal = topic.get() + "." + output.getFieldName();
+          String message =
+              "No criterion reads %s, which is an output of the chain because %s requires it.";
+          output.getSatisfies().stream()
+              .map(Requirement::getId)
+              .filter(id -> about(id).stream().noneMatch(it -> it.reads().contains(signal)))
+              .forEach(id -> unproven.put(id, message.formatted(signal, id)));
+        }
+      }
+    }
+  }
+
+  private void findIndependent(
+      List<WrittenRequirement> requirements, Map<String, String> unproven) {
+    for (WrittenRequirement item : requirements) {
+      List<SoftwareNode> satisfying =
+          chain.getSoftware().stream()
+              .filter(
+                  node -> node.getSatisfies().stream().anyMatch(it -> item.id().equals(it.getId())))
+              .toList();
+      Set<String> influenced = influenced(satisfying);
+      if (satisfying.isEmpty()) {
+        unproven.put(
+            item.id(),
+            "No component of the chain is marked as satisfying %s, so no criterion can test it."
+                .formatted(item.id()));
+      } else if (about(item.id()).stream().noneMatch(it -> it.dependsOn(influenced, bench))) {
+        unproven.put(
+            item.id(),
+            "No criterion of the scenarios that name %s depends on what %s writes to satisfy it."
+                .formatted(item.id(), names(satisfying)));
+      }
+    }
+  }
+
+  private List<Scenario> about(String requirement) {
+    return scenarios.stream().filter(it -> it.requirements().contains(requirement)).toList();
+  }
+
+  /** The topics whose messages depend on simulated components: theirs, and what comes of them. */
+  private Set<String> influenced(List<SoftwareNode> components) {
+    Set<String> influenced = new HashSet<>();
+    Set<SoftwareNode> reached = new HashSet<>(components);
+    Deque<SoftwareNode> open = new ArrayDeque<>(components);
+    while (!open.isEmpty()) {
+      SoftwareNode node = open.remove();
+      if (node.getImplementation() == ComponentImplementation.COMPONENT) {
+        for (Data output : node.getOutput()) {
+          TopicIndex.nameOf(output, node)
+              .filter(influenced::add)
+              .flatMap(topics::find)
+              .ifPresent(
+                  topic ->
+                      topic.subscribers().stream()
+                          .map(TopicIndex.Endpoint::node)
+                          .filter(reached::add)
+                          .forEach(open::add));
+        }
+      }
+    }
+    return influenced;
+  }
+
+  private static String names(List<SoftwareNode> nodes) {
+    return nodes.stream()
+        .map(node -> "'" + node.getName() + "'")
+        .distinct()
+        .collect(Collectors.joining(" or "));
+  }
+}

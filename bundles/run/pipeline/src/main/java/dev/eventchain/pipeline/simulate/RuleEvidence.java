@@ -1,0 +1,120 @@
+package dev.eventchain.pipeline.simulate;
+
+import dev.eventchain.pipeline.stage.RunContext;
+
+
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.constraints.OclConstraint;
+import dev.eventchain.constraints.OclResult;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.ocl.evaluation.TimeBudget;
+import dev.eventchain.project.Requirements;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import java.util.TreeSet;
+
+/**
+ * What the measured model says of the constraints that stand for a requirement or a design rule, as
+ * their comments say: a constraint that was evaluated on nothing, or that would hold whatever had
+ * been measured, is not tested.
+ */
+final class RuleEvidence {
+
+  private final List<Diagnostic> findings;
+  private final Set<String> untestedConstraints = new TreeSet<>();
+  private final Set<String> untestedIds = new TreeSet<>();
+  private final Set<String> violatedIds = new TreeSet<>();
+
+  private RuleEvidence(List<Diagnostic> findings) {
+    this.findings = new ArrayList<>(findings);
+  }
+
+  /**
+   * The evidence for what a project's requirements and design rules are.
+   *
+   * @param measured the model that was validated
+   * @param validation what came of it
+   */
+  static RuleEvidence of(RunContext run, EventChain measured, OclResult validation) {
+    Set<String> ids = ids(run);
+    Set<String> violated = new TreeSet<>();
+    validation.diagnostics().stream().map(Diagnostic::rule).forEach(violated::add);
+    RuleEvidence evidence = new RuleEvidence(validation.diagnostics());
+    MeasuredValues values = new MeasuredValues(measured);
+    for (OclResult.Check check : validation.checks()) {
+      OclConstraint constraint = check.constraint();
+      Set<String> named = new TreeSet<>(constraint.named(ids));
+      if (violated.contains(constraint.qualifiedName())) {
+        evidence.violatedIds.addAll(named);
+      } else if (!named.isEmpty() && !run.options().isPartial()) {
+        TimeBudget budget = TimeBudget.of(run.options().timeLimit());
+        why(check, values, budget).ifPresent(why -> evidence.miss(constraint, named, why));
+      }
+    }
+    return evidence;
+  }
+
+  /** The ids of the project's requirements and design rules. */
+  static Set<String> ids(RunContext run) {
+    Set<String> ids = new TreeSet<>();
+    run.writtenRequirements().forEach(item -> ids.add(item.id()));
+    run.designRules().map(Requirements::items).orElse(List.of()).forEach(it -> ids.add(it.id()));
+    return ids;
+  }
+
+  /** Why a constraint that nothing violates is not tested; empty if it is. */
+  private static Optional<String> why(
+      OclResult.Check check, MeasuredValues values, TimeBudget budget) {
+    OclConstraint constraint = check.constraint();
+    if (check.evaluations() == 0) {
+      String context = constraint.context().getName();
+      return Optional.of("the measured model has no " + context);
+    }
+    return values.decide(constraint, budget)
+        ? Optional.empty()
+        : Optional.of("it reads measured values, but holds no matter what was measured");
+  }
+
+  private void miss(OclConstraint constraint, Set<String> named, String why) {
+    untestedConstraints.add(constraint.qualifiedName());
+    untestedIds.addAll(named);
+    String ids = String.join(" and ", named);
+    findings.add(
+        Diagnostic.error(
+                "simulation.rule.untested",
+                "'%s', which implements %s, was not tested: %s."
+                    .formatted(constraint.qualifiedName(), ids, why),
+                constraint.location())
+            .withRule(constraint.qualifiedName())
+            .withHint(
+                "Let it constrain what the scenarios measure, add what it constrains to the model"
+                    + " or the scenarios, or suppress this finding with a reason and an expiry"
+                    + " date."));
+  }
+
+  /**
+   * The findings of the validation and, in a run of all scenarios, one for each constraint that was
+   * not tested.
+   */
+  List<Diagnostic> findings() {
+    return findings;
+  }
+
+  /** Adds the qualified names of the constraints that were not tested to a report. */
+  void addTo(ObjectNode report) {
+    untestedConstraints.forEach(report.putArray("untested")::add);
+  }
+
+  /** The requirements and design rules that such a constraint stands for. */
+  Set<String> untestedIds() {
+    return untestedIds;
+  }
+
+  /** The requirements and design rules that a violated constraint stands for. */
+  Set<String> violatedIds() {
+    return violatedIds;
+  }
+}

@@ -1,0 +1,327 @@
+package dev.eventchain.pipeline.simulate;
+
+import dev.eventchain.pipeline.stage.StageWork;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.pipeline.stage.Fingerprint;
+import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.generate.GeneratedPackage;
+import dev.eventchain.pipeline.stage.StageResult;
+import dev.eventchain.pipeline.stage.ProjectChecks;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.stage.ComponentFiles;
+
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.check.ChainModel;
+import dev.eventchain.check.Constraints;
+import dev.eventchain.constraints.OclResult;
+import dev.eventchain.diagnostics.Coverage;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.LatencyConstraint;
+import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.sandbox.Confinement;
+import dev.eventchain.simulation.Simulation;
+import dev.eventchain.simulation.SimulationDriver;
+import dev.eventchain.simulation.SimulationRequest;
+import dev.eventchain.simulation.SimulationResult;
+import dev.eventchain.simulation.fault.FaultPlan;
+import dev.eventchain.simulation.node.DdsAttachment;
+import dev.eventchain.simulation.scenario.Scenario;
+import dev.eventchain.simulation.verdict.ScenarioVerdict;
+import dev.eventchain.xmi.Origins;
+import dev.eventchain.xmi.XmiStore;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Set;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Function;
+import java.util.stream.Collectors;
+import org.eclipse.emf.ecore.EObject;
+
+/** The generated nodes in the closed loop: verdicts, measurements, and the measured model. */
+public final class SimulateStage implements StageWork {
+
+  public static final String MEASUREMENTS = "measurements.json";
+  public static final String MEASUREMENTS_TABLE = "measurements.csv";
+  public static final String VERDICT = "verdict.json";
+  public static final String MEASURED_MODEL = "chain.measured.xmi";
+
+  /** The results of all scenarios; those of some must not take their place. */
+  private static final List<String> RESULTS =
+      List.of(MEASUREMENTS, MEASUREMENTS_TABLE, VERDICT, MEASURED_MODEL);
+
+  @Override
+  public void fingerprint(RunContext run, Fingerprint fingerprint) {
+    Project project = run.project();
+    fingerprint.add(run.options().driver()).add(Confinement.demanded());
+    run.options().faults().ifPresent(fingerprint::addFile);
+    fingerprint.addFile(run.model());
+    for (Path file : Scenario.filesIn(project.scenarios())) {
+      fingerprint.add(project.scenarios().relativize(file)).addFile(file);
+    }
+    project.bench().ifPresent(fingerprint::addFile);
+    fingerprint.addFiles(project.softwareBaseFiles());
+    fingerprint.addFiles(project.ownConstraints());
+    fingerprint.addFile(run.file(ProjectFolder.GENERATED));
+    fingerprint.addFiles(ProjectFolder.below(run.file(GeneratedPackage.required(run).folder())));
+    fingerprint.addFiles(project.messageFiles());
+    RuleEvidence.ids(run).forEach(fingerprint::add);
+  }
+
+  @Override
+  public StageResult execute(RunContext run) {
+    EventChain chain = run.chain().chain();
+    List<Scenario> scenarios = ProjectScenarios.selected(run);
+    List<Diagnostic> found = connections(run, chain);
+    SimulationResult result = simulate(run, chain, scenarios, found);
+    EventChain measured = result.measuredModel(chain);
+    Function<EObject, SourceLocation> locator = new Origins()::locate;
+    Coverage ecore = Coverage.NONE;
+    if (!run.options().isPartial()) {
+      writeMeasurements(run, chain, result);
+      run.writeResult(MEASURED_MODEL, XmiStore.toBytes(measured));
+      ChainModel reread = run.loadChain(run.file(MEASURED_MODEL));
+      measured = reread.chain();
+      locator = reread::locate;
+      found.addAll(reread.ecore().diagnostics());
+      ecore = reread.ecore().coverage();
+    }
+    OclResult validation = ProjectChecks.constraints(run).check(measured, locator);
+    RuleEvidence evidence = RuleEvidence.of(run, measured, validation);
+    found.addAll(evidence.findings());
+    ArrayNode outcomes = outcomes(run, chain, scenarios, result, evidence);
+    if (!run.options().isPartial()) {
+      addUntested(run, chain, scenarios, result, outcomes, found);
+      // Last, so that it is never there without what it is about.
+      run.writeResult(VERDICT, verdict(run, chain, result, found, outcomes));
+    }
+    Coverage coverage = Constraints.coverage(List.of(measuredFile(run)), validation).and(ecore);
+    ObjectNode report = report(run, result, validation, outcomes, evidence);
+    return new StageResult(details(result), results(run), found, report, coverage);
+  }
+
+  private static void writeMeasurements(RunContext run, EventChain chain, SimulationResult result) {
+    run.writeResult(MEASUREMENTS, result.toJson());
+    run.writeResult(MEASUREMENTS_TABLE, result.toCsv(chain));
+  }
+
+  private static List<String> results(RunContext run) {
+    return run.options().isPartial() ? List.of() : RESULTS;
+  }
+
+  /**
+   * What the bench leaves unconnected; that ends the stage, since a simulation would say nothing
+   * about the chain, unless people have decided to live with it.
+   */
+  private static List<Diagnostic> connections(RunContext run, EventChain chain) {
+    List<Diagnostic> found = new ArrayList<>(run.bench().check(chain, run.chain()::locate));
+    if (Diagnostic.anyError(run.options().suppressions().part(found).remaining())) {
+      throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, found);
+    }
+    return found;
+  }
+
+  private static String measuredFile(RunContext run) {
+    return SourceLocation.of(run.file(MEASURED_MODEL)).file();
+  }
+
+  private static ObjectNode report(
+      RunContext run,
+      SimulationResult result,
+      OclResult validation,
+      ArrayNode outcomes,
+      RuleEvidence evidence) {
+    ObjectNode report = SimulationReport.of(result);
+    evidence.addTo(report);
+    if (!run.options().isPartial()) {
+      report.set("requirements", outcomes);
+    }
+    report.set("validation", ProjectChecks.report(measuredFile(run), validation));
+    return report;
+  }
+
+  private static ArrayNode outcomes(
+      RunContext run,
+      EventChain chain,
+      List<Scenario> scenarios,
+      SimulationResult result,
+      RuleEvidence evidence) {
+    return RequirementOutcomes.of(
+        run.writtenRequirements(),
+        result.verdicts(),
+        RequirementCoverage.unproven(run, chain, scenarios).keySet(),
+        evidence);
+  }
+
+  private static void addUntested(
+      RunContext run,
+      EventChain chain,
+      List<Scenario> scenarios,
+      SimulationResult result,
+      ArrayNode outcomes,
+      List<Diagnostic> found) {
+    found.addAll(RequirementCoverage.untested(run, chain, scenarios));
+    found.addAll(unmeasured(chain, result, run.chain()::locate));
+    found.addAll(RequirementCoverage.unlisted(run, outcomes, found));
+  }
+
+  /** A bound on a time that was never measured is not kept, but not tested. */
+  private static List<Diagnostic> unmeasured(
+      EventChain chain, SimulationResult result, Function<EObject, SourceLocation> locator) {
+    List<Diagnostic> found = new ArrayList<>();
+    for (int i = 0; i < chain.getLatencyConstraints().size(); i++) {
+      LatencyConstraint constraint = chain.getLatencyConstraints().get(i);
+      int index = i;
+      if (result.verdicts().stream().allMatch(each -> each.latencies().get(index).isEmpty())) {
+        SourceLocation place = locator.apply(constraint);
+        found.add(
+            result.host().attached() ? unseen(constraint, place) : unmeasured(constraint, place));
+      }
+    }
+    return found;
+  }
+
+  private static Diagnostic unseen(LatencyConstraint constraint, SourceLocation place) {
+    return Diagnostic.error(
+            "simulation.latency.unmeasured",
+            "The latency constraint '%s' was not measured: the nodes were started elsewhere, so it is not known which output is based on which input."
+                .formatted(constraint.getName()),
+            place)
+        .withHint("Simulate with a driver that starts the nodes, or measure it where they run.");
+  }
+
+  private static Diagnostic unmeasured(LatencyConstraint constraint, SourceLocation place) {
+    return Diagnostic.error(
+            "simulation.latency.unmeasured",
+            "The latency constraint '%s' was not measured in any scenario: nothing that '%s' did was based on an input of '%s'."
+                .formatted(
+                    constraint.getName(), name(constraint.getLast()), name(constraint.getFirst())),
+            place)
+        .withHint("Bound the time between two simulated components that are connected by data.");
+  }
+
+  private static String name(SoftwareNode node) {
+    return node == null ? "?" : node.getName();
+  }
+
+  /** A verdict must not be better than the run that reached it. */
+  private static byte[] verdict(
+      RunContext run,
+      EventChain chain,
+      SimulationResult result,
+      List<Diagnostic> found,
+      ArrayNode outcomes) {
+    return SimulationReport.verdict(
+        chain, result, outcomes, run.options().suppressions().part(found));
+  }
+
+  private static String details(SimulationResult result) {
+    long passed = result.verdicts().stream().filter(ScenarioVerdict::passed).count();
+    return String.format(
+        Locale.ROOT,
+        "%d of %d scenarios passed,%s %s",
+        passed,
+        result.verdicts().size(),
+        result.faults().isEmpty() ? "" : " " + result.faults().size() + " runs with faults,",
+        result.host().attached() ? result.host().driver() : how(result.host()));
+  }
+
+  private static String how(SimulationResult.Host host) {
+    return String.format(
+        Locale.ROOT, "%.0f times real time, %s", host.realTimeFactor(), host.confinement());
+  }
+
+  /** Simulates, and adds what was found. */
+  private static SimulationResult simulate(
+      RunContext run, EventChain chain, List<Scenario> scenarios, List<Diagnostic> found) {
+    found.addAll(ComponentCopies.requireSame(run, chain, GeneratedPackage.required(run)));
+    SimulationResult result = simulate(run, chain, scenarios);
+    run.models().simulated(result);
+    found.addAll(result.diagnostics());
+    result.verdicts().forEach(verdict -> found.addAll(verdict.diagnostics()));
+    result.faults().forEach(fault -> found.addAll(fault.diagnostics()));
+    return result;
+  }
+
+  private static SimulationResult simulate(
+      RunContext run, EventChain chain, List<Scenario> scenarios) {
+    GeneratedPackage generated = GeneratedPackage.required(run);
+    Recordings recordings = new Recordings(run, scenarios);
+    FaultPlan faults = ProjectFaults.selected(run, chain, scenarios);
+    SimulationRequest request =
+        recordings.begin(request(run, chain, generated, scenarios).withFaults(faults));
+    int all = scenarios.size() + faults.size();
+    AtomicInteger done = new AtomicInteger();
+    try {
+      return Simulation.run(
+          request,
+          run.python(Stage.SIMULATE),
+          name -> {
+            String count = done.incrementAndGet() + " of " + all;
+            run.progress().step(Stage.SIMULATE, count + ": " + name);
+          });
+    } catch (DiagnosticException e) {
+      throw new DiagnosticException(
+          e.reason(),
+          e.diagnostics().stream().map(found -> atSource(found, run, chain, generated)).toList());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new DiagnosticException(
+          DiagnosticException.Reason.FINDINGS,
+          Diagnostic.error(
+              "simulation.interrupted", "The simulation was interrupted.", SourceLocation.NONE));
+    } finally {
+      recordings.keep();
+    }
+  }
+
+  private static SimulationRequest request(
+      RunContext run, EventChain chain, GeneratedPackage generated, List<Scenario> scenarios) {
+    SimulationRequest request =
+        SimulationRequest.of(
+                chain,
+                run.file(generated.folder()),
+                generated.manifest(),
+                run.project().messageFolders(),
+                run.bench(),
+                scenarios)
+            .withGenerated(written(run, chain))
+            .withAccepted(run.options().suppressions()::accepts);
+    return switch (run.options().driver()) {
+      case LOCKSTEP -> request;
+      case DDS -> request.withDriver(SimulationDriver.DDS);
+      case DDS_IN_REAL_TIME -> request.withDriver(SimulationDriver.DDS_IN_REAL_TIME);
+      case DDS_ATTACHED -> request.withAttachment(DdsAttachment.of(System.getenv()));
+    };
+  }
+
+  /** The components that a language model wrote: those that the software base does not have. */
+  private static Set<String> written(RunContext run, EventChain chain) {
+    return chain.getSoftware().stream()
+        .map(SoftwareNode::getName)
+        .filter(name -> run.softwareBase().find(name).isEmpty())
+        .collect(Collectors.toSet());
+  }
+
+  /** A finding in the generated package's copy of a component belongs to the file it is from. */
+  private static Diagnostic atSource(
+      Diagnostic found, RunContext run, EventChain chain, GeneratedPackage generated) {
+    SourceLocation place = found.location();
+    for (SoftwareNode node : chain.getSoftware()) {
+      if (generated.manifest().find(node.getName()).isPresent()
+          && place
+              .file()
+              .equals(SourceLocation.of(ComponentCopies.of(run, generated, node)).file())) {
+        return found.withLocation(place.inFile(ComponentFiles.of(run, node)));
+      }
+    }
+    return found;
+  }
+}

@@ -1,0 +1,106 @@
+package dev.eventchain.pipeline.stage;
+
+
+
+import dev.eventchain.diagnostics.Sha256;
+import dev.eventchain.project.ProjectFolder;
+import java.io.File;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Collection;
+import java.util.SortedMap;
+import java.util.TreeMap;
+
+/**
+ * A hash of everything that a stage reads: values, files, and the program itself; and of each
+ * source of its results, so that a later stage can tell which of them have changed. The program,
+ * the language model and its recordings are no sources: they say how something was made, not of
+ * what.
+ */
+public final class Fingerprint {
+
+  /** The content of a source that is not there. */
+  public static final String ABSENT = "absent";
+
+  /** The build of this program. */
+  public static final String PROGRAM = program();
+
+  private final RunContext run;
+  private final Sha256 digest = new Sha256();
+  private final SortedMap<String, String> sources = new TreeMap<>();
+
+  public Fingerprint(RunContext run) {
+    this.run = run;
+    add(PROGRAM);
+  }
+
+  /** Adds a value that is not a source. */
+  public Fingerprint add(Object value) {
+    byte[] bytes = String.valueOf(value).getBytes(StandardCharsets.UTF_8);
+    digest.add(bytes.length + ":").add(bytes);
+    return this;
+  }
+
+  /** Adds a value of the project's configuration. */
+  public Fingerprint addSetting(String name, Object value) {
+    sources.put(SourceName.ofSetting(name), String.valueOf(value));
+    return add(name).add(value);
+  }
+
+  /** Adds a file's name and content; a missing file is content of its own kind. */
+  public Fingerprint addFile(Path file) {
+    String content = contentOf(file);
+    sources.put(SourceName.of(file, run), content);
+    return add(file.getFileName()).add(content);
+  }
+
+  /** Adds files, which the caller has put into a fixed order. */
+  public Fingerprint addFiles(Collection<Path> files) {
+    add(files.size());
+    files.forEach(this::addFile);
+    return this;
+  }
+
+  /** Adds files that say how something is made. */
+  public Fingerprint addMeans(Collection<Path> files) {
+    add(files.size());
+    files.forEach(file -> add(file.getFileName()).add(contentOf(file)));
+    return this;
+  }
+
+  /** The hash in hexadecimal. No more can be added. */
+  public String value() {
+    return digest.hex();
+  }
+
+  /** The sources by {@link SourceName}, each with a hash of its content, or its value. */
+  public SortedMap<String, String> sources() {
+    return sources;
+  }
+
+  /** A link to nothing is there, and cannot be read. */
+  public static String contentOf(Path file) {
+    try {
+      return ProjectFolder.isAbsent(file)
+          ? ABSENT
+          : new Sha256().add(Files.readAllBytes(file)).hex();
+    } catch (IOException e) {
+      throw ProjectFolder.unreadable(file, e);
+    }
+  }
+
+  /** Another build of this program may do another thing with the same files. */
+  private static String program() {
+    StringBuilder program = new StringBuilder();
+    for (String entry : System.getProperty("java.class.path").split(File.pathSeparator, -1)) {
+      File file = new File(entry);
+      program.append(file.getName()).append('\n');
+      if (file.isFile()) {
+        program.append(file.length()).append(' ').append(file.lastModified()).append('\n');
+      }
+    }
+    return program.toString();
+  }
+}

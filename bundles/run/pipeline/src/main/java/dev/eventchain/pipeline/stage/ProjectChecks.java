@@ -1,0 +1,100 @@
+package dev.eventchain.pipeline.stage;
+
+
+
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.JsonNodeFactory;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.check.ChainChecks;
+import dev.eventchain.check.Constraints;
+import dev.eventchain.constraints.OclResult;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.project.Requirements;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+
+/** The checks of a run's project, made of what the run has read once. */
+public final class ProjectChecks {
+
+  private ProjectChecks() {}
+
+  /** All constraints that there are. */
+  public static Constraints constraints(RunContext run) {
+    Path output = run.options().output();
+    return run.snapshots()
+        .of(
+            "constraints",
+            run.project().constraintFiles(output),
+            () -> Constraints.of(run.project(), output, run.options().timeLimit()));
+  }
+
+  /** The checks of a project, whose software base knows the vehicle and its messages. */
+  static ChainChecks of(RunContext run) {
+    Constraints constraints = constraints(run);
+    List<WrittenRequirement> rules = run.designRules().map(Requirements::items).orElse(List.of());
+    Path output = run.options().output();
+    return of(run, constraints, ChainChecks.unchecked(run.project(), constraints, rules, output));
+  }
+
+  /** The checks of a project before constraints are generated. */
+  public static ChainChecks withoutGenerated(RunContext run) {
+    Constraints written = Constraints.withoutGenerated(run.project(), run.options().timeLimit());
+    return of(run, written, List.of());
+  }
+
+  private static ChainChecks of(
+      RunContext run, Constraints constraints, List<Diagnostic> unchecked) {
+    return ChainChecks.of(
+        constraints, run.softwareBase(), run.messages(), run.writtenRequirements(), unchecked);
+  }
+
+  /** The files that the checks of a project depend on, besides the chain's. */
+  static List<Path> files(RunContext run) {
+    List<Path> files = new ArrayList<>(run.project().constraintFiles(run.options().output()));
+    files.add(run.project().designRulesFile());
+    files.add(run.project().requirements());
+    files.addAll(run.project().softwareBaseFiles());
+    files.addAll(run.project().messageFiles());
+    return files;
+  }
+
+  /**
+   * Goes on with a valid model only.
+   *
+   * @throws DiagnosticException FINDINGS if a finding is an error that is not suppressed
+   */
+  public static void refuseErrors(RunContext run, ChainChecks.Outcome outcome) {
+    List<Diagnostic> found = run.options().suppressions().part(outcome.diagnostics()).remaining();
+    if (Diagnostic.anyError(found)) {
+      throw new DiagnosticException(DiagnosticException.Reason.FINDINGS, found);
+    }
+  }
+
+  /** What the constraints said, for the report. */
+  public static ObjectNode report(String model, OclResult result) {
+    ObjectNode report = JsonNodeFactory.instance.objectNode();
+    report
+        .put("model", model)
+        .put("constraints", result.constraints())
+        .put("elements", result.elements())
+        .put("evaluations", result.evaluations())
+        .put(
+            "violations",
+            result.diagnostics().stream().filter(d -> d.id().startsWith("ocl.")).count());
+    ArrayNode violated = report.putArray("violated");
+    Set<String> names = new TreeSet<>();
+    result.diagnostics().stream().map(Diagnostic::rule).forEach(names::add);
+    names.forEach(violated::add);
+    ArrayNode evaluated = report.putArray("evaluated");
+    result.checks().stream()
+        .filter(check -> check.evaluations() > 0)
+        .map(check -> check.constraint().qualifiedName())
+        .forEach(evaluated::add);
+    return report;
+  }
+}

@@ -1,0 +1,93 @@
+package dev.eventchain.pipeline.stage;
+
+
+
+import dev.eventchain.llm.chat.ChatModel;
+import dev.eventchain.llm.ChatModels;
+import dev.eventchain.llm.chat.ChatResponse;
+import dev.eventchain.llm.ModelAccess;
+import dev.eventchain.llm.Spending;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * One of several runs by which a language model is evaluated: gets its answers, and remembers them.
+ * Thread-safe.
+ */
+public final class Sample {
+
+  private final String model;
+  private final int number;
+  private final Path common;
+  private final Path own;
+  private final Spending spending;
+  private final List<Call> calls = new ArrayList<>();
+
+  /**
+   * An answer.
+   *
+   * @param task what it was for, as configurations name it; {@code verdict} where a failed verdict
+   *     had gone back
+   * @param repair whether it came after another one had gone back
+   */
+  public record Call(String task, boolean repair, ChatResponse response) {}
+
+  /**
+   * A run that has not asked yet.
+   *
+   * @param number of the run, from 0
+   * @param common the recordings of the project
+   * @param own where this run records
+   * @param spending what the whole evaluation has spent
+   */
+  public Sample(String model, int number, Path common, Path own, Spending spending) {
+    this.model = model;
+    this.number = number;
+    this.common = common;
+    this.own = own;
+    this.spending = spending;
+  }
+
+  /** The same run, which has not asked yet. */
+  public Sample again() {
+    return new Sample(model, number, common, own, spending);
+  }
+
+  public String model() {
+    return model;
+  }
+
+  Spending spending() {
+    return spending;
+  }
+
+  /** The answers until now, in their order. */
+  public synchronized List<Call> calls() {
+    return List.copyOf(calls);
+  }
+
+  /** The model that is asked for a task. */
+  ChatModel open(ModelAccess usual, String task) {
+    ModelAccess access =
+        new ModelAccess(
+            usual.source(),
+            own,
+            true,
+            usual.services(),
+            usual.spending(),
+            usual.environment(),
+            usual.progress(),
+            usual.findings());
+    ChatModel asked = ChatModels.openRun(access, model, common, number);
+    return request -> {
+      ChatResponse response = asked.chat(request);
+      add(new Call(task, request.messages().size() > 1, response));
+      return response;
+    };
+  }
+
+  private synchronized void add(Call call) {
+    calls.add(call);
+  }
+}

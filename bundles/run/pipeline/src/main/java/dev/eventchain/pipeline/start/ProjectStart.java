@@ -1,0 +1,305 @@
+package dev.eventchain.pipeline.start;
+
+
+
+import dev.eventchain.check.ChainModel;
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.jsonmodels.Modeled;
+import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.messages.RosNames;
+import dev.eventchain.model.Signal;
+import dev.eventchain.model.TopicIndex;
+import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.model.eventchain.Data;
+import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.ProjectSettings;
+import dev.eventchain.project.Requirements;
+import dev.eventchain.project.SoftwareBase;
+import dev.eventchain.xmi.XmiStore;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.LinkOption;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Stream;
+
+/**
+ * Starts a project: a small one that runs as it is, or one around the software that a folder has,
+ * with the bench filled in from its signals, and the chain from the description of its components
+ * if these are all that it needs.
+ */
+public final class ProjectStart {
+
+  private static final String BENCH = "bench.yaml";
+
+  /** The files of {@code examples/radar-aeb}, which are in the jar. */
+  static final List<String> STARTER =
+      List.of(
+          BENCH,
+          "eventchain.yaml",
+          "model/chain.xmi",
+          "requirements.md",
+          "scenarios/short-sight.yaml",
+          "scenarios/stopped-vehicle-50.yaml",
+          "software-base/components.json",
+          "software-base/components/Brake_Request.py",
+          "software-base/components/Collision_Warning.py",
+          "software-base/components/Radar_Tracking.py",
+          "software-base/msg/demo_msgs/msg/BrakeRequest.msg",
+          "software-base/msg/demo_msgs/msg/RadarTarget.msg",
+          "software-base/msg/demo_msgs/msg/Threat.msg",
+          "software-base/signals.json");
+
+  private static final String SIGNALS = "software-base/signals.json";
+  private static final String MODEL = "model/chain.xmi";
+  private static final String COMPONENTS = "software-base/components.json";
+
+  /**
+   * What there is now.
+   *
+   * @param files those that were written, relative to the folder
+   * @param unfed why there is no chain, although there are components: one of them reads what
+   *     nobody writes, so that something is still to be designed; empty otherwise
+   */
+  public record Started(List<String> files, Optional<String> unfed) {}
+
+  private final Path folder;
+  private final BenchProposal bench;
+  private Optional<String> unfed = Optional.empty();
+
+  private ProjectStart(Path folder, BenchProposal bench) {
+    this.folder = folder;
+    this.bench = bench;
+  }
+
+  /** Fills in {@code bench.yaml}. */
+  @FunctionalInterface
+  public interface BenchProposal {
+
+    /**
+     * The text of the file.
+     *
+     * @param signals that the software base declares
+     * @param messages the definitions of their types
+     */
+    String text(List<Signal> signals, MessageCatalog messages);
+  }
+
+  /**
+   * Writes the files that a project needs and the folder does not have.
+   *
+   * @param folder empty or missing; or with {@code software-base/signals.json}
+   * @param bench connects the signals of a software base with the simulated world
+   * @throws DiagnosticException INPUT if it is a project already ({@code project.exists}), holds
+   *     something else ({@code project.foreign}), has signals that cannot be read, or cannot be
+   *     written
+   */
+  public static Started create(Path folder, BenchProposal bench) {
+    return new ProjectStart(folder, bench).create();
+  }
+
+  private Started create() {
+    if (exists("eventchain.yaml")) {
+      throw refused("project.exists", "This is already a project.", "Run it: eventchain run DIR");
+    }
+    Map<String, String> files = new LinkedHashMap<>();
+    if (exists(SIGNALS)) {
+      aroundSoftware(files);
+    } else if (isEmpty()) {
+      STARTER.forEach(name -> files.put(name, starter(name)));
+    } else {
+      throw refused(
+          "project.foreign",
+          "The folder is not empty, but has no software-base/signals.json.",
+          "Name a new folder, or describe your signals there first.");
+    }
+    List<String> written = new ArrayList<>();
+    files.forEach(
+        (name, text) -> {
+          if (!exists(name)) {
+            write(name, text);
+            written.add(name);
+          }
+        });
+    return new Started(written, unfed);
+  }
+
+  private boolean exists(String name) {
+    return Files.exists(folder.resolve(name), LinkOption.NOFOLLOW_LINKS);
+  }
+
+  private boolean isEmpty() {
+    if (!Files.exists(folder, LinkOption.NOFOLLOW_LINKS)) {
+      return true;
+    }
+    try (Stream<Path> files = Files.list(folder)) {
+      return files.findAny().isEmpty();
+    } catch (IOException e) {
+      throw ProjectFolder.unreadable(folder, e);
+    }
+  }
+
+  private void aroundSoftware(Map<String, String> files) {
+    SoftwareBase base = software(files);
+    Path messages = folder.resolve("software-base/msg");
+    MessageCatalog catalog =
+        MessageCatalog.of(Files.isDirectory(messages) ? List.of(messages) : List.of());
+    String name = name();
+    files.put("eventchain.yaml", "name: " + name + "\n");
+    Requirements requirements = requirements(files);
+    if (!exists(MODEL) && !base.components().isEmpty()) {
+      EventChain chain = chain(name, requirements, base);
+      unfed = unfed(chain, base);
+      if (unfed.isEmpty()) {
+        files.put(MODEL, new String(XmiStore.toBytes(chain), StandardCharsets.UTF_8));
+      }
+    }
+    files.put(BENCH, bench.text(base.signals().orElse(List.of()), catalog));
+    if (!exists("scenarios")) {
+      files.put("scenarios/stopped-vehicle.yaml", scenario(requirements));
+    }
+  }
+
+  /** The folder's, as the name of a ROS 2 package. */
+  private String name() {
+    String plain =
+        folder
+            .toAbsolutePath()
+            .normalize()
+            .getFileName()
+            .toString()
+            .toLowerCase(Locale.ROOT)
+            .replaceAll("[^a-z0-9]+", "_")
+            .replaceAll("^[^a-z]+", "");
+    return plain.isEmpty() ? "chain" : plain;
+  }
+
+  private Requirements requirements(Map<String, String> files) {
+    String name = "requirements.md";
+    if (exists(name)) {
+      return ProjectFolder.readRules(folder.resolve(name));
+    }
+    String text = "# Requirements\n- REQ-1: The system shall ...\n";
+    files.put(name, text);
+    return Requirements.read(SourceText.of(name, text));
+  }
+
+  /** The chain of the components as they are described, which from then on people edit. */
+  private EventChain chain(String name, Requirements requirements, SoftwareBase base) {
+    ProjectSettings settings = new ProjectSettings(name, ProjectSettings.DEFAULT_FREQUENCY);
+    Modeled<EventChain> chain =
+        ChainModel.ofDescription(folder.resolve(COMPONENTS), settings, requirements, base);
+    if (Diagnostic.anyError(chain.diagnostics())) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, chain.diagnostics());
+    }
+    return chain.root();
+  }
+
+  /** Which component reads a topic that no component writes and no signal provides, if one does. */
+  private static Optional<String> unfed(EventChain chain, SoftwareBase base) {
+    Set<String> written = new HashSet<>();
+    base.signals().orElse(List.of()).stream()
+        .filter(signal -> signal.direction() == Signal.Direction.PROVIDED)
+        .forEach(signal -> written.add(RosNames.resolve(signal.topic(), "")));
+    for (SoftwareNode node : chain.getSoftware()) {
+      node.getOutput().forEach(data -> TopicIndex.nameOf(data, node).ifPresent(written::add));
+    }
+    for (SoftwareNode node : chain.getSoftware()) {
+      for (Data data : node.getInput()) {
+        Optional<String> topic = TopicIndex.nameOf(data, node);
+        if (topic.isPresent() && !written.contains(topic.get())) {
+          return Optional.of(node.getName() + " reads " + topic.get());
+        }
+      }
+    }
+    return Optional.empty();
+  }
+
+  private static String scenario(Requirements requirements) {
+    return """
+    name: stopped-vehicle
+    title: A stopped vehicle ahead, 50 km/h
+    requirements: %s
+    duration_s: 12
+    ego:
+      speed_kmh: 50
+    actors:
+      - gap_m: 80
+        speed_kmh: 0
+    accept:
+      no_impact: true
+    """
+        .formatted(requirements.items().stream().map(WrittenRequirement::id).toList());
+  }
+
+  /** What the folder has; no components are an empty list of them. */
+  private SoftwareBase software(Map<String, String> files) {
+    SoftwareBase base = SoftwareBase.read(folder.resolve("software-base"));
+    boolean withoutComponents = !exists(COMPONENTS);
+    List<Diagnostic> found =
+        base.diagnostics().stream()
+            .filter(it -> !withoutComponents || !it.location().file().endsWith(COMPONENTS))
+            .toList();
+    if (Diagnostic.anyError(found)) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, found);
+    }
+    if (withoutComponents) {
+      files.put(COMPONENTS, "[]\n");
+    }
+    return base;
+  }
+
+  private static String starter(String name) {
+    try (InputStream input =
+        ProjectStart.class.getResourceAsStream("/META-INF/eventchain/starter/" + name)) {
+      return new String(input.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+  }
+
+  private void write(String name, String text) {
+    Path file = folder.resolve(name);
+    for (Path parent = file.getParent(); !parent.equals(folder); parent = parent.getParent()) {
+      if (Files.isSymbolicLink(parent)) {
+        throw refused(
+            "project.foreign",
+            folder.relativize(parent) + " is a link that leads elsewhere.",
+            "Replace it with a folder: nothing is written outside the project.");
+      }
+    }
+    try {
+      Files.createDirectories(file.getParent());
+      Files.writeString(file, text, StandardOpenOption.CREATE_NEW);
+    } catch (IOException e) {
+      throw new DiagnosticException(
+          DiagnosticException.Reason.INPUT,
+          Diagnostic.error(
+              "output.unwritable",
+              "This cannot be written: " + SourceText.reason(e) + ".",
+              SourceLocation.of(file)));
+    }
+  }
+
+  private DiagnosticException refused(String id, String message, String hint) {
+    return new DiagnosticException(
+        DiagnosticException.Reason.INPUT,
+        Diagnostic.error(id, message, SourceLocation.of(folder)).withHint(hint));
+  }
+}
