@@ -31,7 +31,7 @@ class Catalog:
             for suffix in _LANGUAGES:
                 for file in sorted(folder.glob(f"*/msg/*{suffix}")):
                     name = f"{file.parent.parent.name}/msg/{file.stem}"
-                    if FULL_NAME.match(name):
+                    if FULL_NAME.fullmatch(name):
                         found.setdefault(name, []).append(file)
             self._files.update(found)
         self.packages = {name.partition("/")[0] for name in (*self._texts, *self._files)}

@@ -13,7 +13,7 @@ from __future__ import annotations
 
 from array import array
 from collections.abc import Callable
-from math import gcd
+from math import gcd, inf, nan
 from struct import Struct
 from typing import Any, NamedTuple
 
@@ -106,6 +106,8 @@ class _Generator:
             "pad": _PADDING,
             "pack_length": _LENGTH.pack,
             "unpack_length": (_LENGTH if order == "<" else _BIG_ENDIAN_LENGTH).unpack_from,
+            "nan": nan,
+            "inf": inf,
             "check": validation.check,
             "as_array": validation.as_array,
             "as_ndarray": validation.as_ndarray,

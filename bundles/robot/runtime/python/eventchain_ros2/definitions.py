@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import keyword
 import re
+from collections.abc import Iterator
+from math import isfinite
 from typing import NamedTuple
 
 _LITERALS = {"bool": bool, "byte": int, "char": int, "float32": float, "float64": float, "string": str}
@@ -18,12 +20,22 @@ CODES = {"bool": "?", "byte": "c", "char": "B", "float32": "f", "float64": "d"}
 CODES.update({"int8": "b", "int16": "h", "int32": "i", "int64": "q"})
 CODES.update({"uint8": "B", "uint16": "H", "uint32": "I", "uint64": "Q"})
 
-_TYPE = re.compile(r"(?P<base>[A-Za-z][\w/]*)(<=(?P<string>\d+))?(\[((?P<bound><=)?(?P<size>\d+))?\])?$")
-_NAME = re.compile(r"[A-Za-z]\w*$", re.ASCII)
-FULL_NAME = re.compile(r"[a-z]\w*/msg/[A-Z]\w*$", re.ASCII)
-_ITEM = re.compile(r"'[^']*'|\"[^\"]*\"|[^,\s]+")
+_TYPE = re.compile(
+    r"(?P<base>[A-Za-z][\w/]*)(<=(?P<string>0*[1-9]\d{0,8}))?(\[((?P<bound><=)?(?P<size>0*[1-9]\d{0,8}))?\])?",
+    re.ASCII,
+)
+_WORD = re.compile(r"[A-Za-z]\w*", re.ASCII)
+_FIELD = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*")
+_CONSTANT = re.compile(r"[A-Z][A-Z0-9]*(_[A-Z0-9]+)*")
+FULL_NAME = re.compile(r"[a-z][a-z0-9]*(_[a-z0-9]+)*/msg/[A-Z][A-Za-z0-9]*")
+_QUOTED = re.compile(r"\"(\\\"|[^\"])*\"|'(\\'|[^'])*'")
+_MAXIMAL_FLOAT32 = 3.4028235677973366e38  # from here on, the nearest one is infinite
 
 _WIRE_NAME = re.compile(r"(\w+)::(\w+)::dds_::(\w+)_$", re.ASCII)
+
+RANGES = {f"uint{bits}": (0, 2**bits - 1) for bits in (8, 16, 32, 64)}
+RANGES.update({f"int{bits}": (-(2 ** (bits - 1)), 2 ** (bits - 1) - 1) for bits in (8, 16, 32, 64)})
+RANGES["byte"] = RANGES["char"] = RANGES["uint8"]
 
 Value = bool | int | float | str
 
@@ -93,7 +105,7 @@ def parse(name: str, text: str, file: str) -> Definition:
         code = line.partition("#")[0].strip()
         if code:
             try:
-                _parse_line(definition, code)
+                _parse_line(definition, code.replace("\t", " "))
             except ValueError as problem:
                 raise MessageDefinitionError(f"{name}: {problem}", file, number) from None
     return definition
@@ -104,17 +116,27 @@ def _parse_line(definition: Definition, code: str) -> None:
     rest = rest.strip()
     field_type = _parse_type(type_text, definition.name.partition("/")[0])
     constant, equals, value = rest.partition("=")
-    if equals and _NAME.match(constant.strip()):
-        check_name(definition, constant.strip())
-        definition.constants.append(Constant(constant.strip(), field_type.base, literal(field_type.base, value)))
+    if equals:
+        _add_constant(definition, field_type, constant.strip(), value)
         return
     field, _, default = rest.partition(" ")
+    if not _FIELD.fullmatch(field):
+        raise ValueError(f"'{field}' cannot be the name of a field")
     check_name(definition, field)
     definition.fields.append(Field(field, field_type, default_value(field_type, default.strip())))
 
 
+def _add_constant(definition: Definition, field_type: FieldType, name: str, value: str) -> None:
+    if not _CONSTANT.fullmatch(name):
+        raise ValueError(f"'{name}' cannot be the name of a constant")
+    check_name(definition, name)
+    if field_type.kind != "scalar" or field_type.string_bound or field_type.base not in PRIMITIVES:
+        raise ValueError("the type of a constant is primitive, without a size or bound")
+    definition.constants.append(Constant(name, field_type.base, literal(field_type.base, value)))
+
+
 def _parse_type(text: str, package: str) -> FieldType:
-    match = _TYPE.match(text)
+    match = _TYPE.fullmatch(text)
     if match is None or (match["string"] and match["base"] != "string"):
         raise ValueError(f"'{text}' is not a type")
     base = match["base"]
@@ -136,14 +158,14 @@ def full_name(text: str, package: str) -> str:
     if len(parts) == 2:
         parts.insert(1, "msg")
     name = "/".join(parts)
-    if not FULL_NAME.match(name):
+    if not FULL_NAME.fullmatch(name):
         raise ValueError(f"'{text}' is neither a primitive type nor a message type")
     return name
 
 
 def check_name(definition: Definition, name: str) -> None:
     """Raise `ValueError` if a field or constant that is added cannot have this name."""
-    if not _NAME.match(name) or keyword.iskeyword(name):
+    if not _WORD.fullmatch(name) or keyword.iskeyword(name):
         raise ValueError(f"'{name}' cannot be the name of a field or constant")
     if name in [field.name for field in definition.fields] + [constant.name for constant in definition.constants]:
         raise ValueError(f"'{name}' is defined twice")
@@ -156,10 +178,11 @@ def default_value(field_type: FieldType, text: str) -> Value | list[Value] | Non
     if field_type.base not in PRIMITIVES:
         raise ValueError(f"a field of type {field_type.base} cannot have a default value")
     if field_type.kind == "scalar":
-        return literal(field_type.base, text)
+        return _bounded(field_type, literal(field_type.base, text))
     if not (text.startswith("[") and text.endswith("]")):
         raise ValueError(f"the default value {text} of an array has to stand in brackets")
-    items = [literal(field_type.base, item) for item in _ITEM.findall(text[1:-1])]
+    separate = _texts if field_type.base == "string" else _separated
+    items = [_bounded(field_type, literal(field_type.base, item)) for item in separate(text[1:-1])]
     if field_type.size and (
         len(items) > field_type.size or (field_type.kind == "array" and len(items) != field_type.size)
     ):
@@ -167,16 +190,72 @@ def default_value(field_type: FieldType, text: str) -> Value | list[Value] | Non
     return items
 
 
+def _bounded(field_type: FieldType, value: Value) -> Value:
+    bound = field_type.string_bound
+    if bound and isinstance(value, str) and len(value.encode()) > bound:
+        raise ValueError(f"'{value}' has more than {bound} bytes")
+    return value
+
+
+def _separated(text: str) -> list[str]:
+    return text.split(",") if text else []
+
+
+def _texts(text: str) -> Iterator[str]:
+    """Texts between commas, which may be part of a text in quotes."""
+    rest = text
+    while rest:
+        rest = rest.lstrip()
+        if not rest or rest.startswith(","):
+            raise ValueError(f"a value is missing in [{text}]")
+        quoted = _QUOTED.match(rest)
+        if rest[0] in "'\"" and not quoted:
+            raise ValueError(f"the closing quote of {rest} is missing")
+        item = quoted[0] if quoted else rest.partition(",")[0]
+        yield _unquoted(item) if quoted else item
+        rest = rest[len(item) :].lstrip().removeprefix(",")
+
+
+def _unquoted(text: str) -> str:
+    """Without the quotes around it; those within it have a backslash then, and lose that."""
+    for quote in "\"'":
+        if text.startswith(quote) and text.endswith(quote):
+            inner = text[1:-1]
+            if re.search(rf"(?<!\\){quote}", inner):
+                raise ValueError(f"a quote within a string in quotes needs a backslash, \\{quote}")
+            return inner.replace(f"\\{quote}", quote)
+    return text
+
+
 def literal(base: str, text: str) -> Value:
     """A single value of a primitive type; `ValueError` if it is none."""
     text = text.strip()
+    if base != "string" and not text.isascii():
+        raise ValueError(f"'{text}' is not a value of {base}")
     if base == "bool":
         if text.lower() not in ("true", "false", "0", "1"):
             raise ValueError(f"'{text}' is not a bool")
         return text.lower() in ("true", "1")
     if base == "string":
-        quoted = len(text) >= 2 and text[0] == text[-1] and text[0] in "'\""
-        return text[1:-1] if quoted else text
+        return _unquoted(text)
     if base.startswith("float"):
-        return float(text)
-    return int(text, 0)
+        return _float(base, text)
+    return _integer(base, text)
+
+
+def _float(base: str, text: str) -> float:
+    value = float(text)
+    if base == "float32" and isfinite(value) and abs(value) >= _MAXIMAL_FLOAT32:
+        raise ValueError(f"{text} is out of the range of float32")
+    return value
+
+
+def _integer(base: str, text: str) -> int:
+    try:
+        value = int(text)
+    except ValueError:
+        value = int(text, 0)
+    low, high = RANGES[base]
+    if not low <= value <= high:
+        raise ValueError(f"{text} is out of the range of {base}")
+    return value

@@ -37,6 +37,9 @@ _TOKEN = re.compile(
     r"|(?P<sign>::|[{}()<>\[\];:,=@+-])",
     re.DOTALL | re.ASCII,
 )
+_OCTAL = re.compile(r"0[0-7]+")
+_LISTED = re.compile(r'"[(\[](.*?),?[)\]]"', re.DOTALL)
+"""How rosidl writes the values of an array: as a text, `"(1, 2)"`."""
 _ESCAPES = {"n": "\n", "t": "\t", "v": "\v", "b": "\b", "r": "\r", "f": "\f", "a": "\a"}
 _ESCAPES.update({character: character for character in "\\?'\""})
 _PRIMITIVES = {"boolean": "bool", "octet": "byte", "float": "float32", "double": "float64"}
@@ -185,10 +188,14 @@ class _Parser:
             parts = []
             while self._next.kind == "text":
                 parts.append(self._unescaped(self._take("text")[1:-1]))
-            return f'"{"".join(parts)}"'
+            text = "".join(parts).replace('"', '\\"')
+            return f'"{text}"'
         sign = self._take("+", "-") if self._next.text in ("+", "-") else ""
         if sign or self._next.kind == "number":
-            return sign.replace("+", "") + self._take("number")
+            number = self._take("number")
+            if _OCTAL.fullmatch(number):
+                number = f"0o{number[1:]}"
+            return sign.replace("+", "") + number
         return self._take("TRUE", "FALSE").lower()
 
     def _unescaped(self, text: str) -> str:
@@ -241,8 +248,9 @@ class _Parser:
     def _default_of(self, field_type: FieldType, text: str | None) -> Value | list[Value] | None:
         if text is None:
             return None
-        if field_type.kind != "scalar" and re.match(r'"[(\[].*[)\]]"$', text, re.DOTALL):
-            text = f"[{text[2:-2]}]"  # rosidl writes the values of arrays as text, "(1, 2)"
+        listed = _LISTED.fullmatch(text) if field_type.kind != "scalar" else None
+        if listed:
+            text = "[" + listed[1].replace('\\"', '"') + "]"
         try:
             return default_value(field_type, text)
         except ValueError as problem:

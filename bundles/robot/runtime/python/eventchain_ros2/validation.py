@@ -10,14 +10,12 @@ from collections.abc import Sequence, Set
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
-from eventchain_ros2.definitions import CODES, PRIMITIVES, Field
+from eventchain_ros2.definitions import CODES, PRIMITIVES, RANGES, Field
 
 if TYPE_CHECKING:
     import numpy as np
 
-_RANGES = {f"uint{bits}": (0, 2**bits - 1) for bits in (8, 16, 32, 64)}
-_RANGES.update({f"int{bits}": (-(2 ** (bits - 1)), 2 ** (bits - 1) - 1) for bits in (8, 16, 32, 64)})
-_RANGES["char"] = _RANGES["uint8"]
+_RANGES = {base: bounds for base, bounds in RANGES.items() if base != "byte"}
 _MAXIMAL_FLOAT32 = 3.402823466e38
 _TYPES: dict[str, type] = {"bool": bool, "byte": bytes, "float32": float, "float64": float, "string": str}
 

@@ -46,7 +46,7 @@ record ProbeValue(String name, Object value) {
   private static List<ProbeValue> scalars(String type) {
     return switch (type) {
       case "bool", "boolean" -> all(true, false);
-      case "string", "wstring" -> all("x", "");
+      case "string" -> all("x", "");
       case "uint8", "byte", "octet", "char" -> all(1, 0, 255);
       case "int8" -> all(1, 0, -1, 127, -128);
       case "uint16" -> all(1, 0, 65_535);

@@ -76,7 +76,7 @@ final class TestValues {
   private static Object scalar(JsonNode written, String type) throws Unfit {
     return switch (type) {
       case "bool", "boolean" -> required(written.isBoolean(), written.asBoolean(), "true or false");
-      case "string", "wstring" -> required(written.isTextual(), written.asText(), "a string");
+      case "string" -> required(written.isTextual(), written.asText(), "a string");
       case "float32", "float64", "float", "double" -> number(written);
       default -> wholeNumber(written);
     };

@@ -84,7 +84,7 @@ final class AgeContracts {
       case INT64 -> isWhole(value, 64, true);
       case FLOAT32 -> isDecimal(value) && Float.isFinite(Float.parseFloat(value));
       case FLOAT64 -> isDecimal(value) && Double.isFinite(Double.parseDouble(value));
-      case STRING, WSTRING ->
+      case STRING ->
           type.stringBound() == 0
               || value.getBytes(StandardCharsets.UTF_8).length <= type.stringBound();
       case BYTE, MESSAGE -> false;
@@ -107,7 +107,7 @@ final class AgeContracts {
     return switch (type.kind()) {
       case BOOL -> "true or false";
       case FLOAT32, FLOAT64 -> "a single finite number such as 0.0";
-      case STRING, WSTRING -> "a string no longer than the field allows";
+      case STRING -> "a string no longer than the field allows";
       case BYTE, MESSAGE -> "safe values only for single numbers, Booleans and strings";
       default -> "a single whole number in the range of the type";
     };

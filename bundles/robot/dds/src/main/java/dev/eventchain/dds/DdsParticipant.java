@@ -153,8 +153,8 @@ public final class DdsParticipant implements AutoCloseable {
    * Makes a writer.
    *
    * @param topic the full name in ROS 2, {@code /scan}
-   * @throws IllegalArgumentException if the topic is not a full name, this participant has it with
-   *     another type, or the type has a {@code wstring}
+   * @throws IllegalArgumentException if the topic is not a full name, or this participant has it
+   *     with another type
    */
   public synchronized DdsWriter writer(String topic, MessageType type, QosSettings qos) {
     DdsWriter writer =

@@ -157,8 +157,7 @@ final class DynamicTypes {
    * Makes a topic.
    *
    * @param name the name of DDS, with its prefix
-   * @throws IllegalArgumentException if the type has a {@code wstring}, or the participant has a
-   *     topic of this name and another type
+   * @throws IllegalArgumentException if the participant has a topic of this name and another type
    */
   int topic(String name, MessageType type) {
     Type root = structure(type, false);
@@ -240,7 +239,6 @@ final class DynamicTypes {
         bound(descriptor, type.stringBound());
         target.defined(create(descriptor, type.toString()));
       }
-      case WSTRING -> throw new IllegalArgumentException("A wstring has no agreed form in CDR.");
       default -> target.primitive(primitive(type.kind()));
     }
   }
@@ -267,8 +265,7 @@ final class DynamicTypes {
       case FLOAT64 -> 10;
       case INT8 -> 12;
       case BYTE, CHAR, UINT8 -> 13;
-      case STRING, WSTRING, MESSAGE ->
-          throw new IllegalArgumentException(kind + " is not a number.");
+      case STRING, MESSAGE -> throw new IllegalArgumentException(kind + " is not a number.");
     };
   }
 

@@ -50,7 +50,7 @@ final class RandomMessages {
   private Object single(FieldType type) {
     return switch (type.kind()) {
       case MESSAGE -> next(type.message().orElseThrow());
-      case STRING, WSTRING -> TEXTS.get(random.nextInt(TEXTS.size()));
+      case STRING -> TEXTS.get(random.nextInt(TEXTS.size()));
       case BOOL -> random.nextBoolean();
       case FLOAT32, FLOAT64 -> random.nextFloat();
       case BYTE, CHAR, UINT8 -> random.nextInt(256);

@@ -7,7 +7,6 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.messages.CdrCodec;
-import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.messages.MessageType;
 import dev.eventchain.messages.MessageValue;
 import dev.eventchain.messages.QosSettings;
@@ -195,9 +194,6 @@ class WrongUseTest {
             "'" + topic + "' is not the full name of a topic, such as /scan.",
             () -> participant.writer(topic, FLOAT, QOS));
       }
-      MessageCatalog wide = MessageCatalog.ofTexts(Map.of("a_msgs/msg/Wide", "wstring text\n"));
-      MessageType type = wide.find("a_msgs/msg/Wide").orElseThrow();
-      refused("A wstring has no agreed form in CDR.", () -> participant.reader("/wide", type, QOS));
       participant.writer("/scan", SCAN, QOS);
       refused(
           "Topic rt/scan has the type sensor_msgs/msg/LaserScan, not std_msgs/msg/Float32.",

@@ -12,8 +12,6 @@ public final class CdrCodec {
    * The bytes of a message.
    *
    * @return header and payload
-   * @throws IllegalArgumentException for a {@code wstring}, on whose form the implementations of
-   *     DDS do not agree
    */
   public static byte[] encode(MessageValue message) {
     CdrWriter writer = new CdrWriter();
@@ -34,8 +32,7 @@ public final class CdrCodec {
    * The message of a part of an array.
    *
    * @throws IllegalArgumentException if the bytes are not a message of this type: they end too
-   *     early, have another representation, or hold a string that is not UTF-8; or for a {@code
-   *     wstring}
+   *     early, have another representation, or hold a string that is not UTF-8
    */
   public static MessageValue decode(MessageType type, byte[] bytes, int offset, int length) {
     return new CdrReader(bytes, offset, length).read(type);
@@ -46,7 +43,7 @@ public final class CdrCodec {
    * padding, without reading its values.
    *
    * @throws IllegalArgumentException if they end too early or continue after it, have another
-   *     representation or a Boolean that is neither 0 nor 1, or the type has a {@code wstring}
+   *     representation or a Boolean that is neither 0 nor 1
    */
   public static void requireMessage(MessageType type, byte[] bytes) {
     new CdrReader(bytes, 0, bytes.length).requireMessage(type);

@@ -75,7 +75,6 @@ final class CdrReader {
     return switch (type.kind()) {
       case MESSAGE -> message(type.message().orElseThrow());
       case STRING -> string();
-      case WSTRING -> throw new IllegalArgumentException("A wstring has no agreed form in CDR.");
       case BOOL -> buffer.get() != 0;
       case INT8 -> (int) buffer.get();
       case BYTE, CHAR, UINT8 -> buffer.get() & 0xFF;
@@ -121,10 +120,10 @@ final class CdrReader {
         continue;
       }
       for (int i = 0; i < count; i++) {
-        switch (each.kind()) {
-          case MESSAGE -> skip(each.message().orElseThrow());
-          case STRING -> skip(1, count(align(4).getInt(), 1));
-          default -> throw new IllegalArgumentException("A wstring has no agreed form in CDR.");
+        if (each.kind() == FieldType.Kind.MESSAGE) {
+          skip(each.message().orElseThrow());
+        } else {
+          skip(1, count(align(4).getInt(), 1));
         }
       }
     }

@@ -37,7 +37,6 @@ final class CdrWriter {
     switch (kind) {
       case MESSAGE -> write((MessageValue) value);
       case STRING -> string((String) value);
-      case WSTRING -> throw new IllegalArgumentException("A wstring has no agreed form in CDR.");
       case BOOL -> reserve(1, 1).put((byte) ((Boolean) value ? 1 : 0));
       case FLOAT32 -> reserve(4, 4).putFloat((Float) value);
       case FLOAT64 -> reserve(8, 8).putDouble((Double) value);

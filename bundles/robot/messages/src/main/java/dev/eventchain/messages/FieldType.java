@@ -45,8 +45,6 @@ public record FieldType(
     FLOAT64(8),
     /** UTF-8. */
     STRING(0),
-    /** UTF-16; known to definitions, but without an agreed form on the wire. */
-    WSTRING(0),
     /** Another message. */
     MESSAGE(0);
 

@@ -1,5 +1,6 @@
 package dev.eventchain.messages;
 
+import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.messages.Definition.Member;
@@ -10,6 +11,8 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /**
  * Reads the definition of a message in OMG IDL 4.2, as far as ROS 2 uses it (design.ros2.org, "IDL
@@ -19,6 +22,12 @@ final class IdlParser {
 
   /** The only member of a structure that stands for a message without fields (rosidl). */
   private static final String PLACEHOLDER = "structure_needs_at_least_one_member";
+
+  private static final Pattern OCTAL = Pattern.compile("0[0-7]+");
+
+  /** How rosidl writes the values of an array: as a text, {@code "(1, 2)"}. */
+  private static final Pattern LISTED =
+      Pattern.compile("\"[(\\[](?<items>.*?),?[)\\]]\"", Pattern.DOTALL);
 
   private static final Set<String> CHANGE_BYTES =
       Set.of("bit_bound", "external", "mutable", "optional");
@@ -166,23 +175,29 @@ final class IdlParser {
     }
   }
 
-  /** A literal as the message language writes it, texts in quotes. */
+  /** A literal as the message language writes it, texts in quotes and with escapes in them. */
   private String value() {
     Token first = tokens.next();
     if (first.kind() == Kind.TEXT) {
-      return '"' + tokens.text() + '"';
+      return Literals.quoted(tokens.text());
     }
     if (tokens.takes("-")) {
-      return "-" + tokens.take(Kind.NUMBER).text();
+      return "-" + number();
     }
     if (tokens.takes("+") || first.kind() == Kind.NUMBER) {
-      return tokens.take(Kind.NUMBER).text();
+      return number();
     }
     if (!first.is("TRUE") && !first.is("FALSE")) {
       throw tokens.refusal(
           "Expected a number, a string, TRUE or FALSE, not " + first.text() + ".", first.offset());
     }
     return tokens.take().text();
+  }
+
+  /** A number as the message language writes it: zeros before an integer make it octal in IDL. */
+  private String number() {
+    String number = tokens.take(Kind.NUMBER).text();
+    return OCTAL.matcher(number).matches() ? "0o" + number.substring(1) : number;
   }
 
   private void constant() {
@@ -227,15 +242,18 @@ final class IdlParser {
       throw tokens.refusal(
           "message.name.duplicate", "'" + member + "' is defined twice.", word.offset(), "");
     }
+    Optional<Diagnostic> keyword = MemberNames.problemOfKeyword(member, source.at(word.offset()));
+    if (keyword.isPresent()) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, List.of(keyword.get()));
+    }
     Object parsed = value.map(text -> parsed(type.type(), text, word.offset())).orElse(null);
     members.add(new Member(member, type.type(), type.base(), parsed, source.at(offset)));
   }
 
   private Object parsed(FieldType type, String text, int offset) {
-    boolean listed =
-        type.shape() != FieldType.Shape.SINGLE && text.matches("(?s)\"[(\\[].*[)\\]]\"");
-    // rosidl writes the values of arrays as a text, "(1, 2)"
-    String value = listed ? "[" + text.substring(2, text.length() - 2) + "]" : text;
+    Matcher listed = LISTED.matcher(text);
+    boolean isListed = type.shape() != FieldType.Shape.SINGLE && listed.matches();
+    String value = isListed ? "[" + listed.group("items").replace("\\\"", "\"") + "]" : text;
     try {
       return Literals.parse(type, value, false);
     } catch (IllegalArgumentException e) {

@@ -1,6 +1,7 @@
 package dev.eventchain.messages;
 
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.messages.Definition.Member;
 import java.util.ArrayList;
@@ -18,17 +19,22 @@ import java.util.regex.Pattern;
  */
 final class MessageParser {
 
+  /** What ends a line in Python, whose rules rosidl_adapter follows. */
+  private static final Pattern LINE_END =
+      Pattern.compile("[\n\r\u000b\f\u001c-\u001e\u0085\u2028\u2029]");
+
   private static final Pattern LINE = Pattern.compile("\\s*(?<type>\\S+)\\s*(?<rest>.*?)\\s*");
   private static final Pattern CONSTANT =
       Pattern.compile("(?<name>[A-Za-z]\\w*)\\s*=\\s*(?<value>.*)");
   private static final Pattern FIELD =
-      Pattern.compile("(?<name>[A-Za-z]\\w*)(\\s+(?<value>[^=\\s].*))?");
+      Pattern.compile("(?<name>[A-Za-z]\\w*)(\\s+(?<value>\\S[^=]*))?");
   private static final Pattern TYPE =
       Pattern.compile(
-          "(?<base>[A-Za-z][\\w/]*)(<=(?<string>\\d{1,9}))?"
-              + "(?<array>\\[((?<bound><=)?(?<size>\\d{1,9}))?\\])?");
+          "(?<base>[A-Za-z][\\w/]*)(<=(?<string>0*[1-9]\\d{0,8}))?"
+              + "(?<array>\\[((?<bound><=)?(?<size>0*[1-9]\\d{0,8}))?\\])?");
   private static final String GRAMMAR =
       "A line is TYPE NAME, TYPE NAME DEFAULT or TYPE NAME=VALUE, as in: float64[<=9] values";
+  private static final String WIDE = "wstring";
   private static final String HEADER = "std_msgs/msg/Header";
 
   private final String name;
@@ -64,16 +70,14 @@ final class MessageParser {
 
   private void readLines() {
     String text = source.text();
-    int start = 0;
-    while (start < text.length()) {
-      int newline = text.indexOf('\n', start);
-      int end = newline < 0 ? text.length() : newline;
-      int comment = text.indexOf('#', start);
-      String code = text.substring(start, comment >= 0 && comment < end ? comment : end);
+    Matcher newline = LINE_END.matcher(text);
+    for (int start = 0, end; start < text.length(); start = end + 1) {
+      end = newline.find(start) ? newline.start() : text.length();
+      String line = text.substring(start, end);
+      String code = line.substring(0, line.indexOf('#') < 0 ? line.length() : line.indexOf('#'));
       if (!code.isBlank()) {
         readLine(code, start);
       }
-      start = end + 1;
     }
   }
 
@@ -96,45 +100,58 @@ final class MessageParser {
     } else if (field.matches()) {
       add(fields, field, typed.get(), restOffset);
     } else {
-      String found = rest.isEmpty() ? "a name is missing" : "'" + rest + "' is not a name";
-      problem("message.syntax", "After the type, " + found + ".", restOffset);
+      String found = rest.contains("=") ? rest.substring(0, rest.indexOf('=')).strip() : rest;
+      String wrong = found.isEmpty() ? "a name is missing" : "'" + found + "' is not a name";
+      syntaxProblem("After the type, " + wrong + ".", restOffset);
     }
   }
 
   private void add(List<Member> members, Matcher found, Member typed, int offset) {
     String member = found.group("name");
+    boolean isConstant = members == constants;
+    SourceLocation place = source.at(offset);
     if (!names.add(member)) {
-      problem("message.name.duplicate", "'" + member + "' is defined twice.", offset);
+      String message = "'" + member + "' is defined twice.";
+      problems.add(Diagnostic.error("message.name.duplicate", message, place));
       return;
     }
     Object value = null;
     String text = found.group("value");
-    if (text != null || members == constants) {
+    if (text != null || isConstant) {
       try {
-        value = Literals.parse(typed.type(), text, members == constants);
+        value = Literals.parse(typed.type(), text, isConstant);
       } catch (IllegalArgumentException e) {
-        int place = offset + Math.max(0, found.start("value"));
-        problem("message.value", String.valueOf(e.getMessage()), place);
+        SourceLocation ofValue = source.at(offset + Math.max(0, found.start("value")));
+        problems.add(Diagnostic.error("message.value", String.valueOf(e.getMessage()), ofValue));
         return;
       }
     }
+    Optional<Diagnostic> problem =
+        isConstant
+            ? MemberNames.problemOfConstant(member, place)
+            : MemberNames.problemOfField(member, place);
+    problem.ifPresent(problems::add);
     members.add(new Member(member, typed.type(), typed.base(), value, typed.place()));
   }
 
   /** A member without name: its type, and the base of that. */
   private Optional<Member> type(String text, int offset) {
     Matcher type = TYPE.matcher(text);
-    if (!type.matches()) {
-      problem("message.syntax", "'" + text + "' is not a type.", offset);
+    boolean isType = type.matches();
+    String base = isType ? type.group("base") : "";
+    if (base.equals(WIDE)) {
+      Diagnostic problem =
+          Diagnostic.error("message.syntax", "wstring is not supported.", source.at(offset));
+      problems.add(
+          problem.withHint("Use string: implementations of DDS encode wstring unequally."));
       return Optional.empty();
     }
-    String base = type.group("base");
     FieldType.Kind kind = kind(base);
     String fullName = kind == FieldType.Kind.MESSAGE ? fullName(base, packageName()) : base;
-    boolean isText = kind == FieldType.Kind.STRING || kind == FieldType.Kind.WSTRING;
     boolean unknown = kind == FieldType.Kind.MESSAGE && !RosNames.isFullMessageType(fullName);
-    if (unknown || (type.group("string") != null && !isText)) {
-      problem("message.syntax", "'" + text + "' is not a type.", offset);
+    boolean isBounded = isType && type.group("string") != null;
+    if (!isType || unknown || (isBounded && kind != FieldType.Kind.STRING)) {
+      syntaxProblem("'" + text + "' is not a type.", offset);
       return Optional.empty();
     }
     FieldType.Shape shape = FieldType.Shape.SINGLE;
@@ -170,9 +187,8 @@ final class MessageParser {
     return FieldType.Kind.MESSAGE;
   }
 
-  private void problem(String id, String message, int offset) {
-    Diagnostic problem = Diagnostic.error(id, message, source.at(offset));
-    boolean syntax = id.equals("message.syntax");
-    problems.add(syntax ? problem.withHint(GRAMMAR) : problem);
+  private void syntaxProblem(String message, int offset) {
+    Diagnostic problem = Diagnostic.error("message.syntax", message, source.at(offset));
+    problems.add(problem.withHint(GRAMMAR));
   }
 }

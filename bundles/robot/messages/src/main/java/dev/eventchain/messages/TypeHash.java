@@ -13,7 +13,6 @@ final class TypeHash {
   private static final String VERSION = "RIHS01_";
   private static final int NESTED = 1;
   private static final int BOUNDED_STRING = 21;
-  private static final int BOUNDED_WSTRING = 22;
   private static final int ARRAY = 48;
   private static final int BOUNDED_SEQUENCE = 96;
   private static final int SEQUENCE = 144;
@@ -89,7 +88,6 @@ final class TypeHash {
       case BOOL -> 15;
       case BYTE -> 16;
       case STRING -> bounded ? BOUNDED_STRING : 17;
-      case WSTRING -> bounded ? BOUNDED_WSTRING : 18;
     };
   }
 }

@@ -20,7 +20,7 @@ final class Values {
     if (type.shape() == FieldType.Shape.SINGLE) {
       return switch (type.kind()) {
         case MESSAGE -> MessageValue.of(type.message().orElseThrow());
-        case STRING, WSTRING -> "";
+        case STRING -> "";
         case BOOL -> false;
         default -> number(type.kind(), BigInteger.ZERO);
       };
@@ -116,7 +116,7 @@ final class Values {
   private static Object single(FieldType type, Object value) {
     return switch (type.kind()) {
       case MESSAGE -> message(type, value);
-      case STRING, WSTRING -> text(type, value);
+      case STRING -> text(type, value);
       case BOOL -> {
         if (!(value instanceof Boolean)) {
           throw misfit(type, value);

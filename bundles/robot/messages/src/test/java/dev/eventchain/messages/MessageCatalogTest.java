@@ -6,10 +6,12 @@ import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticFormat;
 import dev.eventchain.fixtures.ExpectedFile;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
@@ -236,16 +238,24 @@ class MessageCatalogTest {
   }
 
   @Test
-  void wstringIsKnownButRefusedOnTheWire(@TempDir Path folder) throws IOException {
+  void wstringIsRefusedWhereItIsDefined(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("my_msgs/msg/Wide.msg");
     Files.createDirectories(file.getParent());
-    Files.writeString(file, "wstring<=4 text \"a\"\n");
-    MessageType type = MessageCatalog.of(List.of(folder)).find("my_msgs/Wide").orElseThrow();
-    assertEquals("wstring<=4", type.resolve("text").type().orElseThrow().toString());
-    MessageValue value = MessageValue.of(type);
-    assertThrows(IllegalArgumentException.class, () -> CdrCodec.encode(value));
-    byte[] bytes = {0, 1, 0, 0, 0, 0, 0, 0};
-    assertThrows(IllegalArgumentException.class, () -> CdrCodec.decode(type, bytes));
+    Files.writeString(file, "int8 a\nwstring<=4 text \"a\"\n");
+    List<Diagnostic> found = MessageCatalog.of(List.of(folder)).diagnostics();
+    assertEquals(List.of("message.syntax"), found.stream().map(Diagnostic::id).toList());
+    assertEquals(2, found.get(0).location().line());
+  }
+
+  @Test
+  void keywordsAreThoseOfPython() throws Exception {
+    Process python =
+        new ProcessBuilder("python3", "-c", "import keyword; print('\\n'.join(keyword.kwlist))")
+            .redirectErrorStream(true)
+            .start();
+    String output = new String(python.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertEquals(0, python.waitFor(), output);
+    assertEquals(output.lines().toList(), MemberNames.keywords());
   }
 
   @Test

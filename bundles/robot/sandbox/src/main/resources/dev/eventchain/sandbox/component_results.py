@@ -78,7 +78,7 @@ def _kinds(declared: str) -> tuple[Any, ...]:
         return "a sequence", list, tuple, array, bytes, bytearray
     if declared in ("bool", "boolean"):
         return "a truth value", bool, int
-    return ("a text", str) if declared.partition("<")[0] in ("string", "wstring") else ()
+    return ("a text", str) if declared.partition("<")[0] == "string" else ()
 
 
 def _check_elements(name: str, values: Any) -> list[Problem]:

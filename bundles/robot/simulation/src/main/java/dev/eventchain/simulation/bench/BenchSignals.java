@@ -135,7 +135,7 @@ public final class BenchSignals implements Signal.Source {
   public static boolean isNumberOrTruth(FieldType type) {
     return type.shape() == FieldType.Shape.SINGLE
         && switch (type.kind()) {
-          case STRING, WSTRING, MESSAGE -> false;
+          case STRING, MESSAGE -> false;
           default -> true;
         };
   }
