@@ -14,11 +14,11 @@ CONFINEMENT = BUNDLE.parent / "sandbox" / "src" / "main" / "resources" / "dev" /
 sys.path[:0] = [str(BUNDLE / "python"), str(BUNDLE / "tools"), str(CONFINEMENT)]
 
 from eventchain_ros2 import context  # noqa: E402
-from eventchain_ros2.dds_entities import Participant, loopback_configuration  # noqa: E402
+from eventchain_ros2.dds_entities import Participant  # noqa: E402
 from eventchain_ros2.messages import Messages  # noqa: E402
 from eventchain_ros2.simulation import Simulation  # noqa: E402
 from node_processes import World  # noqa: E402
-from wire import DOMAIN, fresh_tag  # noqa: E402
+from wire import DOMAIN, fresh_tag, loopback_configuration  # noqa: E402
 
 
 @pytest.fixture

@@ -12,9 +12,9 @@ from queue import Empty, Queue
 from time import monotonic, sleep
 
 from eventchain_ros2.catalog import Catalog
-from eventchain_ros2.dds_entities import Participant, Reader, Writer, loopback_configuration
+from eventchain_ros2.dds_entities import Participant, Reader, Writer
 from eventchain_ros2.qos import QoSProfile
-from wire import EVERY, PATIENCE, fresh_tag, wait_until
+from wire import EVERY, PATIENCE, fresh_tag, loopback_configuration, wait_until
 
 FIXTURES = Path(__file__).with_name("fixtures")
 SOURCES = Path(__file__).parents[1] / "python"

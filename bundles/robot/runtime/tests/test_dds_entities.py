@@ -7,7 +7,7 @@ from time import time_ns
 
 import pytest
 from eventchain_ros2.catalog import Catalog
-from eventchain_ros2.dds_entities import Participant, loopback_configuration
+from eventchain_ros2.dds_entities import Participant
 from eventchain_ros2.messages import Messages, from_cdr, to_cdr
 from eventchain_ros2.qos import DurabilityPolicy, QoSProfile
 from instances import STORE, random_message
@@ -21,6 +21,7 @@ from wire import (
     TEXT,
     connected,
     fresh_tag,
+    loopback_configuration,
     take,
     wait_until,
 )

@@ -12,7 +12,7 @@ import pytest
 from conftest import BUNDLE, FIXTURES
 from eventchain_ros2 import cyclone
 from eventchain_ros2.cyclone import DdsError
-from eventchain_ros2.dds_entities import ClosedError, Participant, WaitSet, loopback_configuration
+from eventchain_ros2.dds_entities import ClosedError, Participant, WaitSet
 from instances import STORE, random_message
 from wire import (
     DOMAIN,
@@ -24,6 +24,7 @@ from wire import (
     TEXT,
     connected,
     fresh_tag,
+    loopback_configuration,
     take,
     wait_until,
 )
@@ -98,22 +99,22 @@ def test_another_library_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
         cyclone.load.cache_clear()
 
 
-def echo(tag: str, type_name: str) -> subprocess.Popen[bytes]:
+def echo(configuration: str, type_name: str) -> subprocess.Popen[bytes]:
     paths = f"{BUNDLE / 'python'}"
     script = str(FIXTURES / "wire" / "echo.py")
     environment = {**os.environ, "PYTHONPATH": paths}
-    return subprocess.Popen([sys.executable, script, str(DOMAIN), tag, type_name], env=environment)
+    return subprocess.Popen([sys.executable, script, str(DOMAIN), configuration, type_name], env=environment)
 
 
 @pytest.mark.parametrize("name", [STRING, SCAN, "std_msgs/msg/Empty", "nav_msgs/msg/Odometry", "sensor_msgs/msg/Image"])
 def test_bytes_and_timestamps_survive_the_way_to_another_process_and_back(name: str) -> None:
-    tag = fresh_tag()
+    configuration = loopback_configuration(fresh_tag())
     generator = random.Random(name)
     samples = [bytes(STORE.serialize_cdr(random_message(name, generator), name)) for _ in range(50)]
-    with Participant(DOMAIN, loopback_configuration(tag)) as participant:
+    with Participant(DOMAIN, configuration) as participant:
         writer = participant.writer("/there", name, EVERY)
         reader = participant.reader("/back", name, EVERY)
-        process = echo(tag, name)
+        process = echo(configuration, name)
         wait_until(lambda: writer.matched() and reader.matched(), "the other process")
         timestamps = [0, 1, LATEST, *(generator.randrange(LATEST) for _ in samples[3:])]
         written = list(zip(timestamps, samples, strict=True))
@@ -130,10 +131,10 @@ def test_bytes_and_timestamps_survive_the_way_to_another_process_and_back(name: 
 
 
 def test_participants_with_another_tag_do_not_meet() -> None:
-    tag, other = fresh_tag(), fresh_tag()
-    with Participant(DOMAIN, loopback_configuration(tag)) as participant:
+    own, other = loopback_configuration(fresh_tag()), loopback_configuration(fresh_tag())
+    with Participant(DOMAIN, own) as participant:
         writer = participant.writer("/there", STRING, EVERY)
-        stranger, friend = echo(other, STRING), echo(tag, STRING)
+        stranger, friend = echo(other, STRING), echo(own, STRING)
         try:
             wait_until(lambda: writer.matched(), "the process of this tag")
             sleep(1)  # the stranger has had its time as well

@@ -16,7 +16,7 @@ from eventchain_ros2.type_support import type_hash
 from instances import STORE, random_message
 from rosbags.typesys import get_types_from_idl
 
-FOLDER = BUNDLE.parent / "messages" / "src" / "test" / "resources" / "idl"
+FOLDER = BUNDLE.parent / "messages" / "conformance" / "definitions"
 FILES = sorted(FOLDER.glob("*/msg/*.idl"))
 NAMES = [f"{file.parent.parent.name}/msg/{file.stem}" for file in FILES]
 

@@ -10,7 +10,7 @@ from time import monotonic_ns
 from typing import Any
 
 import pytest
-from eventchain_ros2.dds_entities import Participant, Reader, Writer, loopback_configuration
+from eventchain_ros2.dds_entities import Participant, Reader, Writer
 from eventchain_ros2.qos import QoSProfile
 from protocol import (
     CONNECT,
@@ -29,7 +29,7 @@ from protocol import (
     doubler,
     float32,
 )
-from wire import DOMAIN, fresh_tag, wait_until
+from wire import DOMAIN, fresh_tag, loopback_configuration, wait_until
 
 FIXTURES = Path(__file__).with_name("fixtures")
 PERIOD = 50 * MILLISECOND

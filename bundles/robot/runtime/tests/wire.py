@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import json
 import os
 import uuid
 from collections.abc import Callable
+from pathlib import Path
 from time import monotonic, sleep
+from typing import Any
 
 from eventchain_ros2.dds_entities import Participant, Reader, Received, Writer
 from eventchain_ros2.qos import HistoryPolicy, QoSProfile
@@ -18,6 +21,17 @@ LATEST = (2**32 - 1) * SECOND - 1
 STRING, SCAN = "std_msgs/msg/String", "sensor_msgs/msg/LaserScan"
 EVERY = QoSProfile(history=HistoryPolicy.KEEP_ALL)
 TEXT = b"\0\1\0\0\2\0\0\0x\0"
+
+
+TABLE: dict[str, Any] = json.loads(
+    Path(__file__).parents[2].joinpath("messages", "conformance", "wire.json").read_text(encoding="utf-8")
+)
+"""The facts of DDS that both sides are tested against."""
+
+
+def loopback_configuration(tag: str) -> str:
+    """The configuration of a domain that stays on this machine, as the simulation hands it to nodes."""
+    return str(TABLE["loopback"]["configuration"]).replace(TABLE["loopback"]["tag"], tag)
 
 
 def fresh_tag() -> str:

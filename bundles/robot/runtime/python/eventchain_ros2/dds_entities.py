@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import threading
 from types import TracebackType
-from xml.sax.saxutils import escape
 
 from eventchain_ros2 import cyclone, discovery, graph
 from eventchain_ros2.catalog import Catalog
@@ -31,15 +30,8 @@ from eventchain_ros2.graph import GraphNode
 from eventchain_ros2.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
 from eventchain_ros2.type_support import dds_type_name, descriptor, type_hash
 
-
-def loopback_configuration(tag: str) -> str:
-    """Configuration of a domain that stays on this machine, without multicast; only participants with this tag meet."""
-    return (
-        '<CycloneDDS><Domain Id="any"><General><Interfaces><NetworkInterface address="127.0.0.1"/></Interfaces>'
-        '<AllowMulticast>false</AllowMulticast></General><Discovery><Peers><Peer address="127.0.0.1"/></Peers>'
-        "<ParticipantIndex>auto</ParticipantIndex><MaxAutoParticipantIndex>100</MaxAutoParticipantIndex>"
-        f"<SPDPInterval>1s</SPDPInterval><Tag>{escape(tag)}</Tag></Discovery></Domain></CycloneDDS>"
-    )
+HIGHEST_DOMAIN = 232
+"""The ports of domains with higher numbers do not exist (RTPS 2.5, section 9.6.2.3)."""
 
 
 class _Domain:
@@ -98,8 +90,8 @@ class Participant:
         *,
         ignore_own: bool = False,
     ) -> None:
-        if not 0 <= domain <= 232:
-            raise ValueError(f"{domain} is not the number of a domain (0 to 232)")
+        if not 0 <= domain <= HIGHEST_DOMAIN:
+            raise ValueError(f"{domain} is not the number of a domain (0 to {HIGHEST_DOMAIN})")
         self._library = cyclone.load()
         self._ignore_own = ignore_own
         self._catalog = catalog or Catalog()
@@ -284,5 +276,4 @@ __all__ = [
     "Received",
     "WaitSet",
     "Writer",
-    "loopback_configuration",
 ]

@@ -7,9 +7,9 @@ from __future__ import annotations
 
 import keyword
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from math import isfinite
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 _LITERALS = {"bool": bool, "byte": int, "char": int, "float32": float, "float64": float, "string": str}
 _LITERALS.update({f"{sign}int{bits}": int for sign in ("", "u") for bits in (8, 16, 32, 64)})
@@ -259,3 +259,38 @@ def _integer(base: str, text: str) -> int:
     if not low <= value <= high:
         raise ValueError(f"{text} is out of the range of {base}")
     return value
+
+
+_RESOLVED_TYPE = re.compile(r"(?P<base>[\w/]+)(<=(?P<string>\d+))?(?P<many>\[(?P<bound><=)?(?P<size>\d*)\])?", re.ASCII)
+
+
+def resolved(name: str, stated: Mapping[str, Any]) -> Definition:
+    """A definition that was resolved elsewhere, as JSON holds it.
+
+    Args:
+        name: full name of the message type.
+        stated: `fields`, each a list of its name, its type and its default, if there is one; `constants`, likewise.
+
+    """
+    fields = []
+    for field, type_text, *default in stated["fields"]:
+        field_type = _resolved_type(type_text)
+        fields.append(Field(field, field_type, _resolved_value(field_type.base, default[0]) if default else None))
+    constants = []
+    for constant, base, value in stated["constants"]:
+        constants.append(Constant(constant, base, _resolved_value(base, value)))
+    return Definition(name, "", fields, constants)
+
+
+def _resolved_type(text: str) -> FieldType:
+    match = _RESOLVED_TYPE.fullmatch(text)
+    if match is None:
+        raise ValueError(f"{text} is no type")
+    kind = "scalar" if not match["many"] else "array" if match["size"] and not match["bound"] else "sequence"
+    return FieldType(match["base"], kind, int(match["size"] or 0), int(match["string"] or 0))
+
+
+def _resolved_value(base: str, value: Any) -> Any:
+    if isinstance(value, list):
+        return [_resolved_value(base, item) for item in value]
+    return float(value) if base in ("float32", "float64") else value  # nan and inf are texts

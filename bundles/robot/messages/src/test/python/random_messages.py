@@ -1,6 +1,6 @@
-"""Write random messages of types as rosbags serializes them: `random_messages.py FILE IDL_FOLDER`.
+"""Write random messages of types as rosbags serializes them: `random_messages.py FILE FOLDER [TYPE...]`.
 
-The types are the standard ones and those of the folder.
+The types are the named ones, or all: the standard ones and those of the folder.
 
 One JSON object a line: `type`, its `hash`, `cdr` and `cdr_big_endian` (hexadecimal), and `value` as nested lists and
 objects. Floating-point numbers stand as text, so that infinities and NaN survive.
@@ -10,13 +10,14 @@ from __future__ import annotations
 
 import json
 import random
+import re
 import sys
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 from rosbags.interfaces import Nodetype
-from rosbags.typesys import Stores, get_types_from_idl, get_typestore
+from rosbags.typesys import Stores, get_types_from_idl, get_types_from_msg, get_typestore
 
 INSTANCES = 5
 MAXIMAL_LENGTH = 5
@@ -82,17 +83,26 @@ def plain(item: Any) -> Any:
 
 
 def register(folder: Path) -> None:
-    """Let rosbags know the definitions in IDL; it takes no comment between includes."""
+    """Let rosbags know the definitions of a folder, as far as it can read them.
+
+    In IDL it takes no comment between includes. In the message language it does not read all values, which change
+    nothing on the wire, and takes `char` for another type than ROS 2 does, which is not what is compared here.
+    """
+    for file in sorted(folder.glob("*/msg/*.msg")):
+        lines = file.read_text(encoding="utf-8").splitlines()
+        fields = [" ".join(line.split()[:2]) for line in lines if "=" not in line.split("<=")[-1] and line[:1] != "#"]
+        text = re.sub("^char", "uint8", "\n".join(fields), flags=re.MULTILINE)
+        store.register(get_types_from_msg(text, f"{file.parent.parent.name}/msg/{file.stem}"))
     for file in sorted(folder.glob("*/msg/*.idl")):
         lines = file.read_text(encoding="utf-8").splitlines()
         store.register(get_types_from_idl("\n".join(line for line in lines if not line.startswith("#include"))))
 
 
-def main(target: Path) -> None:
+def main(target: Path, names: list[str]) -> None:
     """Write the file."""
     target.parent.mkdir(parents=True, exist_ok=True)
     with target.open("w", encoding="utf-8", newline="\n") as file:
-        for name in sorted(store.fielddefs):
+        for name in names or sorted(store.fielddefs):
             for _ in range(INSTANCES):
                 made = message(name)
                 line = {
@@ -107,4 +117,4 @@ def main(target: Path) -> None:
 
 if __name__ == "__main__":
     register(Path(sys.argv[2]))
-    main(Path(sys.argv[1]))
+    main(Path(sys.argv[1]), sys.argv[3:])

@@ -18,6 +18,9 @@ import java.util.regex.Pattern;
  */
 public final class DdsParticipant implements AutoCloseable {
 
+  /** The ports of domains with higher numbers do not exist (RTPS 2.5, 9.6.2.3). */
+  public static final int HIGHEST_DOMAIN = 232;
+
   private static final Pattern TAG = Pattern.compile("[A-Za-z0-9_.-]{1,64}");
 
   /** As rmw_cyclonedds announces a node outside security enclaves. */
@@ -60,6 +63,7 @@ public final class DdsParticipant implements AutoCloseable {
 
   private final Cyclone cyclone;
   private final Domain domain;
+  private final GraphFormat graphFormat;
   private final int handle;
   private final DynamicTypes types;
   private final Map<String, Topic> topics = new HashMap<>();
@@ -68,9 +72,10 @@ public final class DdsParticipant implements AutoCloseable {
   private Optional<Discovery> discovery = Optional.empty();
   private boolean closed;
 
-  private DdsParticipant(Cyclone cyclone, Domain domain) {
+  private DdsParticipant(Cyclone cyclone, Domain domain, GraphFormat graphFormat) {
     this.cyclone = cyclone;
     this.domain = domain;
+    this.graphFormat = graphFormat;
     handle =
         Policies.with(
             cyclone,
@@ -84,18 +89,32 @@ public final class DdsParticipant implements AutoCloseable {
   }
 
   /**
+   * Takes part in a domain with a configuration of Cyclone DDS, in which nodes are announced as ROS
+   * 2 does from Iron on.
+   *
+   * @throws IllegalArgumentException as {@link #on(DdsLibrary, int, String, String)}
+   * @throws IllegalStateException as {@link #on(DdsLibrary, int, String, String)}
+   */
+  public static DdsParticipant on(DdsLibrary library, int domainId, String configuration) {
+    return on(library, domainId, configuration, "");
+  }
+
+  /**
    * Takes part in a domain with a configuration of Cyclone DDS.
    *
-   * @param domainId 0 to 230
+   * @param domainId 0 to {@link #HIGHEST_DOMAIN}
    * @param configuration the XML of Cyclone DDS; all participants of this process in a domain have
    *     the same
+   * @param distribution the release of ROS 2 of the other nodes, as {@code ROS_DISTRO} has it, on
+   *     which the form of what they tell of each other depends; empty for the newest
    * @throws IllegalArgumentException if there is no such domain, or the configuration is refused
    * @throws IllegalStateException if the configuration is another one than that of this domain
    */
-  public static DdsParticipant on(DdsLibrary library, int domainId, String configuration) {
+  public static DdsParticipant on(
+      DdsLibrary library, int domainId, String configuration, String distribution) {
     Domain domain = Domain.join(library.cyclone(), domainId, configuration);
     try {
-      return new DdsParticipant(library.cyclone(), domain);
+      return new DdsParticipant(library.cyclone(), domain, GraphFormat.of(distribution));
     } catch (RuntimeException e) {
       Domain.leave(library.cyclone(), domain);
       throw e;
@@ -200,7 +219,7 @@ public final class DdsParticipant implements AutoCloseable {
 
   /**
    * Announces this participant as a node, with all its writers and readers, so that the tools of
-   * ROS 2 (Iron or later) list it.
+   * ROS 2 list it.
    *
    * @param node a name in the root namespace, {@code eventchain_world}
    * @throws IllegalStateException if it is announced already
@@ -252,6 +271,10 @@ public final class DdsParticipant implements AutoCloseable {
           "Topic " + name + " has the type " + known.type + ", not " + type + ".");
     }
     return known.handle;
+  }
+
+  GraphFormat graphFormat() {
+    return graphFormat;
   }
 
   int handle() {

@@ -24,7 +24,7 @@ import java.util.Optional;
 /**
  * What discovery knows of the others in a domain: their writers and readers ({@code
  * DCPSPublication}, {@code DCPSSubscription}), and of which nodes these are ({@code
- * ros_discovery_info}, since Iron).
+ * ros_discovery_info}).
  */
 final class Discovery {
 
@@ -51,6 +51,7 @@ final class Discovery {
   private static final String HASH = "typehash=";
 
   private final Cyclone cyclone;
+  private final GraphFormat format;
   private final byte[] own;
   private final int writers;
   private final int readers;
@@ -64,7 +65,8 @@ final class Discovery {
   /** Takes part in the discovery of a participant. */
   Discovery(DdsParticipant participant, Cyclone cyclone) {
     this.cyclone = cyclone;
-    Endpoint endpoint = Graph.endpoint(cyclone);
+    format = participant.graphFormat();
+    Endpoint endpoint = format.endpoint(cyclone);
     own = endpoint.gid(participant.handle());
     graph = new DdsReader(participant, endpoint, Graph.QOS.withHistory(History.KEEP_ALL));
     writers = reader(participant, PUBLICATIONS);
@@ -194,31 +196,29 @@ final class Discovery {
   }
 
   private void readGraph() {
-    graph.take().forEach(sample -> decoded(sample).ifPresent(this::add));
+    graph.take().forEach(sample -> nodes.putAll(namesByEndpoint(format, sample.bytes())));
   }
 
-  /** Empty if it is of another release of ROS 2: its nodes have no names here. */
-  private static Optional<MessageValue> decoded(DdsSample sample) {
+  /**
+   * The names of nodes by their endpoints, for the participant that told of them; empty if it is of
+   * another release of ROS 2, since its nodes have no names here.
+   */
+  static Map<String, Map<String, String>> namesByEndpoint(GraphFormat format, byte[] bytes) {
+    MessageValue said;
     try {
-      return Optional.of(CdrCodec.decode(Graph.participantType(), sample.bytes()));
+      said = CdrCodec.decode(format.participantType(), bytes);
     } catch (IllegalArgumentException e) {
-      return Optional.empty();
+      return Map.of();
     }
-  }
-
-  private void add(MessageValue said) {
-    String owner = hex((byte[]) ((MessageValue) said.get("gid")).get("data"));
     Map<String, String> byEndpoint = new HashMap<>();
     for (Object each : (List<?>) said.get("node_entities_info_seq")) {
       MessageValue node = (MessageValue) each;
       String namespace = node.get("node_namespace").toString();
       String name = (namespace.endsWith("/") ? namespace : namespace + "/") + node.get("node_name");
       for (String ends : List.of("reader_gid_seq", "writer_gid_seq")) {
-        for (Object gid : (List<?>) node.get(ends)) {
-          byEndpoint.put(hex((byte[]) ((MessageValue) gid).get("data")), name);
-        }
+        ((List<?>) node.get(ends)).forEach(gid -> byEndpoint.put(hex(GraphFormat.guid(gid)), name));
       }
     }
-    nodes.put(owner, byEndpoint);
+    return Map.of(hex(GraphFormat.guid(said.get("gid"))), byEndpoint);
   }
 }

@@ -6,9 +6,6 @@ import java.util.Map;
 /** A domain of this process: made for the first participant, deleted after the last one. */
 final class Domain {
 
-  /** Higher ones leave no ports for many participants (RTPS 2.5, 9.6.2.3). */
-  private static final int HIGHEST = 230;
-
   /** By number; guarded by the class. */
   private static final Map<Integer, Domain> DOMAINS = new HashMap<>();
 
@@ -30,9 +27,13 @@ final class Domain {
    * @throws IllegalStateException if this process has it with another configuration
    */
   static synchronized Domain join(Cyclone cyclone, int id, String configuration) {
-    if (id < 0 || id > HIGHEST) {
+    if (id < 0 || id > DdsParticipant.HIGHEST_DOMAIN) {
       throw new IllegalArgumentException(
-          "There is no domain " + id + ": domains are numbered from 0 to " + HIGHEST + ".");
+          "There is no domain "
+              + id
+              + ": domains are numbered from 0 to "
+              + DdsParticipant.HIGHEST_DOMAIN
+              + ".");
     }
     Domain domain = DOMAINS.get(id);
     if (domain == null) {

@@ -109,6 +109,20 @@ class DiscoveryTest {
   }
 
   @Test
+  void nodesOfHumbleAndOfTheWorldKnowEachOther() throws Exception {
+    String tag = Wire.newTag();
+    try (DdsParticipant world = Wire.onTheWire(tag, "humble");
+        DdsParticipant other = Wire.onTheWire(tag, "humble")) {
+      world.announce("eventchain_world");
+      world.writer("/scan", FLOAT, QOS);
+      other.announce("brake");
+      other.reader("/scan", FLOAT, QOS);
+      assertEquals("/brake", seen(world, 1).get(0).node());
+      assertEquals("/eventchain_world", seen(other, 1).get(0).node());
+    }
+  }
+
+  @Test
   void theWorldIsAnnouncedAsANodeWithItsEndpoints() {
     String tag = Wire.newTag();
     MessageCatalog catalog =

@@ -46,10 +46,16 @@ final class Wire {
    * process: for Cyclone in another domain, on the wire in the same.
    */
   static DdsParticipant onTheWire(String tag) {
+    return onTheWire(tag, "");
+  }
+
+  /** The same, with nodes as a release of ROS 2 tells of them. */
+  static DdsParticipant onTheWire(String tag, String distribution) {
     return DdsParticipant.on(
         library(),
         newDomain(),
-        DdsParticipant.loopback("<ExternalDomainId>7</ExternalDomainId><Tag>" + tag + "</Tag>"));
+        DdsParticipant.loopback("<ExternalDomainId>7</ExternalDomainId><Tag>" + tag + "</Tag>"),
+        distribution);
   }
 
   private static final class OfPython {

@@ -200,6 +200,22 @@ public final class MessageCatalog {
     return text.toString();
   }
 
+  /**
+   * The types in the user's folders as the runtime in Python takes them: a JSON object with their
+   * fields, defaults and constants by full names. Types that they use and that are not theirs are
+   * standard ones.
+   *
+   * @throws DiagnosticException as {@link #find}, for the first that is wrong
+   */
+  public String ownDefinitions() {
+    return definitions(files.keySet());
+  }
+
+  /** The definitions of types as {@link #ownDefinitions} has them. */
+  String definitions(Collection<String> types) {
+    return DefinitionsJson.of(types.stream().map(name -> find(name).orElseThrow()).toList());
+  }
+
   private String ownText(MessageType type) {
     Path file = files.get(type.name());
     if (file != null && file.toString().endsWith(IDL_SUFFIX)) {

@@ -29,7 +29,7 @@ class CdrCodecTest {
 
   private static final ObjectMapper JSON = new ObjectMapper();
   private static final MessageCatalog CATALOG =
-      MessageCatalog.of(List.of(Path.of("src/test/resources/idl")));
+      MessageCatalog.of(List.of(Path.of("conformance/definitions")));
 
   static List<String> messagesOfRosbags() throws IOException {
     return Files.readAllLines(MESSAGES_OF_ROSBAGS);

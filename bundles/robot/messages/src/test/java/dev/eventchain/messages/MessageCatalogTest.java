@@ -69,7 +69,7 @@ class MessageCatalogTest {
 
   @Test
   void definitionInIdlIsReadWithDefaultsAndConstants() {
-    MessageCatalog catalog = MessageCatalog.of(List.of(Path.of("src/test/resources/idl")));
+    MessageCatalog catalog = MessageCatalog.of(List.of(Path.of("conformance/definitions")));
     assertEquals(List.of(), catalog.diagnostics());
     MessageType type = catalog.find("radar_msgs/Target").orElseThrow();
     assertEquals(
@@ -98,7 +98,7 @@ class MessageCatalogTest {
 
   @Test
   void recordingsHoldDefinitionsInIdlAsMessageDefinitions() {
-    MessageCatalog catalog = MessageCatalog.of(List.of(Path.of("src/test/resources/idl")));
+    MessageCatalog catalog = MessageCatalog.of(List.of(Path.of("conformance/definitions")));
     String text = catalog.text(catalog.find("radar_msgs/msg/Scan").orElseThrow());
     assertTrue(text.startsWith("uint64 stamp\nuint64[2] stamps\nradar_msgs/Target nearest\n"));
     assertTrue(text.contains("MSG: radar_msgs/Target\nstd_msgs/Header header\nfloat64 speed\n"));

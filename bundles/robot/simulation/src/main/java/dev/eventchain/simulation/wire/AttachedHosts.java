@@ -31,7 +31,8 @@ public final class AttachedHosts implements NodeHosts {
       DdsAttachment where, ChainTopics topics, Duration patience, PythonEnvironment python) {
     DdsLibrary library = DdsLibrary.load(python.cycloneDds());
     try {
-      participant = DdsParticipant.on(library, where.domain(), where.configuration());
+      participant =
+          DdsParticipant.on(library, where.domain(), where.configuration(), where.distribution());
     } catch (IllegalArgumentException | IllegalStateException e) {
       throw DdsAttachment.unusable(
           e.getMessage(),
