@@ -27,7 +27,8 @@ import org.junit.jupiter.api.io.TempDir;
  */
 class CycloneDdsTest {
 
-  private static final Path RESOURCES = Path.of("src/test/resources/cyclonedds").toAbsolutePath();
+  private static final Path RESOURCES =
+      Program.ROOT.resolve("tests/end-to-end/src/test/resources/cyclonedds");
   private static final Path ENVIRONMENT =
       Program.ROOT.resolve(
           "bundles/robot/sandbox/src/main/resources/dev/eventchain/sandbox/environment.py");

@@ -21,7 +21,8 @@ import org.junit.jupiter.params.provider.CsvSource;
  */
 class MutantsTest {
 
-  private static final Path MUTANTS = Path.of("src/test/resources/mutants");
+  private static final Path MUTANTS =
+      Program.ROOT.resolve("tests/end-to-end/src/test/resources/mutants");
 
   @TempDir Path folder;
 

@@ -18,17 +18,21 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
-/** Starts the program as the launcher does, from the folder that the build made. */
+/**
+ * The program, of the jars that the launcher starts. It runs inside the process of the tests unless
+ * a test gives it an environment of its own, starts it by another program or needs it as a process:
+ * starting Java takes longer than most commands.
+ */
 final class Program {
 
-  /** The project's root folder. */
-  static final Path ROOT = Path.of("").toAbsolutePath().getParent().getParent();
+  /** The project's root folder, where the tests run. */
+  static final Path ROOT = Path.of("").toAbsolutePath();
 
   private static final Set<String> SCENARIOS =
       Set.of("empty-road.yaml", "slower-vehicle.yaml", "stopped-vehicle-50.yaml");
 
   /** For the slowest of machines; none should wait for ever. */
-  private static final long LONGEST_SECONDS = 1800;
+  static final long LONGEST_SECONDS = 1800;
 
   private static final int TRIES = 20;
 
@@ -79,8 +83,15 @@ final class Program {
     return this;
   }
 
-  /** Starts the program and waits for its end. */
+  /** Runs the program to its end. */
   Ended run(Object... arguments) {
+    if (environment.isEmpty() && prefix.isEmpty()) {
+      return ProgramInside.run(Stream.of(arguments).map(String::valueOf).toList());
+    }
+    return runAsProcess(arguments);
+  }
+
+  private Ended runAsProcess(Object... arguments) {
     try {
       Path out = Files.createTempFile("eventchain", ".out");
       Path err = Files.createTempFile("eventchain", ".err");
@@ -144,8 +155,7 @@ final class Program {
     List<String> command = new ArrayList<>(prefix);
     command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
     command.addAll(List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-cp"));
-    command.add(ROOT.resolve("bundles/front/cli/target/eventchain/lib") + "/*");
-    command.add("dev.eventchain.cli.Main");
+    command.addAll(List.of(ProgramInside.CLASS_PATH, ProgramInside.MAIN));
     return command;
   }
 
