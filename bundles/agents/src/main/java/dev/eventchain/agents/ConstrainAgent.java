@@ -1,12 +1,10 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.agents.prompt.PromptTemplate;
-import dev.eventchain.agents.prompt.ModelNames;
-import dev.eventchain.agents.prompt.RuleText;
-import dev.eventchain.agents.constraint.ConstraintCheck;
 import dev.eventchain.agents.answer.AnswerKind;
-
-
+import dev.eventchain.agents.constraint.ConstraintCheck;
+import dev.eventchain.agents.prompt.ModelNames;
+import dev.eventchain.agents.prompt.PromptTemplate;
+import dev.eventchain.agents.prompt.RuleText;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.project.Requirements;
 import java.util.Collection;

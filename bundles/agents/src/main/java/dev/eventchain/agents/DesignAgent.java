@@ -1,13 +1,11 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.agents.prompt.PromptTemplate;
-import dev.eventchain.agents.prompt.MessageText;
-import dev.eventchain.agents.prompt.RuleText;
 import dev.eventchain.agents.answer.AnswerKind;
-import dev.eventchain.agents.prompt.DesignSchema;
 import dev.eventchain.agents.chain.ChainCheck;
-
-
+import dev.eventchain.agents.prompt.DesignSchema;
+import dev.eventchain.agents.prompt.MessageText;
+import dev.eventchain.agents.prompt.PromptTemplate;
+import dev.eventchain.agents.prompt.RuleText;
 import dev.eventchain.contracts.ChainAnalysis;
 import dev.eventchain.description.EventChainReader;
 import dev.eventchain.description.EventChainSchema;

@@ -1,14 +1,12 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.agents.prompt.PromptTemplate;
-import dev.eventchain.agents.component.ComponentTester;
-import dev.eventchain.agents.chain.ChainView;
 import dev.eventchain.agents.answer.AnswerKind;
-import dev.eventchain.agents.prompt.RuleText;
+import dev.eventchain.agents.chain.ChainView;
 import dev.eventchain.agents.chain.RequirementCheck;
+import dev.eventchain.agents.component.ComponentTester;
 import dev.eventchain.agents.component.ImplementationCheck;
-
-
+import dev.eventchain.agents.prompt.PromptTemplate;
+import dev.eventchain.agents.prompt.RuleText;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.JsonLayout;

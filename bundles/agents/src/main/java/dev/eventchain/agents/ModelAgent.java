@@ -1,11 +1,9 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.agents.prompt.PromptTemplate;
-import dev.eventchain.agents.prompt.RuleText;
 import dev.eventchain.agents.answer.AnswerKind;
 import dev.eventchain.agents.prompt.ModelSchema;
-
-
+import dev.eventchain.agents.prompt.PromptTemplate;
+import dev.eventchain.agents.prompt.RuleText;
 import dev.eventchain.description.EventChainReader;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;

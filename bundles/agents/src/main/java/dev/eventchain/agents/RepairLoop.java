@@ -1,12 +1,10 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.agents.prompt.PromptTemplate;
+import dev.eventchain.agents.AgentResult.Attempt;
 import dev.eventchain.agents.answer.AnswerKind;
 import dev.eventchain.agents.answer.AnswerText;
 import dev.eventchain.agents.prompt.FindingsText;
-
-
-import dev.eventchain.agents.AgentResult.Attempt;
+import dev.eventchain.agents.prompt.PromptTemplate;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;

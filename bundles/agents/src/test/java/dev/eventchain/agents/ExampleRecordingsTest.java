@@ -32,7 +32,8 @@ class ExampleRecordingsTest {
       -Dsurefire.failIfNoSpecifiedTests=false
       If not, answer the prompts anew with
           ./eventchain run %s --llm handoff:FOLDER --record
-      and delete the recordings that are no longer used.""";
+      and delete the recordings that are no longer used.\
+      """;
 
   static List<ExampleWorkflow> examples() {
     return List.of(ExampleWorkflow.AEB, ExampleWorkflow.ACC, ExampleWorkflow.LANE_DEPARTURE);

@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 
-import dev.eventchain.llm.chat.ChatModel;
 import dev.eventchain.llm.ChatModels;
+import dev.eventchain.llm.chat.ChatModel;
 import dev.eventchain.llm.chat.ChatRequest;
 import dev.eventchain.llm.chat.ChatResponse;
 import dev.eventchain.llm.chat.Sampling;

@@ -1,8 +1,6 @@
 package dev.eventchain.agents;
 
 import dev.eventchain.agents.component.ComponentTester;
-
-
 import dev.eventchain.description.EventChainReader;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.llm.chat.ChatModel;

@@ -1,10 +1,8 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.agents.prompt.FindingsText;
-
-
 import static org.junit.jupiter.api.Assertions.assertFalse;
 
+import dev.eventchain.agents.prompt.FindingsText;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.fixtures.ExpectedFile;
 import java.io.IOException;

@@ -1,12 +1,10 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.agents.answer.AnswerKind;
-import dev.eventchain.agents.answer.AnswerText;
-
-
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import dev.eventchain.agents.Mutation.Outcome;
+import dev.eventchain.agents.answer.AnswerKind;
+import dev.eventchain.agents.answer.AnswerText;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.llm.chat.ChatResponse;

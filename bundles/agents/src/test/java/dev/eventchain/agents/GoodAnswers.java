@@ -1,13 +1,11 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.agents.answer.AnswerKind;
-import dev.eventchain.agents.constraint.ConstraintCheck;
-import dev.eventchain.agents.chain.ChainView;
-import dev.eventchain.agents.component.ImplementationCheck;
-
-
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
+import dev.eventchain.agents.answer.AnswerKind;
+import dev.eventchain.agents.chain.ChainView;
+import dev.eventchain.agents.component.ImplementationCheck;
+import dev.eventchain.agents.constraint.ConstraintCheck;
 import dev.eventchain.description.EventChainReader;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;

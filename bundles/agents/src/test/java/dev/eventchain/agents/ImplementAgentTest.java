@@ -1,15 +1,13 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.agents.component.ImplementationCheck;
-import dev.eventchain.agents.chain.ChainView;
-
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.agents.chain.ChainView;
+import dev.eventchain.agents.component.ImplementationCheck;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.fixtures.ExpectedFile;

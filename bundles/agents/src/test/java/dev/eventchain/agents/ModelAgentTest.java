@@ -1,12 +1,10 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.agents.prompt.PromptTemplate;
-
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.agents.prompt.PromptTemplate;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.project.Requirements;

@@ -1,10 +1,8 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.agents.prompt.PromptTemplate;
-
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import dev.eventchain.agents.prompt.PromptTemplate;
 import dev.eventchain.description.EventChainReader;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;

@@ -4,8 +4,8 @@ import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.llm.chat.ChatModel;
 import dev.eventchain.llm.ChatModels;
+import dev.eventchain.llm.chat.ChatModel;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.project.Requirements;
 import dev.eventchain.project.SoftwareBase;

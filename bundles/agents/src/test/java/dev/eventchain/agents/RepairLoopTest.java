@@ -1,13 +1,11 @@
 package dev.eventchain.agents;
 
-import dev.eventchain.agents.prompt.PromptTemplate;
-import dev.eventchain.agents.answer.AnswerKind;
-
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.agents.answer.AnswerKind;
+import dev.eventchain.agents.prompt.PromptTemplate;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
@@ -63,7 +61,8 @@ class RepairLoopTest {
                Make it right.
 
             Correct this, and leave the rest as it is. Answer again with the whole JSON, not only \
-            with the changes, and nothing else."""),
+            with the changes, and nothing else.\
+            """),
         second.get(2));
     assertEquals(3, second.size());
     assertEquals("asking again for a.json: It is wrong.", progress.get(1));

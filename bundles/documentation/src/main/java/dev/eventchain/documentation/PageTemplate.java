@@ -47,22 +47,22 @@ final class PageTemplate {
       links.append(entry.getValue()).append("</a>\n");
     }
     return """
-        <!DOCTYPE html>
-        <html lang="en">
-        <head>
-        <meta charset="utf-8">
-        <meta name="viewport" content="width=device-width, initial-scale=1">
-        <title>%s</title>
-        <link rel="stylesheet" href="%sstyle.css">
-        </head>
-        <body>
-        <nav>
-        %s</nav>
-        <main>
-        %s</main>
-        </body>
-        </html>
-        """
+    <!DOCTYPE html>
+    <html lang="en">
+    <head>
+    <meta charset="utf-8">
+    <meta name="viewport" content="width=device-width, initial-scale=1">
+    <title>%s</title>
+    <link rel="stylesheet" href="%sstyle.css">
+    </head>
+    <body>
+    <nav>
+    %s</nav>
+    <main>
+    %s</main>
+    </body>
+    </html>
+    """
         .formatted(title(markdown), up, links, RENDERER.render(document));
   }
 

@@ -1,23 +1,21 @@
 package dev.eventchain.llm;
 
-import dev.eventchain.llm.recording.RecordingFolder;
-import dev.eventchain.llm.chat.ChatModel;
-import dev.eventchain.llm.chat.ModelName;
-import dev.eventchain.llm.recording.SampledModel;
-import dev.eventchain.llm.recording.RecordedFirst;
-import dev.eventchain.llm.chat.AnswerSchema;
-import dev.eventchain.llm.recording.ReplayModel;
-import dev.eventchain.llm.handoff.HandoffModel;
-import dev.eventchain.llm.handoff.CommandModel;
-import dev.eventchain.llm.service.ModelService;
-import dev.eventchain.llm.recording.RecordingModel;
-import dev.eventchain.llm.service.ServiceModel;
-
-
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.llm.chat.AnswerSchema;
+import dev.eventchain.llm.chat.ChatModel;
+import dev.eventchain.llm.chat.ModelName;
+import dev.eventchain.llm.handoff.CommandModel;
+import dev.eventchain.llm.handoff.HandoffModel;
+import dev.eventchain.llm.recording.RecordedFirst;
+import dev.eventchain.llm.recording.RecordingFolder;
+import dev.eventchain.llm.recording.RecordingModel;
+import dev.eventchain.llm.recording.ReplayModel;
+import dev.eventchain.llm.recording.SampledModel;
+import dev.eventchain.llm.service.ModelService;
+import dev.eventchain.llm.service.ServiceModel;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.time.Clock;

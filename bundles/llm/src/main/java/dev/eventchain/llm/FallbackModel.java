@@ -1,14 +1,12 @@
 package dev.eventchain.llm;
 
-import dev.eventchain.llm.chat.ChatModel;
-import dev.eventchain.llm.chat.ChatResponse;
-import dev.eventchain.llm.chat.ChatRequest;
-
-
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.llm.chat.ChatModel;
+import dev.eventchain.llm.chat.ChatRequest;
+import dev.eventchain.llm.chat.ChatResponse;
 import java.util.List;
 import java.util.function.Consumer;
 

@@ -1,14 +1,12 @@
 package dev.eventchain.llm;
 
-import dev.eventchain.llm.chat.ChatModel;
-import dev.eventchain.llm.chat.ModelName;
-import dev.eventchain.llm.chat.ChatResponse;
-import dev.eventchain.llm.chat.ChatRequest;
-import dev.eventchain.llm.service.ErrorBody;
-
-
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.llm.chat.ChatModel;
+import dev.eventchain.llm.chat.ChatRequest;
+import dev.eventchain.llm.chat.ChatResponse;
+import dev.eventchain.llm.chat.ModelName;
+import dev.eventchain.llm.service.ErrorBody;
 
 /** Keeps to the budget of the run, and looks who answered. */
 final class MeteredModel implements ChatModel {

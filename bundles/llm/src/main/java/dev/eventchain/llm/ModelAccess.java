@@ -1,9 +1,7 @@
 package dev.eventchain.llm;
 
-import dev.eventchain.llm.service.ModelServices;
-
-
 import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.llm.service.ModelServices;
 import java.nio.file.Path;
 import java.util.function.Consumer;
 import java.util.function.UnaryOperator;

@@ -1,14 +1,12 @@
 package dev.eventchain.llm;
 
-import dev.eventchain.llm.service.ModelServices;
-import dev.eventchain.llm.chat.ModelName;
-
-
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.llm.chat.ChatResponse.Usage;
+import dev.eventchain.llm.chat.ModelName;
+import dev.eventchain.llm.service.ModelServices;
 import java.math.BigDecimal;
 import java.util.List;
 import java.util.Optional;

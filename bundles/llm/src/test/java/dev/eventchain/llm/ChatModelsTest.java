@@ -1,13 +1,5 @@
 package dev.eventchain.llm;
 
-import dev.eventchain.llm.service.FakeService;
-import dev.eventchain.llm.service.ModelServices;
-import dev.eventchain.llm.chat.ChatModel;
-import dev.eventchain.llm.service.Wire;
-import dev.eventchain.llm.chat.ChatResponse;
-import dev.eventchain.llm.service.ServiceProbe;
-
-
 import static com.github.tomakehurst.wiremock.client.WireMock.aResponse;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -20,6 +12,12 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
 import dev.eventchain.documents.FindingIds;
+import dev.eventchain.llm.chat.ChatModel;
+import dev.eventchain.llm.chat.ChatResponse;
+import dev.eventchain.llm.service.FakeService;
+import dev.eventchain.llm.service.ModelServices;
+import dev.eventchain.llm.service.ServiceProbe;
+import dev.eventchain.llm.service.Wire;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -62,7 +62,8 @@ public final class ConstraintBenchmarks {
     }
     Set<Integer> sizes = new TreeSet<>();
     table.values().forEach(row -> sizes.addAll(row.keySet()));
-    System.out.printf("%n%s: million checks a second, and how many times ours is faster%n", processors);
+    System.out.printf(
+        "%n%s: million checks a second, and how many times ours is faster%n", processors);
     System.out.printf("%-36s", "");
     sizes.forEach(size -> System.out.printf("%12d nodes        ", size));
     System.out.println();

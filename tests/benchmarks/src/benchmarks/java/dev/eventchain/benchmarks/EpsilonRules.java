@@ -23,7 +23,8 @@ final class EpsilonRules {
       resource = new ResourceImpl();
       resource.getContents().add(root);
     }
-    InMemoryEmfModel model = new InMemoryEmfModel("M", resource, List.of(root.eClass().getEPackage()));
+    InMemoryEmfModel model =
+        new InMemoryEmfModel("M", resource, List.of(root.eClass().getEPackage()));
     model.setCachingEnabled(true);
     module.getContext().getModelRepository().addModel(model);
   }

@@ -6,13 +6,13 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
 import dev.eventchain.documents.FindingIds;
+import dev.eventchain.llm.ChatModels;
+import dev.eventchain.llm.ModelAccess;
+import dev.eventchain.llm.Spending;
 import dev.eventchain.llm.chat.ChatMessage;
 import dev.eventchain.llm.chat.ChatModel;
-import dev.eventchain.llm.ChatModels;
 import dev.eventchain.llm.chat.ChatRequest;
-import dev.eventchain.llm.ModelAccess;
 import dev.eventchain.llm.service.ModelServices;
-import dev.eventchain.llm.Spending;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
@@ -39,8 +39,9 @@ public final class LanguageModelBenchmark {
   private static final int CALLS = 200;
   private static final String PROMPT = "Write the component. ".repeat(1_500); // 30 kB, as ours are
   private static final String CHUNK =
-      "data: {\"id\": \"c\", \"object\": \"chat.completion.chunk\", \"created\": 1, \"model\": \"m\","
-          + " \"choices\": [{\"index\": 0, \"delta\": {\"content\": \"%s\"}, \"finish_reason\": %s}]}\n\n";
+      "data: {\"id\": \"c\", \"object\": \"chat.completion.chunk\", \"created\": 1, \"model\":"
+          + " \"m\", \"choices\": [{\"index\": 0, \"delta\": {\"content\": \"%s\"},"
+          + " \"finish_reason\": %s}]}\n\n";
   private static final String ANSWER =
       CHUNK.formatted("a few words of an answer ", "null").repeat(300)
           + CHUNK.formatted("", "\"stop\"")

@@ -41,7 +41,8 @@ class SiteTest {
     assertTrue(packages.contains("dev.eventchain.constraints"), packages::toString);
     assertTrue(packages.contains("dev.eventchain.model.eventchain"), "generated code, too");
     assertTrue(packages.stream().noneMatch(name -> name.endsWith(".impl")), packages::toString);
-    String page = Files.readString(SITE.resolve("apidocs/dev/eventchain/constraints/OclValidator.html"));
+    String page =
+        Files.readString(SITE.resolve("apidocs/dev/eventchain/constraints/OclValidator.html"));
     assertTrue(page.contains("Parameters:"), page);
   }
 

@@ -29,16 +29,13 @@ class ValidationTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "model/chain.xmi|demo_msgs/msg/BrakeRequest\""
-            + " fieldName=\"active|demo_msgs/msg/BrakeRequest\""
-            + " fieldName=\"on|contract.field.unknown",
+        "model/chain.xmi|demo_msgs/msg/BrakeRequest\" fieldName=\"active|demo_msgs/msg/BrakeRequest\" fieldName=\"on|contract.field.unknown",
         "model/chain.xmi|nextstep=\"//@software.1\"|nextstep=\"//@software.0\"|ocl.violated",
         "model/chain.xmi|nextstep=\"//@software.1\"|nextstep=\"//@software.7\"|xmi.reference.unresolved",
         "model/chain.xmi|id=\"RAD-4\"|id=\"RAD-5\"|project.requirement.unknown",
         "model/chain.xmi|first=\"//@software.0\"||ocl.violated",
         "software-base/signals.json|/cluster/collision_warning|/cluster/warning|contract.consumer.missing",
-        "software-base/msg/demo_msgs/msg/Threat.msg|float32 closing_speed|flot32"
-            + " closing_speed|message.",
+        "software-base/msg/demo_msgs/msg/Threat.msg|float32 closing_speed|flot32 closing_speed|message.",
         "requirements.md|- RAD-2|- RAD-1|modeler.requirements.duplicate",
         "eventchain.yaml|name: radar_aeb|name: Radar|project.configuration",
       })

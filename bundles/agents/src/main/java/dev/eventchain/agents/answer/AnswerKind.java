@@ -1,7 +1,5 @@
 package dev.eventchain.agents.answer;
 
-
-
 import java.util.regex.Pattern;
 
 /** What an answer is expected to hold, and how that is told from the talk around it. */

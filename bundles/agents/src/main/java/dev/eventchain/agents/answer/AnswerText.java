@@ -1,7 +1,5 @@
 package dev.eventchain.agents.answer;
 
-
-
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;

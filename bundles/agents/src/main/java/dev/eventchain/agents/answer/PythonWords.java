@@ -1,7 +1,5 @@
 package dev.eventchain.agents.answer;
 
-
-
 import java.util.Map;
 
 /** The constants of Python, which models write into JSON that they think of as a Python value. */

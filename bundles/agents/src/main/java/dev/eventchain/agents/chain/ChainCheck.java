@@ -1,7 +1,5 @@
 package dev.eventchain.agents.chain;
 
-
-
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.documents.Document;
 import dev.eventchain.model.WrittenRequirement;

@@ -1,7 +1,5 @@
 package dev.eventchain.agents.chain;
 
-
-
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.description.EventChainSchema;
 import dev.eventchain.diagnostics.SourceText;

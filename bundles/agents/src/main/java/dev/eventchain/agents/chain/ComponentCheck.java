@@ -1,7 +1,5 @@
 package dev.eventchain.agents.chain;
 
-
-
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.agents.chain.ChainView.Component;
 import java.util.Set;

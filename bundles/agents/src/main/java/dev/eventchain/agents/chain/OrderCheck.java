@@ -1,7 +1,5 @@
 package dev.eventchain.agents.chain;
 
-
-
 import dev.eventchain.agents.chain.ChainView.Component;
 import dev.eventchain.agents.chain.ChainView.Port;
 import java.util.HashMap;

@@ -1,8 +1,6 @@
 package dev.eventchain.agents.component;
 
 import dev.eventchain.agents.chain.ChainView;
-
-
 import dev.eventchain.agents.chain.ChainView.Component;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;

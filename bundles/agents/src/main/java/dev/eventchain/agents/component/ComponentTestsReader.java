@@ -1,7 +1,5 @@
 package dev.eventchain.agents.component;
 
-
-
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.agents.chain.ChainView.Component;
 import dev.eventchain.agents.chain.ChainView.Value;

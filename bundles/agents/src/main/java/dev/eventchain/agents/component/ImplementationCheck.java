@@ -1,7 +1,5 @@
 package dev.eventchain.agents.component;
 
-
-
 import dev.eventchain.agents.chain.ChainView.Component;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -28,7 +26,8 @@ public final class ImplementationCheck {
    *
    * @param tests of the component, if it has any
    */
-  public ImplementationCheck(ComponentProbe probe, Component component, Optional<ComponentTester> tests) {
+  public ImplementationCheck(
+      ComponentProbe probe, Component component, Optional<ComponentTester> tests) {
     this.probe = probe;
     this.component = component;
     this.tests = tests;

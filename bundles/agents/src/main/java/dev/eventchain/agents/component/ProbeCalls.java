@@ -1,7 +1,5 @@
 package dev.eventchain.agents.component;
 
-
-
 import dev.eventchain.agents.chain.ChainView.Value;
 import dev.eventchain.sandbox.ComponentCall;
 import java.util.ArrayList;

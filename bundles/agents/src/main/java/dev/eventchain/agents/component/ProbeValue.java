@@ -1,7 +1,5 @@
 package dev.eventchain.agents.component;
 
-
-
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;

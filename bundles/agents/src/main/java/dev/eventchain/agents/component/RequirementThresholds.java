@@ -1,7 +1,5 @@
 package dev.eventchain.agents.component;
 
-
-
 import dev.eventchain.agents.chain.ChainView.Component;
 import dev.eventchain.agents.chain.ChainView.Value;
 import dev.eventchain.messages.Unit;
@@ -30,8 +28,7 @@ final class RequirementThresholds {
   private static final Pattern WORDS =
       Pattern.compile(
           QUANTITY
-              + "(below|under|less than|lower than|above|over|more than|greater than|at least|at"
-              + " most)\\s+"
+              + "(below|under|less than|lower than|above|over|more than|greater than|at least|at most)\\s+"
               + NUMBER
               + UNIT);
   private static final Pattern OR_MORE =

@@ -1,7 +1,5 @@
 package dev.eventchain.agents.component;
 
-
-
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;

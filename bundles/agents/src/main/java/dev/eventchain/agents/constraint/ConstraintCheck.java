@@ -1,7 +1,5 @@
 package dev.eventchain.agents.constraint;
 
-
-
 import dev.eventchain.constraints.OclConstraint;
 import dev.eventchain.constraints.OclRules;
 import dev.eventchain.diagnostics.Diagnostic;

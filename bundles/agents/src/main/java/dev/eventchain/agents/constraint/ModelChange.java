@@ -1,7 +1,5 @@
 package dev.eventchain.agents.constraint;
 
-
-
 import dev.eventchain.constraints.OclConstraint;
 import dev.eventchain.ocl.Expression.Navigation;
 import java.util.ArrayList;

@@ -1,7 +1,5 @@
 package dev.eventchain.agents.constraint;
 
-
-
 import java.util.ArrayList;
 import java.util.List;
 import org.eclipse.emf.common.util.TreeIterator;

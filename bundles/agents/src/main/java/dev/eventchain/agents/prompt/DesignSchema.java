@@ -1,7 +1,5 @@
 package dev.eventchain.agents.prompt;
 
-
-
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.description.EventChainSchema;
@@ -32,7 +30,8 @@ public final class DesignSchema {
    * @param base what it uses is allowed, whether its definition is known or not: the checks say
    *     what is wrong with it, and the answer cannot help it
    */
-  public static AnswerSchema of(Requirements requirements, SoftwareBase base, MessageCatalog messages) {
+  public static AnswerSchema of(
+      Requirements requirements, SoftwareBase base, MessageCatalog messages) {
     List<String> ids = requirements.items().stream().map(WrittenRequirement::id).toList();
     Set<String> types = new TreeSet<>(messages.names());
     Stream.concat(

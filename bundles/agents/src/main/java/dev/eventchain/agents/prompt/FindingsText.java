@@ -1,7 +1,5 @@
 package dev.eventchain.agents.prompt;
 
-
-
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.util.List;

@@ -1,7 +1,5 @@
 package dev.eventchain.agents.prompt;
 
-
-
 import dev.eventchain.messages.FieldType;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.messages.MessageType;

@@ -1,7 +1,5 @@
 package dev.eventchain.agents.prompt;
 
-
-
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.SoftwareNode;

@@ -1,7 +1,5 @@
 package dev.eventchain.agents.prompt;
 
-
-
 import dev.eventchain.jsonmodels.MetamodelSchema;
 import dev.eventchain.llm.chat.AnswerSchema;
 import dev.eventchain.model.eventchain.EventChain;

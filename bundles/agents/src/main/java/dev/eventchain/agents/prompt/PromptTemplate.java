@@ -1,7 +1,5 @@
 package dev.eventchain.agents.prompt;
 
-
-
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;

@@ -1,7 +1,5 @@
 package dev.eventchain.agents.prompt;
 
-
-
 import dev.eventchain.model.WrittenRequirement;
 import java.math.BigDecimal;
 import java.util.List;

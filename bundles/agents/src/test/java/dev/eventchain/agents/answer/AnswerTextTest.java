@@ -1,11 +1,9 @@
 package dev.eventchain.agents.answer;
 
-import dev.eventchain.agents.FindingLines;
-
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.agents.FindingLines;
 import dev.eventchain.fixtures.ExpectedFile;
 import dev.eventchain.llm.chat.ChatResponse;
 import dev.eventchain.llm.chat.ChatResponse.FinishReason;

@@ -1,13 +1,11 @@
 package dev.eventchain.agents.component;
 
-import dev.eventchain.agents.FindingLines;
-import dev.eventchain.agents.chain.ChainView;
-
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.agents.FindingLines;
+import dev.eventchain.agents.chain.ChainView;
 import dev.eventchain.agents.component.RequirementThresholds.Threshold;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
@@ -95,10 +93,8 @@ class ComponentTesterTest {
       value = {
         "Full brake if TTC < 1.0s | (-Infinity, 1000.0) full braking_force",
         "brake if 1.0s ≤ TTC < 2.0s | [1000.0, 2000.0) some braking_force",
-        "It shall not brake while the time to collision is 3 s or more | [3000.0, Infinity) none"
-            + " braking_force",
-        "It shall warn while the time to collision is below 2.6 s | (-Infinity, 2600.0) some"
-            + " warning",
+        "It shall not brake while the time to collision is 3 s or more | [3000.0, Infinity) none braking_force",
+        "It shall warn while the time to collision is below 2.6 s | (-Infinity, 2600.0) some warning",
         "It shall signal an emergency when TTC falls below 500 ms | (-Infinity, 500.0) some",
         "It shall beep at a TTC of at most 2 seconds | (-Infinity, 2000.0] some",
         "It shall warn, not below a TTC of 5 s |",

@@ -2,8 +2,6 @@ package dev.eventchain.agents.constraint;
 
 import dev.eventchain.agents.FindingLines;
 import dev.eventchain.agents.prompt.PromptTemplate;
-
-
 import dev.eventchain.description.EventChainReader;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.fixtures.ExpectedFile;

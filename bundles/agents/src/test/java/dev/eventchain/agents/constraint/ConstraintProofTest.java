@@ -1,7 +1,5 @@
 package dev.eventchain.agents.constraint;
 
-
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
 import dev.eventchain.constraints.OclConstraint;

@@ -1,7 +1,5 @@
 package dev.eventchain.agents.prompt;
 
-
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -28,6 +26,7 @@ import org.junit.jupiter.params.provider.ValueSource;
  */
 class PromptRulesTest {
   private static final Path TABLE = Path.of("src/test/resources/prompt-rules.txt");
+
   /** The bundles that check answers; what they say of a project's own files is left out. */
   private static final List<String> CHECKING =
       List.of(
@@ -39,6 +38,7 @@ class PromptRulesTest {
           "mde/json-models",
           "mde/ocl",
           "robot/sandbox");
+
   private static final Set<String> TASKS =
       Set.of("design", "test", "implement", "model", "constrain");
 

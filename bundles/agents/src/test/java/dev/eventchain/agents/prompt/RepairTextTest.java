@@ -1,11 +1,9 @@
 package dev.eventchain.agents.prompt;
 
-import dev.eventchain.agents.FindingLines;
-
-
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
+import dev.eventchain.agents.FindingLines;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.io.IOException;

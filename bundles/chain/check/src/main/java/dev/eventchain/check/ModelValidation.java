@@ -167,8 +167,7 @@ public final class ModelValidation {
             file ->
                 Diagnostic.warning(
                         "ocl.model-unconstrained",
-                        "No constraint applies to any element of this model: only its metamodel was"
-                            + " checked.",
+                        "No constraint applies to any element of this model: only its metamodel was checked.",
                         file)
                     .withHint("Name a document with constraints on its classes (--ocl)."))
         .toList();

@@ -137,11 +137,9 @@ class ProjectValidationTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "requirements.md|# Requirements|- RAD-1: Again.|requirements.md:2"
-            + " modeler.requirements.duplicate",
+        "requirements.md|# Requirements|- RAD-1: Again.|requirements.md:2 modeler.requirements.duplicate",
         "model/chain.xmi|\"RAD-4\"|\"RAD-5\"|model/chain.xmi:42 project.requirement.unknown",
-        "model/chain.xmi|the vehicle stands.|it stands.|model/chain.xmi:41"
-            + " project.requirement.changed",
+        "model/chain.xmi|the vehicle stands.|it stands.|model/chain.xmi:41 project.requirement.changed",
         "eventchain.yaml|frequency: 50|frequency: 0|eventchain.yaml:4 project.configuration",
       })
   void whatOneFileSaysIsFoundThere(String file, String text, String by, String expected)

@@ -111,8 +111,7 @@ public final class ProjectFileNames {
             file ->
                 Diagnostic.warning(
                         "project.constraints.unread",
-                        "The constraints in this file are not evaluated: a project's own are in"
-                            + " constraints.ocl.",
+                        "The constraints in this file are not evaluated: a project's own are in constraints.ocl.",
                         SourceLocation.of(file))
                     .withHint(
                         "Write import '%s' into constraints.ocl, or move the file to another folder."

@@ -1,8 +1,8 @@
 package dev.eventchain.documentation.examples;
 
 import dev.eventchain.pipeline.Pipeline;
-import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.run.RunOptions;
 import dev.eventchain.pipeline.run.RunResult;
 import java.nio.file.Path;

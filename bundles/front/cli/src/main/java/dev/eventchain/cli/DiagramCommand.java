@@ -1,12 +1,12 @@
 package dev.eventchain.cli;
 
-import dev.eventchain.pipeline.diagram.Diagrams;
-import dev.eventchain.pipeline.diagram.Diagrams.Kind;
 import dev.eventchain.pipeline.ExitCode;
 import dev.eventchain.pipeline.Outcome;
+import dev.eventchain.pipeline.diagram.Diagrams;
+import dev.eventchain.pipeline.diagram.Diagrams.Kind;
+import dev.eventchain.pipeline.files.WrittenFiles;
 import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.pipeline.run.Stage;
-import dev.eventchain.pipeline.files.WrittenFiles;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.EnumSet;

@@ -2,10 +2,10 @@ package dev.eventchain.cli;
 
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.DiagnosticFormat;
+import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.evaluation.EvaluationOptions;
 import dev.eventchain.pipeline.evaluation.EvaluationOutcome;
 import dev.eventchain.pipeline.evaluation.LanguageModelEvaluation;
-import dev.eventchain.pipeline.Outcome;
 import dev.eventchain.pipeline.project.Project;
 import java.nio.file.Path;
 import java.util.List;

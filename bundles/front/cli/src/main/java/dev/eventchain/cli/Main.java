@@ -25,10 +25,8 @@ import picocli.CommandLine.ParameterException;
     footer = {
       "",
       "Exit codes: 0 success; 1 findings of severity error, or a failed verdict; 2 wrong usage or",
-      "unreadable input; 3 something this machine lacks, or a defect in eventchain, which it"
-          + " reports;",
-      "4 waiting for an answer; 128 plus the number of the signal that ended it: 129 for SIGHUP,"
-          + " 130",
+      "unreadable input; 3 something this machine lacks, or a defect in eventchain, which it reports;",
+      "4 waiting for an answer; 128 plus the number of the signal that ended it: 129 for SIGHUP, 130",
       "for Ctrl-C, 143 for SIGTERM; every file is then either as it was or complete."
     })
 public final class Main {

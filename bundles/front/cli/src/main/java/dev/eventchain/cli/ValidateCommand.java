@@ -25,8 +25,7 @@ import picocli.CommandLine.Parameters;
       "Event chains are checked by the standard constraints and message contracts, too.",
       "A chain that people edit (model/chain.xmi) is checked as it is, without a language model; "
           + "design rules without constraints are reported.",
-      "In any other project, a missing model and missing generated constraints are created first,"
-          + " as by 'run DIR'."
+      "In any other project, a missing model and missing generated constraints are created first, as by 'run DIR'."
     },
     synopsisHeading = "Usage:%n",
     customSynopsis = {
@@ -54,8 +53,7 @@ final class ValidateCommand extends ProjectCommand {
       names = "--messages",
       paramLabel = "FOLDER",
       description =
-          "A folder with the messages that event chains use, as PACKAGE/msg/NAME.msg or .idl; may"
-              + " be repeated.")
+          "A folder with the messages that event chains use, as PACKAGE/msg/NAME.msg or .idl; may be repeated.")
   private List<Path> messages = List.of();
 
   @Mixin private LlmOptions llm;

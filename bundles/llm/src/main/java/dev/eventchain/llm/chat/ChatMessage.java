@@ -1,7 +1,5 @@
 package dev.eventchain.llm.chat;
 
-
-
 import java.util.Objects;
 
 /**

@@ -1,7 +1,5 @@
 package dev.eventchain.llm.chat;
 
-
-
 /**
  * A language model that answers a conversation. This is all that the rest of the project knows of
  * one: providers, recordings and hand-off stay behind it. {@code ChatModels} opens one.

@@ -1,7 +1,5 @@
 package dev.eventchain.llm.chat;
 
-
-
 import dev.eventchain.llm.chat.ChatMessage.Role;
 import java.util.List;
 import java.util.Objects;

@@ -1,7 +1,5 @@
 package dev.eventchain.llm.chat;
 
-
-
 /**
  * Which model is asked, apart from the way its answers come here: a recording made by hand-off is
  * found again by replay.

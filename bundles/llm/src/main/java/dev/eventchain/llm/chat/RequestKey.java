@@ -1,7 +1,5 @@
 package dev.eventchain.llm.chat;
 
-
-
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.TextNode;
 import dev.eventchain.diagnostics.Sha256;

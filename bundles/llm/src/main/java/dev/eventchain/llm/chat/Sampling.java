@@ -1,7 +1,5 @@
 package dev.eventchain.llm.chat;
 
-
-
 import java.util.OptionalDouble;
 import java.util.OptionalInt;
 import java.util.OptionalLong;

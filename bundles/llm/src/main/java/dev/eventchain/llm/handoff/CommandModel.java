@@ -1,20 +1,18 @@
 package dev.eventchain.llm.handoff;
 
-import dev.eventchain.llm.chat.ChatModel;
-import dev.eventchain.llm.chat.ModelName;
-import dev.eventchain.llm.chat.ChatResponse;
-import dev.eventchain.llm.chat.ChatRequest;
-import dev.eventchain.llm.service.Deadline;
-import dev.eventchain.llm.service.BodyStream;
-import dev.eventchain.llm.service.ErrorBody;
-
-
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.llm.chat.ChatModel;
+import dev.eventchain.llm.chat.ChatRequest;
+import dev.eventchain.llm.chat.ChatResponse;
 import dev.eventchain.llm.chat.ChatResponse.FinishReason;
+import dev.eventchain.llm.chat.ModelName;
+import dev.eventchain.llm.service.BodyStream;
+import dev.eventchain.llm.service.Deadline;
+import dev.eventchain.llm.service.ErrorBody;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;

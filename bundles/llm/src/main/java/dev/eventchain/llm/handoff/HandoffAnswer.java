@@ -1,10 +1,8 @@
 package dev.eventchain.llm.handoff;
 
 import dev.eventchain.llm.chat.ChatResponse;
-import dev.eventchain.llm.chat.ModelName;
-
-
 import dev.eventchain.llm.chat.ChatResponse.FinishReason;
+import dev.eventchain.llm.chat.ModelName;
 import java.util.Optional;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;

@@ -1,21 +1,19 @@
 package dev.eventchain.llm.handoff;
 
-import dev.eventchain.llm.chat.ChatModel;
-import dev.eventchain.llm.chat.ModelName;
-import dev.eventchain.llm.recording.RecordingFolder;
-import dev.eventchain.llm.recording.CallCounter;
-import dev.eventchain.llm.chat.ChatResponse;
-import dev.eventchain.llm.chat.ChatRequest;
-import dev.eventchain.llm.chat.RequestKey;
-import dev.eventchain.llm.chat.RequestJson;
-import dev.eventchain.llm.recording.AtomicFile;
-
-
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.llm.chat.ChatModel;
+import dev.eventchain.llm.chat.ChatRequest;
+import dev.eventchain.llm.chat.ChatResponse;
+import dev.eventchain.llm.chat.ModelName;
+import dev.eventchain.llm.chat.RequestJson;
+import dev.eventchain.llm.chat.RequestKey;
+import dev.eventchain.llm.recording.AtomicFile;
+import dev.eventchain.llm.recording.CallCounter;
+import dev.eventchain.llm.recording.RecordingFolder;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

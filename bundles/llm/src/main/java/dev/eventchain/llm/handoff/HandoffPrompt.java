@@ -1,13 +1,11 @@
 package dev.eventchain.llm.handoff;
 
-import dev.eventchain.llm.chat.RequestKey;
-import dev.eventchain.llm.chat.ChatRequest;
-import dev.eventchain.llm.chat.ChatMessage;
-
-
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.JsonLayout;
+import dev.eventchain.llm.chat.ChatMessage;
 import dev.eventchain.llm.chat.ChatMessage.Role;
+import dev.eventchain.llm.chat.ChatRequest;
+import dev.eventchain.llm.chat.RequestKey;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;

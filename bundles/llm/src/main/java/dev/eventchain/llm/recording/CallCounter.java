@@ -1,7 +1,5 @@
 package dev.eventchain.llm.recording;
 
-
-
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 

@@ -1,10 +1,5 @@
 package dev.eventchain.llm.recording;
 
-import dev.eventchain.llm.chat.ModelName;
-import dev.eventchain.llm.chat.RequestKey;
-import dev.eventchain.llm.chat.RequestJson;
-
-
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import com.github.difflib.DiffUtils;
@@ -15,6 +10,9 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.llm.chat.ModelName;
+import dev.eventchain.llm.chat.RequestJson;
+import dev.eventchain.llm.chat.RequestKey;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;

@@ -1,13 +1,11 @@
 package dev.eventchain.llm.recording;
 
 import dev.eventchain.llm.chat.ChatModel;
-import dev.eventchain.llm.chat.ModelName;
-import dev.eventchain.llm.chat.ChatResponse;
 import dev.eventchain.llm.chat.ChatRequest;
-import dev.eventchain.llm.chat.RequestKey;
+import dev.eventchain.llm.chat.ChatResponse;
+import dev.eventchain.llm.chat.ModelName;
 import dev.eventchain.llm.chat.RequestJson;
-
-
+import dev.eventchain.llm.chat.RequestKey;
 import java.util.Optional;
 
 /** Takes answers from recordings, and asks for those that there are none of. */

@@ -1,11 +1,9 @@
 package dev.eventchain.llm.recording;
 
-import dev.eventchain.llm.chat.RequestKey;
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.llm.chat.ChatResponse;
 import dev.eventchain.llm.chat.RequestJson;
-
-
-import com.fasterxml.jackson.databind.node.ObjectNode;
+import dev.eventchain.llm.chat.RequestKey;
 import java.util.ArrayList;
 import java.util.List;
 

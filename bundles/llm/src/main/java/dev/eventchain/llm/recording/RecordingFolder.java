@@ -1,16 +1,14 @@
 package dev.eventchain.llm.recording;
 
-import dev.eventchain.llm.chat.ModelName;
-import dev.eventchain.llm.chat.RequestKey;
-import dev.eventchain.llm.chat.ChatResponse;
-
-
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
+import dev.eventchain.llm.chat.ChatResponse;
+import dev.eventchain.llm.chat.ModelName;
+import dev.eventchain.llm.chat.RequestKey;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

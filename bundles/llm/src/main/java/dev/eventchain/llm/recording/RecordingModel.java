@@ -1,14 +1,12 @@
 package dev.eventchain.llm.recording;
 
+import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.llm.chat.ChatModel;
-import dev.eventchain.llm.chat.ModelName;
-import dev.eventchain.llm.chat.ChatResponse;
 import dev.eventchain.llm.chat.ChatRequest;
+import dev.eventchain.llm.chat.ChatResponse;
+import dev.eventchain.llm.chat.ModelName;
 import dev.eventchain.llm.chat.RequestJson;
 import dev.eventchain.llm.chat.RequestKey;
-
-
-import com.fasterxml.jackson.databind.node.ObjectNode;
 import java.time.Clock;
 import java.time.temporal.ChronoUnit;
 
@@ -20,7 +18,8 @@ public final class RecordingModel implements ChatModel {
   private final Clock clock;
   private final CallCounter calls = new CallCounter();
 
-  public RecordingModel(ChatModel answering, ModelName model, RecordingFolder recordings, Clock clock) {
+  public RecordingModel(
+      ChatModel answering, ModelName model, RecordingFolder recordings, Clock clock) {
     this.answering = answering;
     this.model = model;
     this.recordings = recordings;

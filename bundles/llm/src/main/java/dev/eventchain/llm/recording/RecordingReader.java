@@ -1,10 +1,5 @@
 package dev.eventchain.llm.recording;
 
-import dev.eventchain.llm.chat.RequestJson;
-import dev.eventchain.llm.chat.RequestKey;
-import dev.eventchain.llm.chat.ChatResponse;
-
-
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -15,8 +10,11 @@ import dev.eventchain.documents.DocumentFormat;
 import dev.eventchain.documents.FindingIds;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
+import dev.eventchain.llm.chat.ChatResponse;
 import dev.eventchain.llm.chat.ChatResponse.FinishReason;
 import dev.eventchain.llm.chat.ChatResponse.Usage;
+import dev.eventchain.llm.chat.RequestJson;
+import dev.eventchain.llm.chat.RequestKey;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;

@@ -1,13 +1,11 @@
 package dev.eventchain.llm.recording;
 
-import dev.eventchain.llm.chat.RequestJson;
-import dev.eventchain.llm.chat.ChatResponse;
-
-
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.documents.JsonLayout;
+import dev.eventchain.llm.chat.ChatResponse;
+import dev.eventchain.llm.chat.RequestJson;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.Locale;

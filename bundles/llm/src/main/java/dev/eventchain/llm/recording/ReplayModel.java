@@ -1,18 +1,16 @@
 package dev.eventchain.llm.recording;
 
-import dev.eventchain.llm.chat.ChatModel;
-import dev.eventchain.llm.chat.ModelName;
-import dev.eventchain.llm.chat.ChatResponse;
-import dev.eventchain.llm.chat.ChatRequest;
-import dev.eventchain.llm.chat.RequestJson;
-import dev.eventchain.llm.chat.RequestKey;
-
-
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.llm.chat.ChatModel;
+import dev.eventchain.llm.chat.ChatRequest;
+import dev.eventchain.llm.chat.ChatResponse;
+import dev.eventchain.llm.chat.ModelName;
+import dev.eventchain.llm.chat.RequestJson;
+import dev.eventchain.llm.chat.RequestKey;
 import java.nio.file.Path;
 import java.util.List;
 

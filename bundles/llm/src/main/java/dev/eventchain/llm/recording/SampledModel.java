@@ -1,20 +1,18 @@
 package dev.eventchain.llm.recording;
 
-import dev.eventchain.llm.chat.ChatModel;
-import dev.eventchain.llm.chat.ModelName;
-import dev.eventchain.llm.chat.ChatMessage;
-import dev.eventchain.llm.chat.ChatResponse;
-import dev.eventchain.llm.chat.ChatRequest;
-import dev.eventchain.llm.chat.RequestKey;
-import dev.eventchain.llm.chat.RequestJson;
-
-
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.llm.chat.ChatMessage;
+import dev.eventchain.llm.chat.ChatModel;
+import dev.eventchain.llm.chat.ChatRequest;
+import dev.eventchain.llm.chat.ChatResponse;
 import dev.eventchain.llm.chat.ChatResponse.FinishReason;
+import dev.eventchain.llm.chat.ModelName;
+import dev.eventchain.llm.chat.RequestJson;
+import dev.eventchain.llm.chat.RequestKey;
 import dev.eventchain.llm.recording.Recording.Sample;
 import java.util.ArrayList;
 import java.util.List;

@@ -1,7 +1,5 @@
 package dev.eventchain.llm.service;
 
-
-
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.ByteBuffer;

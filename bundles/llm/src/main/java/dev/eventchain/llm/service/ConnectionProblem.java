@@ -1,7 +1,5 @@
 package dev.eventchain.llm.service;
 
-
-
 import java.net.ConnectException;
 import java.net.http.HttpTimeoutException;
 import java.nio.channels.UnresolvedAddressException;

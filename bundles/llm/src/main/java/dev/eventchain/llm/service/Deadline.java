@@ -1,7 +1,5 @@
 package dev.eventchain.llm.service;
 
-
-
 import java.math.BigDecimal;
 import java.time.Duration;
 import java.util.concurrent.CancellationException;

@@ -1,7 +1,5 @@
 package dev.eventchain.llm.service;
 
-
-
 import java.net.URI;
 import java.time.Duration;
 import java.util.Map;

@@ -1,12 +1,10 @@
 package dev.eventchain.llm.service;
 
-import dev.eventchain.llm.chat.ChatResponse;
-import dev.eventchain.llm.chat.ModelName;
-
-
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.documents.NumberRange;
 import dev.eventchain.documents.ObjectReader;
+import dev.eventchain.llm.chat.ChatResponse;
+import dev.eventchain.llm.chat.ModelName;
 import java.math.BigDecimal;
 import java.net.URI;
 import java.time.Duration;

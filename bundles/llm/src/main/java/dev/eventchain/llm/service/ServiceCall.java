@@ -1,14 +1,12 @@
 package dev.eventchain.llm.service;
 
-import dev.eventchain.llm.chat.ModelName;
-import dev.eventchain.llm.chat.ChatResponse;
-import dev.eventchain.llm.chat.ChatRequest;
 import dev.eventchain.llm.chat.ChatMessage;
-
-
 import dev.eventchain.llm.chat.ChatMessage.Role;
+import dev.eventchain.llm.chat.ChatRequest;
+import dev.eventchain.llm.chat.ChatResponse;
 import dev.eventchain.llm.chat.ChatResponse.FinishReason;
 import dev.eventchain.llm.chat.ChatResponse.Usage;
+import dev.eventchain.llm.chat.ModelName;
 import dev.langchain4j.data.message.AiMessage;
 import dev.langchain4j.data.message.UserMessage;
 import dev.langchain4j.exception.HttpException;

@@ -1,7 +1,5 @@
 package dev.eventchain.llm.service;
 
-
-
 import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse.BodyHandlers;

@@ -1,7 +1,5 @@
 package dev.eventchain.llm.service;
 
-
-
 import dev.eventchain.diagnostics.SourceText;
 import dev.langchain4j.http.client.HttpClient;
 import dev.langchain4j.http.client.HttpClientBuilder;

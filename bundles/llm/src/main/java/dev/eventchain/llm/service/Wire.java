@@ -1,7 +1,5 @@
 package dev.eventchain.llm.service;
 
-
-
 import dev.eventchain.llm.chat.AnswerSchema.Shape;
 import dev.langchain4j.model.anthropic.AnthropicStreamingChatModel;
 import dev.langchain4j.model.chat.StreamingChatModel;

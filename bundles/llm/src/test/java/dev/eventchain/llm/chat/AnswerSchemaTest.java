@@ -1,8 +1,5 @@
 package dev.eventchain.llm.chat;
 
-import dev.eventchain.llm.ChatModels;
-
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -10,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.json.JsonMapper;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.llm.ChatModels;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

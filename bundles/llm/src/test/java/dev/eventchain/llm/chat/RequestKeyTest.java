@@ -1,7 +1,5 @@
 package dev.eventchain.llm.chat;
 
-
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertNotEquals;
 

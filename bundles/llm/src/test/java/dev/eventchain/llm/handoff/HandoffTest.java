@@ -1,12 +1,5 @@
 package dev.eventchain.llm.handoff;
 
-import dev.eventchain.llm.chat.ChatModel;
-import dev.eventchain.llm.chat.ChatRequest;
-import dev.eventchain.llm.chat.ChatMessage;
-import dev.eventchain.llm.chat.ChatResponse;
-import dev.eventchain.llm.ChatModels;
-
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -14,6 +7,11 @@ import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
+import dev.eventchain.llm.ChatModels;
+import dev.eventchain.llm.chat.ChatMessage;
+import dev.eventchain.llm.chat.ChatModel;
+import dev.eventchain.llm.chat.ChatRequest;
+import dev.eventchain.llm.chat.ChatResponse;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

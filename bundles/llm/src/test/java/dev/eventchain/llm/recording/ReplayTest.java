@@ -1,15 +1,5 @@
 package dev.eventchain.llm.recording;
 
-import dev.eventchain.llm.chat.ModelName;
-import dev.eventchain.llm.chat.ChatModel;
-import dev.eventchain.llm.ChatModels;
-import dev.eventchain.llm.chat.RequestJson;
-import dev.eventchain.llm.chat.ChatResponse;
-import dev.eventchain.llm.chat.ChatRequest;
-import dev.eventchain.llm.chat.ChatMessage;
-import dev.eventchain.llm.chat.RequestKey;
-
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -19,6 +9,14 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.fixtures.ExpectedFile;
+import dev.eventchain.llm.ChatModels;
+import dev.eventchain.llm.chat.ChatMessage;
+import dev.eventchain.llm.chat.ChatModel;
+import dev.eventchain.llm.chat.ChatRequest;
+import dev.eventchain.llm.chat.ChatResponse;
+import dev.eventchain.llm.chat.ModelName;
+import dev.eventchain.llm.chat.RequestJson;
+import dev.eventchain.llm.chat.RequestKey;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

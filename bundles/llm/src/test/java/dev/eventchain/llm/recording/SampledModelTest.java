@@ -1,21 +1,19 @@
 package dev.eventchain.llm.recording;
 
-import dev.eventchain.llm.chat.ModelName;
-import dev.eventchain.llm.chat.ChatMessage;
-import dev.eventchain.llm.chat.ChatRequest;
-import dev.eventchain.llm.chat.ChatResponse;
-import dev.eventchain.llm.chat.RequestJson;
-import dev.eventchain.llm.chat.ChatModel;
-import dev.eventchain.llm.ModelAccess;
-import dev.eventchain.llm.ChatModels;
-
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.llm.ChatModels;
+import dev.eventchain.llm.ModelAccess;
+import dev.eventchain.llm.chat.ChatMessage;
+import dev.eventchain.llm.chat.ChatModel;
+import dev.eventchain.llm.chat.ChatRequest;
+import dev.eventchain.llm.chat.ChatResponse;
 import dev.eventchain.llm.chat.ChatResponse.FinishReason;
+import dev.eventchain.llm.chat.ModelName;
+import dev.eventchain.llm.chat.RequestJson;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;

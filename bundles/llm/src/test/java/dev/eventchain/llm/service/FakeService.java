@@ -1,13 +1,5 @@
 package dev.eventchain.llm.service;
 
-import dev.eventchain.llm.chat.ChatModel;
-import dev.eventchain.llm.chat.ModelName;
-import dev.eventchain.llm.chat.ChatRequest;
-import dev.eventchain.llm.chat.ChatMessage;
-import dev.eventchain.llm.chat.AnswerSchema;
-import dev.eventchain.llm.chat.Sampling;
-
-
 import static com.github.tomakehurst.wiremock.client.WireMock.aResponse;
 import static com.github.tomakehurst.wiremock.client.WireMock.any;
 import static com.github.tomakehurst.wiremock.client.WireMock.anyUrl;
@@ -17,6 +9,12 @@ import com.fasterxml.jackson.databind.ObjectMapper;
 import com.github.tomakehurst.wiremock.WireMockServer;
 import com.github.tomakehurst.wiremock.client.ResponseDefinitionBuilder;
 import com.github.tomakehurst.wiremock.verification.LoggedRequest;
+import dev.eventchain.llm.chat.AnswerSchema;
+import dev.eventchain.llm.chat.ChatMessage;
+import dev.eventchain.llm.chat.ChatModel;
+import dev.eventchain.llm.chat.ChatRequest;
+import dev.eventchain.llm.chat.ModelName;
+import dev.eventchain.llm.chat.Sampling;
 import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Files;

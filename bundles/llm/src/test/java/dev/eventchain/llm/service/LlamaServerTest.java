@@ -1,14 +1,5 @@
 package dev.eventchain.llm.service;
 
-import dev.eventchain.llm.chat.ChatModel;
-import dev.eventchain.llm.chat.ModelName;
-import dev.eventchain.llm.chat.ChatRequest;
-import dev.eventchain.llm.chat.Sampling;
-import dev.eventchain.llm.chat.ChatMessage;
-import dev.eventchain.llm.chat.AnswerSchema;
-import dev.eventchain.llm.chat.ChatResponse;
-
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -24,7 +15,14 @@ import com.networknt.schema.SpecVersion;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.fixtures.LlamaServer;
+import dev.eventchain.llm.chat.AnswerSchema;
+import dev.eventchain.llm.chat.ChatMessage;
+import dev.eventchain.llm.chat.ChatModel;
+import dev.eventchain.llm.chat.ChatRequest;
+import dev.eventchain.llm.chat.ChatResponse;
 import dev.eventchain.llm.chat.ChatResponse.FinishReason;
+import dev.eventchain.llm.chat.ModelName;
+import dev.eventchain.llm.chat.Sampling;
 import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Path;

@@ -1,9 +1,5 @@
 package dev.eventchain.llm.service;
 
-import dev.eventchain.llm.chat.ChatModel;
-import dev.eventchain.llm.chat.ChatRequest;
-
-
 import static com.github.tomakehurst.wiremock.client.WireMock.aResponse;
 import static com.github.tomakehurst.wiremock.client.WireMock.any;
 import static com.github.tomakehurst.wiremock.client.WireMock.anyUrl;
@@ -18,6 +14,8 @@ import com.github.tomakehurst.wiremock.http.Fault;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
+import dev.eventchain.llm.chat.ChatModel;
+import dev.eventchain.llm.chat.ChatRequest;
 import java.io.IOException;
 import java.net.ServerSocket;
 import java.net.URI;

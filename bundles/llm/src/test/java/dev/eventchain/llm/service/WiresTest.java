@@ -1,14 +1,5 @@
 package dev.eventchain.llm.service;
 
-import dev.eventchain.llm.chat.ChatResponse;
-import dev.eventchain.llm.ModelAccess;
-import dev.eventchain.llm.Spending;
-import dev.eventchain.llm.chat.ChatRequest;
-import dev.eventchain.llm.chat.AnswerSchema;
-import dev.eventchain.llm.chat.Sampling;
-import dev.eventchain.llm.ChatModels;
-
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -21,8 +12,15 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.Document;
 import dev.eventchain.documents.DocumentFormat;
 import dev.eventchain.documents.FindingIds;
+import dev.eventchain.llm.ChatModels;
+import dev.eventchain.llm.ModelAccess;
+import dev.eventchain.llm.Spending;
+import dev.eventchain.llm.chat.AnswerSchema;
+import dev.eventchain.llm.chat.ChatRequest;
+import dev.eventchain.llm.chat.ChatResponse;
 import dev.eventchain.llm.chat.ChatResponse.FinishReason;
 import dev.eventchain.llm.chat.ChatResponse.Usage;
+import dev.eventchain.llm.chat.Sampling;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
@@ -135,9 +133,9 @@ class WiresTest {
 
   private static String schema(String description) {
     return """
-        {"type": "object", "properties": {"answer": {"type": "string"}}, "required": ["answer"],
-         "additionalProperties": false, "description": "%s"}
-        """
+    {"type": "object", "properties": {"answer": {"type": "string"}}, "required": ["answer"],
+     "additionalProperties": false, "description": "%s"}
+    """
         .formatted(description);
   }
 

@@ -131,8 +131,7 @@ class TrapsTest {
         rules.constraintNames());
     assertEquals(
         List.of(
-            "rules.ocl:5:9 Several classes are called 'C'. Write one of a::C, a::b::C,"
-                + " a::b::c::C."),
+            "rules.ocl:5:9 Several classes are called 'C'. Write one of a::C, a::b::C, a::b::c::C."),
         said(rules.diagnostics()));
   }
 

@@ -149,8 +149,7 @@ class GeneratedPackageTest {
         "ttc_calculation | \"/scan\" | \"/scam\" | test_ttc",
         "ttc_calculation | message.velocity | message.control.gear | test_ttc",
         "ttc_calculation | message.header.stamp.sec | message.header.stamp.nanosec | test_ttc",
-        "ttc_calculation | received[\"ranges\"] = message | received[\"ego_speed\"] = message |"
-            + " test_ttc",
+        "ttc_calculation | received[\"ranges\"] = message | received[\"ego_speed\"] = message | test_ttc",
         "ttc_calculation | std_msgs.msg.Float32 | std_msgs.msg.Float64 | test_ttc",
         "ttc_calculation | float(output[\"ttc\"]) | float(output[\"ttc\"]) + 1.0 | test_ttc",
         "ttc_calculation | ReliabilityPolicy.BEST_EFFORT | ReliabilityPolicy.RELIABLE | test_ttc",
@@ -158,8 +157,7 @@ class GeneratedPackageTest {
         "ttc_calculation | from_value=0.000001 | from_value=-2.0 | test_ttc",
         "ttc_calculation | 1.0 / frequency | 1.0 / 20.0 | test_ttc",
         "ttc_calculation | < 3 | < 2 | test_ttc",
-        "braking_decision | ReliabilityPolicy.RELIABLE | ReliabilityPolicy.BEST_EFFORT |"
-            + " test_chain",
+        "braking_decision | ReliabilityPolicy.RELIABLE | ReliabilityPolicy.BEST_EFFORT | test_chain",
         "braking_decision | std_msgs.msg.Float32 | std_msgs.msg.Float64 | test_chain"
       })
   void itsTestsNoticeAMistake(String node, String right, String wrong, String noticedBy)

@@ -25,7 +25,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 class ConformanceTest {
 
   private static final Path FOLDER = Path.of("conformance");
-  private static final Path RUNTIME = Path.of("../ros2-runtime/python/eventchain_ros2");
   private static final ObjectMapper JSON = new ObjectMapper();
   private static final MessageCatalog CATALOG =
       MessageCatalog.of(List.of(FOLDER.resolve("definitions")));

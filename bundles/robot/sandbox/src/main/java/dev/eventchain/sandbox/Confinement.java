@@ -113,8 +113,7 @@ public enum Confinement {
                     + "', which is not a known way to confine foreign Python.",
                 SourceLocation.NONE)
             .withHint(
-                "Set it to bubblewrap or audit-hooks, or unset it to use the stronger one that"
-                    + " works."));
+                "Set it to bubblewrap or audit-hooks, or unset it to use the stronger one that works."));
   }
 
   private static boolean bubblewrapWorks(Map<String, String> settings) {

@@ -54,7 +54,7 @@ final class ResultBuilder {
 
   SimulationResult build(String confinement, int processes, double wallSeconds) {
     List<Diagnostic> silent = silent();
-    boolean worked = silent.stream().allMatch(request.accepted()::test);
+    boolean worked = silent.stream().allMatch(request.accepted());
     ScenarioJudge judge = new ScenarioJudge(chain);
     List<ScenarioVerdict> verdicts =
         runs.stream().map(run -> judge.verdict(run, worked(run, silent))).toList();
@@ -101,9 +101,7 @@ final class ResultBuilder {
   }
 
   private boolean worked(ScenarioRun run, List<Diagnostic> silent) {
-    return Stream.of(silent, silentIn(run))
-        .flatMap(List::stream)
-        .allMatch(request.accepted()::test);
+    return Stream.of(silent, silentIn(run)).flatMap(List::stream).allMatch(request.accepted());
   }
 
   /** Nothing is measured of nodes that others run. */
@@ -176,8 +174,7 @@ final class ResultBuilder {
                             .formatted(run.scenario().name(), run.trace().ignored()),
                         SourceLocation.NONE.withElement(onlyCommander()))
                     .withHint(
-                        "Test what needs it with a vehicle that supports it, or do not command"
-                            + " it."))
+                        "Test what needs it with a vehicle that supports it, or do not command it."))
         .toList();
   }
 

@@ -295,7 +295,8 @@ class AttachedTest {
     Map<String, String> local = new TreeMap<>(both);
     local.put("ROS_AUTOMATIC_DISCOVERY_RANGE", "LOCALHOST");
     assertEquals(new DdsAttachment(42, loopback + ",file:///a.xml"), DdsAttachment.of(local));
-    assertEquals(new DdsAttachment(0, "", "humble"), DdsAttachment.of(Map.of("ROS_DISTRO", "humble")));
+    assertEquals(
+        new DdsAttachment(0, "", "humble"), DdsAttachment.of(Map.of("ROS_DISTRO", "humble")));
     assertEquals(new DdsAttachment(232, ""), DdsAttachment.of(Map.of("ROS_DOMAIN_ID", "232")));
     for (String number : List.of("233", "-1", "one", "9999")) {
       Diagnostic found =

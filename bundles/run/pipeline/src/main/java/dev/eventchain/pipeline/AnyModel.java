@@ -1,10 +1,5 @@
 package dev.eventchain.pipeline;
 
-import dev.eventchain.pipeline.files.WrittenFiles;
-import dev.eventchain.pipeline.generate.MessageModel;
-import dev.eventchain.pipeline.generate.TraceFile;
-
-
 import dev.eventchain.check.ModelValidation;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
@@ -16,6 +11,9 @@ import dev.eventchain.m2t.generation.GenerationContext.Trait;
 import dev.eventchain.m2t.generation.GenerationResult;
 import dev.eventchain.output.OutputFolder;
 import dev.eventchain.output.OutputFolder.OnEdit;
+import dev.eventchain.pipeline.files.WrittenFiles;
+import dev.eventchain.pipeline.generate.MessageModel;
+import dev.eventchain.pipeline.generate.TraceFile;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;

@@ -1,12 +1,10 @@
 package dev.eventchain.pipeline;
 
-import dev.eventchain.pipeline.project.Project;
-
-
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.llm.service.ModelServices;
 import dev.eventchain.llm.service.ServiceProbe;
+import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.sandbox.PythonEnvironment;
 import java.util.ArrayList;
 import java.util.List;

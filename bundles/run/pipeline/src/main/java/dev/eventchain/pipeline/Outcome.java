@@ -1,9 +1,5 @@
 package dev.eventchain.pipeline;
 
-import dev.eventchain.pipeline.run.RunResult;
-import dev.eventchain.pipeline.files.WrittenFiles;
-
-
 import static java.util.stream.Collectors.joining;
 
 import dev.eventchain.diagnostics.Coverage;
@@ -12,6 +8,8 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Report;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.diagnostics.Suppressions.Suppressed;
+import dev.eventchain.pipeline.files.WrittenFiles;
+import dev.eventchain.pipeline.run.RunResult;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;

@@ -1,14 +1,12 @@
 package dev.eventchain.pipeline;
 
-import dev.eventchain.pipeline.run.RunResult;
-import dev.eventchain.pipeline.project.Project;
-import dev.eventchain.pipeline.run.RunOptions;
-import dev.eventchain.pipeline.run.Progress;
+import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.pipeline.engine.PipelineRun;
 import dev.eventchain.pipeline.engine.StandingResults;
-
-
-import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.run.Progress;
+import dev.eventchain.pipeline.run.RunOptions;
+import dev.eventchain.pipeline.run.RunResult;
 import java.nio.file.Path;
 import java.util.Optional;
 

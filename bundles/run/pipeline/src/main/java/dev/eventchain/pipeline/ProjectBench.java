@@ -1,20 +1,18 @@
 package dev.eventchain.pipeline;
 
-import dev.eventchain.pipeline.project.Project;
-
-
 import dev.eventchain.check.ChainModel;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.messages.MessageCatalog;
 import dev.eventchain.model.EventChainMetamodel;
-import dev.eventchain.xmi.LoadedModel;
 import dev.eventchain.model.Signal;
 import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.project.SoftwareBase;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.fault.FaultPlan;
 import dev.eventchain.simulation.scenario.Scenario;
+import dev.eventchain.xmi.LoadedModel;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;

@@ -1,8 +1,5 @@
 package dev.eventchain.pipeline;
 
-import dev.eventchain.pipeline.files.WrittenFiles;
-
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertThrows;
@@ -10,6 +7,7 @@ import static org.junit.jupiter.api.Assertions.assertThrows;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Suppressions;
+import dev.eventchain.pipeline.files.WrittenFiles;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Files;

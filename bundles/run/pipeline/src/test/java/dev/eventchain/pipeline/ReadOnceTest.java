@@ -1,15 +1,13 @@
 package dev.eventchain.pipeline;
 
-import dev.eventchain.pipeline.run.Stage;
-import dev.eventchain.pipeline.run.RunResult;
-import dev.eventchain.pipeline.project.Project;
-import dev.eventchain.pipeline.run.RunOptions;
-import dev.eventchain.pipeline.run.Progress;
-
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
+import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.run.Progress;
+import dev.eventchain.pipeline.run.RunOptions;
+import dev.eventchain.pipeline.run.RunResult;
 import dev.eventchain.pipeline.run.RunResult.Verdict;
+import dev.eventchain.pipeline.run.Stage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

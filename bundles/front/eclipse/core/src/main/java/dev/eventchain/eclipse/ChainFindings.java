@@ -1,10 +1,10 @@
 package dev.eventchain.eclipse;
 
+import dev.eventchain.check.ChainChecks;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.xmi.Origins;
 import dev.eventchain.model.eventchain.EventChain;
-import dev.eventchain.check.ChainChecks;
+import dev.eventchain.xmi.Origins;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;
 import java.util.List;

@@ -1,13 +1,13 @@
 package dev.eventchain.eclipse;
 
+import dev.eventchain.description.EventChainReader;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
-import dev.eventchain.xmi.XmiStore;
-import dev.eventchain.model.eventchain.EventChain;
-import dev.eventchain.description.EventChainReader;
 import dev.eventchain.jsonmodels.Modeled;
+import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.project.Requirements;
+import dev.eventchain.xmi.XmiStore;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;

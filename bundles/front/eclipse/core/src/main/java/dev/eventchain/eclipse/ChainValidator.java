@@ -1,9 +1,9 @@
 package dev.eventchain.eclipse;
 
+import dev.eventchain.check.ChainChecks;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.model.eventchain.EventChain;
-import dev.eventchain.check.ChainChecks;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;

@@ -1,9 +1,9 @@
 package dev.eventchain.eclipse;
 
+import dev.eventchain.check.Validation;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Severity;
-import dev.eventchain.check.Validation;
 import java.util.Arrays;
 import java.util.List;
 

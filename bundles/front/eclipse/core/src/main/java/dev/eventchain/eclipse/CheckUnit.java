@@ -1,10 +1,10 @@
 package dev.eventchain.eclipse;
 
+import dev.eventchain.check.Validation;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.check.Validation;
 import java.util.ArrayList;
 import java.util.List;
 import org.eclipse.core.resources.IFile;

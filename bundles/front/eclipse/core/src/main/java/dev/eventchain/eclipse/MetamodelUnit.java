@@ -1,7 +1,7 @@
 package dev.eventchain.eclipse;
 
-import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.check.Validation;
+import dev.eventchain.diagnostics.Coverage;
 import java.nio.file.Path;
 import java.util.List;
 import org.eclipse.core.resources.IFile;

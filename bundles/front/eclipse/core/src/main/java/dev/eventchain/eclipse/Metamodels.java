@@ -1,9 +1,9 @@
 package dev.eventchain.eclipse;
 
-import dev.eventchain.model.EventChainMetamodel;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.xmi.XmiStore;
+import dev.eventchain.model.EventChainMetamodel;
 import dev.eventchain.model.eventchain.EventchainPackage;
+import dev.eventchain.xmi.XmiStore;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.HashSet;

@@ -1,12 +1,12 @@
 package dev.eventchain.eclipse;
 
+import dev.eventchain.check.ModelValidation;
+import dev.eventchain.check.Validation;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.check.ModelValidation;
 import dev.eventchain.project.ProjectFolder;
-import dev.eventchain.check.Validation;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;

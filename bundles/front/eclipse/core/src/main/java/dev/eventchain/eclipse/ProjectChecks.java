@@ -1,11 +1,11 @@
 package dev.eventchain.eclipse;
 
+import dev.eventchain.check.ProjectValidation;
+import dev.eventchain.check.Validation;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.project.ProjectFolder;
-import dev.eventchain.check.ProjectValidation;
-import dev.eventchain.check.Validation;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;

@@ -1,12 +1,12 @@
 package dev.eventchain.eclipse;
 
+import dev.eventchain.check.ProjectValidation;
+import dev.eventchain.check.Validation;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.project.ProjectFolder;
-import dev.eventchain.check.ProjectValidation;
 import dev.eventchain.project.SuppressionFile;
-import dev.eventchain.check.Validation;
 import java.nio.file.Path;
 import java.time.LocalDate;
 import java.time.ZoneId;

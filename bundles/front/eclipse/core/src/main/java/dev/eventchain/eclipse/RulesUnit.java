@@ -1,13 +1,13 @@
 package dev.eventchain.eclipse;
 
+import dev.eventchain.check.Validation;
+import dev.eventchain.constraints.OclRules;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.model.eventchain.EventchainPackage;
-import dev.eventchain.constraints.OclRules;
-import dev.eventchain.check.Validation;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;

@@ -1,9 +1,9 @@
 package dev.eventchain.eclipse;
 
+import dev.eventchain.check.Validation;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.m2t.TemplateModule;
 import dev.eventchain.templates.ShippedTemplates;
-import dev.eventchain.check.Validation;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;

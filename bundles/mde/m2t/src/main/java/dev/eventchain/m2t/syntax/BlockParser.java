@@ -304,8 +304,7 @@ final class BlockParser {
       problems.warning(
           "m2t.protected.id",
           open.start(),
-          "The text on the line of the opening tag belongs to the area's id, which an edit"
-              + " changes.",
+          "The text on the line of the opening tag belongs to the area's id, which an edit changes.",
           "Put the text of the area, and the closing tag, on lines of their own.");
     }
   }

@@ -214,8 +214,7 @@ final class ModuleParser {
         reader.acceptWord("post") ? reader.parentheses("an operation") : Optional.empty();
     List<Variable> variables = reader.variablesInBraces();
     reader.expectEnd(
-        "the end of the tag after 'overrides', '? (guard)', 'post (...)' and '{...}', in this"
-            + " order");
+        "the end of the tag after 'overrides', '? (guard)', 'post (...)' and '{...}', in this order");
     templates.add(
         new Template(
             name.get(), visibility, parameters, overrides, guard, post, variables, main, body));

@@ -147,8 +147,7 @@ public final class ScenarioJudge {
     return UntouchedVehicle.movedAs(run.trace(), run.scenario().situation())
         ? Optional.of(
             Outcome.untested(
-                "it holds without any command, as the software did not change how the vehicle"
-                    + " moves"))
+                "it holds without any command, as the software did not change how the vehicle moves"))
         : Optional.empty();
   }
 

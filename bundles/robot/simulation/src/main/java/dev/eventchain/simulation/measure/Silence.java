@@ -117,8 +117,7 @@ public final class Silence {
     } else if (chain.bench().provided().containsKey(topic)) {
       why = "never arrived: no scenario let the bench send it.";
       hint =
-          "Look at its `lost`, `latency_ms` and `rate_hz` in bench.yaml, and how long scenarios"
-              + " last.";
+          "Look at its `lost`, `latency_ms` and `rate_hz` in bench.yaml, and how long scenarios last.";
     } else if (vehicle) {
       why = "never arrived: no component writes it.";
       hint =

@@ -74,8 +74,7 @@ class FormulaTest {
         "always (gap > 1 m or ego.speed < 6 m/s);"
             + " passed: 'ego.speed < 6 m/s' holds by 1 m/s after 0.00 s",
         "always (brake > 0 implies throttle <= 0); untested: 'brake > 0' never came true",
-        "always gap - ttc * 1 m/s > 0 m; untested: 'gap - ttc * 1 m/s > 0 m' has no value after"
-            + " 0.00 s"
+        "always gap - ttc * 1 m/s > 0 m; untested: 'gap - ttc * 1 m/s > 0 m' has no value after 0.00 s"
       })
   void whatSaysNothingIsNotTested(String formula, String expected) {
     Trace empty = new Trace();

@@ -31,8 +31,7 @@ class WireFindingsTest {
   void whatGotLostIsCounted() {
     assertEquals(
         List.of(
-            "simulation.message.lost: Scenario slow-approach: 3 messages on /gap were lost on the"
-                + " way, or arrived too late."),
+            "simulation.message.lost: Scenario slow-approach: 3 messages on /gap were lost on the way, or arrived too late."),
         said(Map.of("/gap", 3L)));
   }
 

@@ -1,11 +1,5 @@
 package dev.eventchain.pipeline.design;
 
-import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.pipeline.run.Stage;
-import dev.eventchain.pipeline.stage.Fingerprint;
-import dev.eventchain.pipeline.project.Configuration;
-
-
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
@@ -14,6 +8,10 @@ import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.llm.Spending;
+import dev.eventchain.pipeline.project.Configuration;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.stage.Fingerprint;
+import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.project.ProjectFolder;
 import java.io.IOException;
 import java.math.BigDecimal;

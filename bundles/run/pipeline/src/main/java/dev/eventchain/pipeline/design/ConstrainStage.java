@@ -1,13 +1,5 @@
 package dev.eventchain.pipeline.design;
 
-import dev.eventchain.pipeline.stage.StageWork;
-import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.pipeline.stage.Fingerprint;
-import dev.eventchain.pipeline.run.Stage;
-import dev.eventchain.pipeline.stage.StageResult;
-import dev.eventchain.pipeline.stage.ChainSnapshot;
-
-
 import dev.eventchain.agents.AgentResult;
 import dev.eventchain.agents.ConstrainAgent;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -16,6 +8,12 @@ import dev.eventchain.jsonmodels.Modeled;
 import dev.eventchain.model.EventChainMetamodel;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainPackage;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.stage.ChainSnapshot;
+import dev.eventchain.pipeline.stage.Fingerprint;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.pipeline.stage.StageResult;
+import dev.eventchain.pipeline.stage.StageWork;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.Requirements;
 import java.nio.file.Path;

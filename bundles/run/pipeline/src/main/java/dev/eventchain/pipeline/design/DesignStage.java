@@ -1,21 +1,19 @@
 package dev.eventchain.pipeline.design;
 
-import dev.eventchain.pipeline.stage.StageWork;
-import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.pipeline.stage.Fingerprint;
-import dev.eventchain.pipeline.project.Project;
-import dev.eventchain.pipeline.run.Stage;
-import dev.eventchain.pipeline.stage.StageResult;
-import dev.eventchain.pipeline.stage.ProjectChecks;
-import dev.eventchain.pipeline.project.Configuration;
-
-
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.agents.AgentResult;
 import dev.eventchain.agents.DesignAgent;
 import dev.eventchain.check.ChainChecks;
 import dev.eventchain.check.ChainModel;
 import dev.eventchain.description.EventChainWriter;
+import dev.eventchain.pipeline.project.Configuration;
+import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.stage.Fingerprint;
+import dev.eventchain.pipeline.stage.ProjectChecks;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.pipeline.stage.StageResult;
+import dev.eventchain.pipeline.stage.StageWork;
 import dev.eventchain.project.ProjectFolder;
 import java.util.List;
 

@@ -1,18 +1,9 @@
 package dev.eventchain.pipeline.design;
 
-import dev.eventchain.pipeline.stage.StageWork;
-import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.pipeline.stage.Fingerprint;
-import dev.eventchain.pipeline.run.Stage;
-import dev.eventchain.pipeline.stage.StageResult;
-import dev.eventchain.pipeline.stage.ComponentFiles;
-import dev.eventchain.pipeline.stage.ChainSnapshot;
-
-
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.agents.AgentResult;
-import dev.eventchain.agents.component.ComponentTester;
 import dev.eventchain.agents.ImplementAgent;
+import dev.eventchain.agents.component.ComponentTester;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
@@ -20,9 +11,16 @@ import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.jsonmodels.Modeled;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.stage.ChainSnapshot;
+import dev.eventchain.pipeline.stage.ComponentFiles;
+import dev.eventchain.pipeline.stage.Fingerprint;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.pipeline.stage.StageResult;
+import dev.eventchain.pipeline.stage.StageWork;
+import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.sandbox.ComponentProbe;
 import dev.eventchain.sandbox.Confinement;
-import dev.eventchain.project.ProjectFolder;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;

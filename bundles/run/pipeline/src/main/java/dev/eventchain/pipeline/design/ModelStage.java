@@ -1,14 +1,5 @@
 package dev.eventchain.pipeline.design;
 
-import dev.eventchain.pipeline.stage.StageWork;
-import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.pipeline.stage.Fingerprint;
-import dev.eventchain.pipeline.run.Stage;
-import dev.eventchain.pipeline.stage.StageResult;
-import dev.eventchain.pipeline.stage.ChainSnapshot;
-import dev.eventchain.pipeline.project.Configuration;
-
-
 import dev.eventchain.agents.AgentResult;
 import dev.eventchain.agents.ModelAgent;
 import dev.eventchain.check.ChainModel;
@@ -20,6 +11,13 @@ import dev.eventchain.jsonmodels.Modeled;
 import dev.eventchain.model.EventChainMetamodel;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainPackage;
+import dev.eventchain.pipeline.project.Configuration;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.stage.ChainSnapshot;
+import dev.eventchain.pipeline.stage.Fingerprint;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.pipeline.stage.StageResult;
+import dev.eventchain.pipeline.stage.StageWork;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.xmi.XmiStore;
 import java.nio.file.Path;

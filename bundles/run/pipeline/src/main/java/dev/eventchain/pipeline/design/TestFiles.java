@@ -1,13 +1,8 @@
 package dev.eventchain.pipeline.design;
 
-import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.pipeline.project.Project;
-import dev.eventchain.pipeline.run.Stage;
-
-
 import dev.eventchain.agents.AgentResult;
-import dev.eventchain.agents.component.ComponentTester;
 import dev.eventchain.agents.TestAgent;
+import dev.eventchain.agents.component.ComponentTester;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
@@ -15,6 +10,9 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.documents.YamlLayout;
 import dev.eventchain.jsonmodels.JsonDocument;
+import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.project.ProjectFolder;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -1,10 +1,5 @@
 package dev.eventchain.pipeline.design;
 
-import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.pipeline.run.Stage;
-import dev.eventchain.pipeline.stage.ComponentFiles;
-
-
 import dev.eventchain.agents.AgentResult;
 import dev.eventchain.agents.ImplementAgent;
 import dev.eventchain.diagnostics.Diagnostic;
@@ -14,10 +9,13 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.model.eventchain.Requirement;
 import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.stage.ComponentFiles;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.sandbox.ComponentProbe;
 import dev.eventchain.simulation.SimulationResult;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;
-import dev.eventchain.project.ProjectFolder;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;

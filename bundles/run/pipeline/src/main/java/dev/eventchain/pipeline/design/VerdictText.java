@@ -1,7 +1,5 @@
 package dev.eventchain.pipeline.design;
 
-
-
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.simulation.verdict.ScenarioVerdict;

@@ -1,7 +1,5 @@
 package dev.eventchain.pipeline.diagram;
 
-
-
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;

@@ -1,8 +1,5 @@
 package dev.eventchain.pipeline.diagram;
 
-import dev.eventchain.pipeline.files.WrittenFiles;
-
-
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
@@ -14,10 +11,11 @@ import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainPackage;
 import dev.eventchain.output.OutputFolder;
 import dev.eventchain.output.OutputFolder.OnEdit;
+import dev.eventchain.pipeline.files.WrittenFiles;
+import dev.eventchain.templates.ShippedTemplates;
 import dev.eventchain.xmi.LoadedModel;
 import dev.eventchain.xmi.Origins;
 import dev.eventchain.xmi.XmiStore;
-import dev.eventchain.templates.ShippedTemplates;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.time.Duration;

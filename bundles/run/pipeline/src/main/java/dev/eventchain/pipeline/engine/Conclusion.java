@@ -1,18 +1,5 @@
 package dev.eventchain.pipeline.engine;
 
-import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.pipeline.run.Stage;
-import dev.eventchain.pipeline.stage.StageOutcome;
-import dev.eventchain.pipeline.run.Progress;
-import dev.eventchain.pipeline.report.EarlierRun;
-import dev.eventchain.pipeline.run.RunResult;
-import dev.eventchain.pipeline.simulate.UntestedFindings;
-import dev.eventchain.pipeline.simulate.RequirementOutcomes;
-import dev.eventchain.pipeline.simulate.SimulationReport;
-import dev.eventchain.pipeline.report.ReportData;
-import dev.eventchain.pipeline.report.ReportPage;
-
-
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.MissingNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
@@ -22,10 +9,21 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.Suppressions.Suppressed;
+import dev.eventchain.pipeline.report.EarlierRun;
+import dev.eventchain.pipeline.report.ReportData;
+import dev.eventchain.pipeline.report.ReportPage;
+import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.run.Progress.Status;
+import dev.eventchain.pipeline.run.RunResult;
 import dev.eventchain.pipeline.run.RunResult.FaultLine;
 import dev.eventchain.pipeline.run.RunResult.ScenarioLine;
 import dev.eventchain.pipeline.run.RunResult.Verdict;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.simulate.RequirementOutcomes;
+import dev.eventchain.pipeline.simulate.SimulationReport;
+import dev.eventchain.pipeline.simulate.UntestedFindings;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.pipeline.stage.StageOutcome;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;

@@ -1,19 +1,17 @@
 package dev.eventchain.pipeline.engine;
 
-import dev.eventchain.pipeline.run.Stage;
-import dev.eventchain.pipeline.stage.ComponentFiles;
-import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.pipeline.stage.StageMemory;
-import dev.eventchain.pipeline.stage.StageWork;
-import dev.eventchain.pipeline.stage.StageRecord;
-import dev.eventchain.pipeline.stage.Fingerprint;
-import dev.eventchain.pipeline.stage.SourceName;
-import dev.eventchain.pipeline.project.Templates;
-
-
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.pipeline.project.Templates;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.stage.ComponentFiles;
+import dev.eventchain.pipeline.stage.Fingerprint;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.pipeline.stage.SourceName;
+import dev.eventchain.pipeline.stage.StageMemory;
+import dev.eventchain.pipeline.stage.StageRecord;
+import dev.eventchain.pipeline.stage.StageWork;
 import dev.eventchain.project.ProjectFolder;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -1,14 +1,12 @@
 package dev.eventchain.pipeline.engine;
 
-import dev.eventchain.pipeline.stage.StageResult;
-import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.pipeline.stage.StageWork;
-import dev.eventchain.pipeline.stage.StageRecord;
-
-
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.pipeline.stage.StageRecord;
+import dev.eventchain.pipeline.stage.StageResult;
+import dev.eventchain.pipeline.stage.StageWork;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;

@@ -1,10 +1,8 @@
 package dev.eventchain.pipeline.engine;
 
+import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.pipeline.stage.StageOutcome;
-import dev.eventchain.pipeline.run.Progress;
-
-
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;

@@ -1,16 +1,14 @@
 package dev.eventchain.pipeline.engine;
 
-import dev.eventchain.pipeline.simulate.SimulateStage;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.output.OutputFolder;
 import dev.eventchain.pipeline.report.ReportPage;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.simulate.SimulateStage;
+import dev.eventchain.pipeline.simulate.SimulationReport;
 import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.pipeline.stage.StageMemory;
 import dev.eventchain.pipeline.stage.StageRecord;
-import dev.eventchain.pipeline.run.Stage;
-import dev.eventchain.pipeline.simulate.SimulationReport;
-
-
-import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.output.OutputFolder;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.Arrays;

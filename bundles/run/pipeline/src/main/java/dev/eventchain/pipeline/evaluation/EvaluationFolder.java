@@ -1,17 +1,15 @@
 package dev.eventchain.pipeline.evaluation;
 
-import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.pipeline.project.Project;
-import dev.eventchain.pipeline.project.Configuration;
-import dev.eventchain.pipeline.stage.Fingerprint;
-
-
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.Sha256;
 import dev.eventchain.documents.JsonLayout;
 import dev.eventchain.output.OutputFolder;
+import dev.eventchain.pipeline.project.Configuration;
+import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.stage.Fingerprint;
+import dev.eventchain.pipeline.stage.RunContext;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;

@@ -1,9 +1,5 @@
 package dev.eventchain.pipeline.evaluation;
 
-import dev.eventchain.pipeline.project.Project;
-import dev.eventchain.pipeline.project.Configuration;
-
-
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
@@ -11,6 +7,8 @@ import dev.eventchain.documents.JsonLayout;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.Score;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.Usage;
 import dev.eventchain.pipeline.evaluation.EvaluationRow.Rate;
+import dev.eventchain.pipeline.project.Configuration;
+import dev.eventchain.pipeline.project.Project;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;

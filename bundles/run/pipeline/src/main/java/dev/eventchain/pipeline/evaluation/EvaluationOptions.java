@@ -1,10 +1,8 @@
 package dev.eventchain.pipeline.evaluation;
 
+import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.pipeline.project.Configuration;
 import dev.eventchain.pipeline.project.Project;
-
-
-import dev.eventchain.diagnostics.Suppressions;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.LinkedHashSet;

@@ -1,7 +1,5 @@
 package dev.eventchain.pipeline.evaluation;
 
-
-
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import java.nio.file.Path;

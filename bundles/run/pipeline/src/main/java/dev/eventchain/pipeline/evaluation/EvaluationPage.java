@@ -1,14 +1,12 @@
 package dev.eventchain.pipeline.evaluation;
 
-import dev.eventchain.pipeline.project.Project;
-import dev.eventchain.pipeline.report.ReportPage;
-
-
 import dev.eventchain.diagnostics.Printable;
 import dev.eventchain.diagnostics.Sha256;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.Grade;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.Score;
 import dev.eventchain.pipeline.evaluation.EvaluationRow.Rate;
+import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.report.ReportPage;
 import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
@@ -95,8 +93,7 @@ final class EvaluationPage {
     if (!anyCounted()) {
       add("<div class=\"verdict failed\"><p class=\"word\">Nothing was counted</p>");
       add(
-          "<p class=\"summary\">No run counts, so nothing can be said about any"
-              + " model.</p></div>\n");
+          "<p class=\"summary\">No run counts, so nothing can be said about any model.</p></div>\n");
     }
     long counted = runs.stream().filter(EvaluatedRun::isCounted).count();
     add("<dl class=\"figures\">");

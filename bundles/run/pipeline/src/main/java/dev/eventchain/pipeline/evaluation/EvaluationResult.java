@@ -1,14 +1,12 @@
 package dev.eventchain.pipeline.evaluation;
 
-import dev.eventchain.pipeline.project.Project;
-import dev.eventchain.pipeline.run.Stage;
-
-
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.Grade;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.State;
+import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.run.Stage;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;

@@ -1,12 +1,10 @@
 package dev.eventchain.pipeline.evaluation;
 
-import dev.eventchain.pipeline.project.Configuration;
-
-
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.Grade;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.Score;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.State;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.Usage;
+import dev.eventchain.pipeline.project.Configuration;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.EnumMap;

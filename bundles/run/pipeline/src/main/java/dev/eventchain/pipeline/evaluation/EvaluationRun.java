@@ -1,14 +1,5 @@
 package dev.eventchain.pipeline.evaluation;
 
-import dev.eventchain.pipeline.run.Stage;
-import dev.eventchain.pipeline.stage.Sample;
-import dev.eventchain.pipeline.run.Progress;
-import dev.eventchain.pipeline.project.Project;
-import dev.eventchain.pipeline.run.RunOptions;
-import dev.eventchain.pipeline.engine.PipelineRun;
-import dev.eventchain.pipeline.stage.StageOutcome;
-
-
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
@@ -16,13 +7,20 @@ import dev.eventchain.diagnostics.DiagnosticException.Reason;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.output.OutputFolder;
+import dev.eventchain.pipeline.engine.PipelineRun;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.Grade;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.Host;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.Score;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.State;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.Usage;
+import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.run.Progress;
 import dev.eventchain.pipeline.run.Progress.Status;
+import dev.eventchain.pipeline.run.RunOptions;
 import dev.eventchain.pipeline.run.RunResult.Verdict;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.stage.Sample;
+import dev.eventchain.pipeline.stage.StageOutcome;
 import dev.eventchain.project.ProjectFolder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;

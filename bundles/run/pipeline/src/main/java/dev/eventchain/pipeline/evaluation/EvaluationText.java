@@ -1,13 +1,11 @@
 package dev.eventchain.pipeline.evaluation;
 
-import dev.eventchain.pipeline.project.Configuration;
-
-
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Printable;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.Grade;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.Usage;
 import dev.eventchain.pipeline.evaluation.EvaluationRow.Rate;
+import dev.eventchain.pipeline.project.Configuration;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;

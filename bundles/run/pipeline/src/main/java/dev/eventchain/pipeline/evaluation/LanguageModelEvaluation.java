@@ -1,16 +1,14 @@
 package dev.eventchain.pipeline.evaluation;
 
-import dev.eventchain.pipeline.project.Project;
-import dev.eventchain.pipeline.stage.Sample;
-import dev.eventchain.pipeline.run.RunOptions;
-import dev.eventchain.pipeline.run.Stage;
-import dev.eventchain.pipeline.run.Progress;
-
-
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.llm.Spending;
 import dev.eventchain.pipeline.evaluation.EvaluatedRun.State;
+import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.run.Progress;
+import dev.eventchain.pipeline.run.RunOptions;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.stage.Sample;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;

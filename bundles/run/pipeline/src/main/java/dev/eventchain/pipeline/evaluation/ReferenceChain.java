@@ -1,14 +1,12 @@
 package dev.eventchain.pipeline.evaluation;
 
-import dev.eventchain.pipeline.project.Project;
-
-
 import dev.eventchain.check.ChainModel;
 import dev.eventchain.description.EventChainWriter;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.model.EventChainMetamodel;
-import dev.eventchain.xmi.LoadedModel;
+import dev.eventchain.pipeline.project.Project;
 import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.xmi.LoadedModel;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;

@@ -1,7 +1,5 @@
 package dev.eventchain.pipeline.evaluation;
 
-
-
 import java.util.Optional;
 
 /**

@@ -1,7 +1,5 @@
 package dev.eventchain.pipeline.files;
 
-
-
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.output.OutputFolder;

@@ -1,15 +1,5 @@
 package dev.eventchain.pipeline.generate;
 
-import dev.eventchain.pipeline.stage.StageWork;
-import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.pipeline.stage.Fingerprint;
-import dev.eventchain.pipeline.stage.ComponentFiles;
-import dev.eventchain.pipeline.project.Templates;
-import dev.eventchain.pipeline.stage.StageResult;
-import dev.eventchain.pipeline.stage.ChainSnapshot;
-import dev.eventchain.pipeline.stage.ProjectChecks;
-
-
 import dev.eventchain.check.ChainChecks;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
@@ -22,6 +12,14 @@ import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainPackage;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.output.OutputFolder;
+import dev.eventchain.pipeline.project.Templates;
+import dev.eventchain.pipeline.stage.ChainSnapshot;
+import dev.eventchain.pipeline.stage.ComponentFiles;
+import dev.eventchain.pipeline.stage.Fingerprint;
+import dev.eventchain.pipeline.stage.ProjectChecks;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.pipeline.stage.StageResult;
+import dev.eventchain.pipeline.stage.StageWork;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.SoftwareBase;
 import java.nio.charset.StandardCharsets;

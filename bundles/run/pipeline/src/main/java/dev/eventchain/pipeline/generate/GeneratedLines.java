@@ -1,8 +1,5 @@
 package dev.eventchain.pipeline.generate;
 
-import dev.eventchain.pipeline.stage.RunContext;
-
-
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
@@ -11,6 +8,7 @@ import com.fasterxml.jackson.databind.node.MissingNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.pipeline.stage.RunContext;
 import java.io.IOException;
 import java.util.Optional;
 import java.util.Set;

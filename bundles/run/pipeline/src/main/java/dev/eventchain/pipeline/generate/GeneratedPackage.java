@@ -1,15 +1,13 @@
 package dev.eventchain.pipeline.generate;
 
-import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.pipeline.project.Templates;
-import dev.eventchain.pipeline.run.Stage;
-
-
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.pipeline.project.Templates;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.simulation.node.NodeManifest;
 import java.nio.charset.StandardCharsets;

@@ -1,7 +1,5 @@
 package dev.eventchain.pipeline.generate;
 
-
-
 import com.fasterxml.jackson.core.JsonFactory;
 import com.fasterxml.jackson.core.JsonGenerator;
 import dev.eventchain.diagnostics.SourceLocation;

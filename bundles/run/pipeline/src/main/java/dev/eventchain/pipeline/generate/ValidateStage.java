@@ -1,16 +1,14 @@
 package dev.eventchain.pipeline.generate;
 
-import dev.eventchain.pipeline.stage.StageWork;
-import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.pipeline.stage.Fingerprint;
-import dev.eventchain.pipeline.stage.StageResult;
-import dev.eventchain.pipeline.stage.ProjectChecks;
-
-
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.check.ChainChecks;
 import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.pipeline.stage.Fingerprint;
+import dev.eventchain.pipeline.stage.ProjectChecks;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.pipeline.stage.StageResult;
+import dev.eventchain.pipeline.stage.StageWork;
 import java.util.ArrayList;
 import java.util.List;
 

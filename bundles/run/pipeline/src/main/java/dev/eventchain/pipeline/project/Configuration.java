@@ -1,7 +1,5 @@
 package dev.eventchain.pipeline.project;
 
-
-
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;

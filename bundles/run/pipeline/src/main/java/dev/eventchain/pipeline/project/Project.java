@@ -1,7 +1,5 @@
 package dev.eventchain.pipeline.project;
 
-
-
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.simulation.bench.Bench;
 import java.nio.file.Files;

@@ -1,7 +1,5 @@
 package dev.eventchain.pipeline.project;
 
-
-
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.m2t.TemplateModule;

@@ -1,14 +1,5 @@
 package dev.eventchain.pipeline.report;
 
-import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.pipeline.run.Stage;
-import dev.eventchain.pipeline.stage.StageOutcome;
-import dev.eventchain.pipeline.stage.ChainSnapshot;
-import dev.eventchain.pipeline.simulate.SimulateStage;
-import dev.eventchain.pipeline.diagram.ChainPicture;
-import dev.eventchain.pipeline.project.Configuration;
-
-
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
@@ -18,7 +9,14 @@ import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Printable;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainFactory;
+import dev.eventchain.pipeline.diagram.ChainPicture;
+import dev.eventchain.pipeline.project.Configuration;
 import dev.eventchain.pipeline.run.RunResult.Verdict;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.simulate.SimulateStage;
+import dev.eventchain.pipeline.stage.ChainSnapshot;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.pipeline.stage.StageOutcome;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;

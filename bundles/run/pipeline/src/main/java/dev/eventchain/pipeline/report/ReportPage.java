@@ -1,8 +1,5 @@
 package dev.eventchain.pipeline.report;
 
-import dev.eventchain.pipeline.project.Templates;
-
-
 import com.fasterxml.jackson.core.JsonGenerator;
 import com.fasterxml.jackson.core.SerializableString;
 import com.fasterxml.jackson.core.io.CharacterEscapes;
@@ -18,6 +15,7 @@ import dev.eventchain.m2t.generation.GenerationContext;
 import dev.eventchain.m2t.generation.GenerationResult;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainPackage;
+import dev.eventchain.pipeline.project.Templates;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.StringWriter;

@@ -1,13 +1,5 @@
 package dev.eventchain.pipeline.report;
 
-import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.pipeline.stage.ChainSnapshot;
-import dev.eventchain.pipeline.generate.GeneratedLines;
-import dev.eventchain.pipeline.run.Stage;
-import dev.eventchain.pipeline.stage.StageOutcome;
-import dev.eventchain.pipeline.stage.ProjectChecks;
-
-
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
@@ -16,6 +8,12 @@ import dev.eventchain.constraints.OclConstraint;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.pipeline.generate.GeneratedLines;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.stage.ChainSnapshot;
+import dev.eventchain.pipeline.stage.ProjectChecks;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.pipeline.stage.StageOutcome;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.Requirements;
 import java.util.ArrayList;

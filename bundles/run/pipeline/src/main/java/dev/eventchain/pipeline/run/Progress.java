@@ -1,7 +1,5 @@
 package dev.eventchain.pipeline.run;
 
-
-
 import java.nio.file.Path;
 import java.time.Duration;
 

@@ -1,7 +1,5 @@
 package dev.eventchain.pipeline.run;
 
-
-
 import dev.eventchain.constraints.OclValidator;
 import dev.eventchain.diagnostics.Suppressions;
 import java.nio.file.Path;

@@ -1,7 +1,5 @@
 package dev.eventchain.pipeline.run;
 
-
-
 import java.util.Locale;
 
 /** The stages of a run, in their order. Each reads files and writes files. */

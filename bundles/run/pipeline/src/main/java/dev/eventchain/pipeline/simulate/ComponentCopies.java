@@ -1,16 +1,14 @@
 package dev.eventchain.pipeline.simulate;
 
-import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.pipeline.generate.GeneratedPackage;
-import dev.eventchain.pipeline.stage.ComponentFiles;
-
-
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.pipeline.generate.GeneratedPackage;
+import dev.eventchain.pipeline.stage.ComponentFiles;
+import dev.eventchain.pipeline.stage.RunContext;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;

@@ -1,7 +1,5 @@
 package dev.eventchain.pipeline.simulate;
 
-
-
 import dev.eventchain.constraints.OclConstraint;
 import dev.eventchain.constraints.OclConstraint.Verdict;
 import dev.eventchain.model.eventchain.EventChain;

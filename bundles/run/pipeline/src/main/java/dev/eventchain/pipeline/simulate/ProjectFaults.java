@@ -1,9 +1,7 @@
 package dev.eventchain.pipeline.simulate;
 
-import dev.eventchain.pipeline.stage.RunContext;
-
-
 import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.simulation.fault.FaultPlan;
 import dev.eventchain.simulation.scenario.Scenario;
 import java.util.List;

@@ -1,13 +1,11 @@
 package dev.eventchain.pipeline.simulate;
 
-import dev.eventchain.pipeline.stage.RunContext;
-
-
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.NearestName;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.WrittenRequirement;
+import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.simulation.scenario.Scenario;
 import java.util.ArrayList;
 import java.util.List;

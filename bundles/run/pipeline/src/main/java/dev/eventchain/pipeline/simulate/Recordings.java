@@ -1,8 +1,6 @@
 package dev.eventchain.pipeline.simulate;
 
 import dev.eventchain.pipeline.stage.RunContext;
-
-
 import dev.eventchain.simulation.SimulationRequest;
 import dev.eventchain.simulation.scenario.Scenario;
 import java.nio.file.Files;

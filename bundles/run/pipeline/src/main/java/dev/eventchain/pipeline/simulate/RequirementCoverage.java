@@ -1,8 +1,5 @@
 package dev.eventchain.pipeline.simulate;
 
-import dev.eventchain.pipeline.stage.RunContext;
-
-
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Suppressions;
@@ -13,6 +10,7 @@ import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.Requirement;
 import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.simulation.bench.Bench;
 import dev.eventchain.simulation.scenario.Scenario;
 import java.util.ArrayDeque;

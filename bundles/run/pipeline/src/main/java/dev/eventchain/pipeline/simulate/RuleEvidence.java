@@ -1,14 +1,12 @@
 package dev.eventchain.pipeline.simulate;
 
-import dev.eventchain.pipeline.stage.RunContext;
-
-
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.constraints.OclConstraint;
 import dev.eventchain.constraints.OclResult;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.ocl.evaluation.TimeBudget;
+import dev.eventchain.pipeline.stage.RunContext;
 import dev.eventchain.project.Requirements;
 import java.util.ArrayList;
 import java.util.List;

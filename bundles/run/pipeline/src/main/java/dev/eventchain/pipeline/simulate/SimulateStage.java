@@ -1,16 +1,5 @@
 package dev.eventchain.pipeline.simulate;
 
-import dev.eventchain.pipeline.stage.StageWork;
-import dev.eventchain.pipeline.stage.RunContext;
-import dev.eventchain.pipeline.stage.Fingerprint;
-import dev.eventchain.pipeline.project.Project;
-import dev.eventchain.pipeline.generate.GeneratedPackage;
-import dev.eventchain.pipeline.stage.StageResult;
-import dev.eventchain.pipeline.stage.ProjectChecks;
-import dev.eventchain.pipeline.run.Stage;
-import dev.eventchain.pipeline.stage.ComponentFiles;
-
-
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
 import dev.eventchain.check.ChainModel;
@@ -23,6 +12,15 @@ import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.pipeline.generate.GeneratedPackage;
+import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.run.Stage;
+import dev.eventchain.pipeline.stage.ComponentFiles;
+import dev.eventchain.pipeline.stage.Fingerprint;
+import dev.eventchain.pipeline.stage.ProjectChecks;
+import dev.eventchain.pipeline.stage.RunContext;
+import dev.eventchain.pipeline.stage.StageResult;
+import dev.eventchain.pipeline.stage.StageWork;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.sandbox.Confinement;
 import dev.eventchain.simulation.Simulation;

@@ -1,8 +1,5 @@
 package dev.eventchain.pipeline.simulate;
 
-import dev.eventchain.pipeline.run.Stage;
-
-
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.core.util.DefaultIndenter;
 import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
@@ -14,6 +11,7 @@ import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.Suppressions;
 import dev.eventchain.model.eventchain.EventChain;
+import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.simulation.SimulationResult;
 import dev.eventchain.simulation.verdict.Measurements;
 import dev.eventchain.simulation.verdict.MessageFlow;

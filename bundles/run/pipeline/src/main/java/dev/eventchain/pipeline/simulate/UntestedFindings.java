@@ -1,7 +1,5 @@
 package dev.eventchain.pipeline.simulate;
 
-
-
 import dev.eventchain.diagnostics.Diagnostic;
 import java.util.Set;
 

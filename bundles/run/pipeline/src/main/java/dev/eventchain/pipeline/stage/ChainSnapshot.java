@@ -1,15 +1,13 @@
 package dev.eventchain.pipeline.stage;
 
-
-
 import dev.eventchain.check.ChainChecks;
 import dev.eventchain.check.ChainModel;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.jsonmodels.Modeled;
 import dev.eventchain.model.eventchain.EventChain;
-import dev.eventchain.project.Requirements;
 import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.project.Requirements;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;

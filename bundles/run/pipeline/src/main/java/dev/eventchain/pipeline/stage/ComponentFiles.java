@@ -1,9 +1,7 @@
 package dev.eventchain.pipeline.stage;
 
-import dev.eventchain.pipeline.run.Stage;
-
-
 import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.project.SoftwareBase;
 import java.nio.file.Files;
 import java.nio.file.Path;

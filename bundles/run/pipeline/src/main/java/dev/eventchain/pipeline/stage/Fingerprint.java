@@ -1,7 +1,5 @@
 package dev.eventchain.pipeline.stage;
 
-
-
 import dev.eventchain.diagnostics.Sha256;
 import dev.eventchain.project.ProjectFolder;
 import java.io.File;

@@ -1,9 +1,5 @@
 package dev.eventchain.pipeline.stage;
 
-import dev.eventchain.pipeline.run.Stage;
-import dev.eventchain.pipeline.project.Configuration;
-
-
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
@@ -13,12 +9,14 @@ import dev.eventchain.agents.AgentResult;
 import dev.eventchain.agents.Exchange;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.SourceLocation;
-import dev.eventchain.llm.chat.ChatModel;
 import dev.eventchain.llm.ChatModels;
 import dev.eventchain.llm.ModelAccess;
 import dev.eventchain.llm.Spending;
-import dev.eventchain.simulation.SimulationResult;
+import dev.eventchain.llm.chat.ChatModel;
+import dev.eventchain.pipeline.project.Configuration;
+import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.project.ProjectFolder;
+import dev.eventchain.simulation.SimulationResult;
 import java.util.EnumMap;
 import java.util.Map;
 import java.util.Optional;

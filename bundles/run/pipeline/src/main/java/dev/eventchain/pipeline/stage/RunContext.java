@@ -1,19 +1,17 @@
 package dev.eventchain.pipeline.stage;
 
-import dev.eventchain.pipeline.project.Project;
-import dev.eventchain.pipeline.run.RunOptions;
-import dev.eventchain.pipeline.run.Progress;
-import dev.eventchain.pipeline.run.Stage;
-
-
-import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.check.ChainModel;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.Severity;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.messages.MessageCatalog;
+import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.output.OutputFolder;
+import dev.eventchain.pipeline.project.Project;
+import dev.eventchain.pipeline.run.Progress;
+import dev.eventchain.pipeline.run.RunOptions;
+import dev.eventchain.pipeline.run.Stage;
 import dev.eventchain.project.ProjectFolder;
 import dev.eventchain.project.Requirements;
 import dev.eventchain.project.SoftwareBase;

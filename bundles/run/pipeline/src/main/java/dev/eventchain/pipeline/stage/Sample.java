@@ -1,12 +1,10 @@
 package dev.eventchain.pipeline.stage;
 
-
-
-import dev.eventchain.llm.chat.ChatModel;
 import dev.eventchain.llm.ChatModels;
-import dev.eventchain.llm.chat.ChatResponse;
 import dev.eventchain.llm.ModelAccess;
 import dev.eventchain.llm.Spending;
+import dev.eventchain.llm.chat.ChatModel;
+import dev.eventchain.llm.chat.ChatResponse;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;

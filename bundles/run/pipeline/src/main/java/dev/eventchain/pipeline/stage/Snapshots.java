@@ -1,7 +1,5 @@
 package dev.eventchain.pipeline.stage;
 
-
-
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import java.nio.file.Path;

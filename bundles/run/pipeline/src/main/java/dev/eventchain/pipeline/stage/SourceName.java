@@ -1,7 +1,5 @@
 package dev.eventchain.pipeline.stage;
 
-
-
 import java.nio.file.Path;
 
 /**

@@ -1,11 +1,9 @@
 package dev.eventchain.pipeline.stage;
 
-import dev.eventchain.pipeline.run.Stage;
-
-
 import com.fasterxml.jackson.core.JsonProcessingException;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import dev.eventchain.output.OutputFolder;
+import dev.eventchain.pipeline.run.Stage;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

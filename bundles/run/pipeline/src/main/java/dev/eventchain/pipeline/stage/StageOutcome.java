@@ -1,13 +1,11 @@
 package dev.eventchain.pipeline.stage;
 
-import dev.eventchain.pipeline.run.Stage;
-import dev.eventchain.pipeline.run.Progress;
-
-
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.Suppressions.Parted;
+import dev.eventchain.pipeline.run.Progress;
+import dev.eventchain.pipeline.run.Stage;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;

@@ -1,7 +1,5 @@
 package dev.eventchain.pipeline.stage;
 
-
-
 import com.fasterxml.jackson.databind.JsonNode;
 import dev.eventchain.diagnostics.Coverage;
 import dev.eventchain.diagnostics.Diagnostic;

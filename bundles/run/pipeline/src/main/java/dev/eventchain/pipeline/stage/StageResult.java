@@ -1,7 +1,5 @@
 package dev.eventchain.pipeline.stage;
 
-
-
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.node.JsonNodeFactory;
 import dev.eventchain.diagnostics.Coverage;
@@ -25,7 +23,8 @@ public record StageResult(
     Coverage coverage) {
 
   /** Of a stage that checks nothing. */
-  public StageResult(String details, List<String> outputs, List<Diagnostic> diagnostics, JsonNode report) {
+  public StageResult(
+      String details, List<String> outputs, List<Diagnostic> diagnostics, JsonNode report) {
     this(details, outputs, diagnostics, report, Coverage.NONE);
   }
 

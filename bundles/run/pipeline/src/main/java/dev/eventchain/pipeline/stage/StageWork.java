@@ -1,7 +1,5 @@
 package dev.eventchain.pipeline.stage;
 
-
-
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
 import java.util.Collection;

@@ -1,7 +1,5 @@
 package dev.eventchain.pipeline.start;
 
-
-
 import dev.eventchain.check.ChainModel;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;

@@ -1,8 +1,5 @@
 package dev.eventchain.pipeline.diagram;
 
-import dev.eventchain.pipeline.files.WrittenFiles;
-
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
@@ -15,6 +12,7 @@ import dev.eventchain.model.eventchain.EventchainFactory;
 import dev.eventchain.model.eventchain.QosProfile;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.pipeline.diagram.Diagrams.Kind;
+import dev.eventchain.pipeline.files.WrittenFiles;
 import dev.eventchain.xmi.XmiStore;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;

@@ -1,7 +1,5 @@
 package dev.eventchain.pipeline.diagram;
 
-
-
 import static org.junit.jupiter.api.Assertions.assertFalse;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 

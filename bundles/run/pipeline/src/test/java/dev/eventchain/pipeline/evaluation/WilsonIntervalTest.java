@@ -1,7 +1,5 @@
 package dev.eventchain.pipeline.evaluation;
 
-
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertThrows;
 

@@ -1,8 +1,5 @@
 package dev.eventchain.pipeline.report;
 
-import dev.eventchain.pipeline.diagram.ChainPicture;
-
-
 import static org.junit.jupiter.api.Assertions.assertArrayEquals;
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertFalse;
@@ -23,6 +20,7 @@ import dev.eventchain.model.eventchain.Requirement;
 import dev.eventchain.model.eventchain.SoftwareNode;
 import dev.eventchain.model.eventchain.StatisticKind;
 import dev.eventchain.model.eventchain.Statistics;
+import dev.eventchain.pipeline.diagram.ChainPicture;
 import java.io.IOException;
 import java.io.InputStream;
 import java.nio.charset.StandardCharsets;
@@ -95,8 +93,7 @@ class ReportPageTest {
     String page = page(data);
 
     String escaped =
-        "&lt;/title&gt;&lt;/noscript&gt;&lt;img src=x"
-            + " onerror=&quot;alert(1)&quot;&gt;&amp;{{data}}[data/]";
+        "&lt;/title&gt;&lt;/noscript&gt;&lt;img src=x onerror=&quot;alert(1)&quot;&gt;&amp;{{data}}[data/]";
     assertFalse(page.contains("<img"));
     assertEquals(3, count(page, escaped));
     assertEquals(1, count(page, "</noscript>"));
@@ -315,8 +312,7 @@ class ReportPageTest {
   }
 
   private static JsonNode sample(String name) throws IOException {
-    try (InputStream stream =
-        ReportPageTest.class.getResourceAsStream(name + ".json")) {
+    try (InputStream stream = ReportPageTest.class.getResourceAsStream(name + ".json")) {
       return MAPPER.readTree(stream);
     }
   }

@@ -1,7 +1,5 @@
 package dev.eventchain.pipeline.simulate;
 
-
-
 import static org.junit.jupiter.api.Assertions.assertEquals;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
@@ -32,17 +30,13 @@ class MeasuredValuesTest {
   @ValueSource(
       strings = {
         "context ChainMeasurement inv: self.latency.maximum <= 250.0",
-        "context ChainMeasurement inv: self.latency->notEmpty() implies self.latency.maximum <="
-            + " 250",
+        "context ChainMeasurement inv: self.latency->notEmpty() implies self.latency.maximum <= 250",
         "context EventChain inv: self.measured->forAll(m | m.latency.maximum <= 250.0)",
         "context EventChain inv: ChainMeasurement.allInstances()->forAll(m | m.passed)",
-        "context ChainMeasurement inv: self.measurements->select(m | m.name = 'gap')->forAll(m |"
-            + " m.value >= 1)",
-        "context ChainMeasurement inv: self.measurements->forAll(m | m.value < 11.0 or m.value >"
-            + " 30.0)",
+        "context ChainMeasurement inv: self.measurements->select(m | m.name = 'gap')->forAll(m | m.value >= 1)",
+        "context ChainMeasurement inv: self.measurements->forAll(m | m.value < 11.0 or m.value > 30.0)",
         "context SoftwareNode inv: self.measured.activations >= 7",
-        "context SoftwareNode inv: self.measured->notEmpty() implies self.measured.period.maximum"
-            + " <= 50.0",
+        "context SoftwareNode inv: self.measured->notEmpty() implies self.measured.period.maximum <= 50.0",
         "context Statistics inv: self.minimum <= self.maximum",
         "context EventChain def: slowest : Real = self.measured.latency.maximum->max()"
             + " inv: self.slowest <= 250.0",
@@ -59,12 +53,9 @@ class MeasuredValuesTest {
       strings = {
         "context ChainMeasurement inv: self.latencies->forAll(l | l.latency.maximum <= 250.0)",
         "context EventChain inv: self.measured.latencies->forAll(l | l.latency.maximum <= 250.0)",
-        "context EventChain inv: LatencyMeasurement.allInstances()->forAll(l | l.latency.maximum <"
-            + " 1)",
-        "context SoftwareNode inv: self.measured.jitter->notEmpty() implies"
-            + " self.measured.jitter.maximum < 1",
-        "context ChainMeasurement inv: self.measurements->select(m | m.name = 'gpa')->forAll(m |"
-            + " m.value >= 1)",
+        "context EventChain inv: LatencyMeasurement.allInstances()->forAll(l | l.latency.maximum < 1)",
+        "context SoftwareNode inv: self.measured.jitter->notEmpty() implies self.measured.jitter.maximum < 1",
+        "context ChainMeasurement inv: self.measurements->select(m | m.name = 'gpa')->forAll(m | m.value >= 1)",
         "context ChainMeasurement inv: self.measurements->forAll(m | m.time <= 5.0 or true)",
         "context ChainMeasurement inv: self.latency.maximum >= 0.0 or self.latency.maximum < 0.0",
         "context LatencyConstraint inv: self.maximum <= 250.0 implies"

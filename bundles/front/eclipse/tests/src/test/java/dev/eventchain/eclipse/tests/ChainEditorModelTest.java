@@ -7,10 +7,10 @@ import static org.junit.jupiter.api.Assertions.assertSame;
 import static org.junit.jupiter.api.Assertions.assertTrue;
 
 import dev.eventchain.messages.Unit;
-import dev.eventchain.xmi.XmiStore;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.xmi.XmiStore;
 import java.io.IOException;
 import java.net.URI;
 import java.nio.file.Files;

@@ -2,7 +2,6 @@ package dev.eventchain.eclipse.tests;
 
 import static org.junit.jupiter.api.Assertions.assertEquals;
 
-import dev.eventchain.xmi.XmiStore;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.EventchainFactory;
@@ -10,6 +9,7 @@ import dev.eventchain.model.eventchain.LatencyConstraint;
 import dev.eventchain.model.eventchain.QosProfile;
 import dev.eventchain.model.eventchain.Requirement;
 import dev.eventchain.model.eventchain.SoftwareNode;
+import dev.eventchain.xmi.XmiStore;
 import java.io.ByteArrayInputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;

@@ -1,11 +1,11 @@
 package dev.eventchain.eclipse.ui.diagram;
 
-import dev.eventchain.model.EventChainMetamodel;
 import dev.eventchain.diagnostics.Diagnostic;
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.model.EventChainMetamodel;
+import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.xmi.LoadedModel;
 import dev.eventchain.xmi.Origins;
-import dev.eventchain.model.eventchain.EventChain;
 import java.nio.file.Path;
 import java.util.LinkedHashSet;
 import java.util.Set;

@@ -1,5 +1,6 @@
 package dev.eventchain.eclipse.ui.editor;
 
+import dev.eventchain.eclipse.ui.editor.model.ModelFile;
 import java.util.List;
 import java.util.function.IntConsumer;
 import org.eclipse.jface.layout.GridDataFactory;

@@ -1,6 +1,10 @@
 package dev.eventchain.eclipse.ui.editor;
 
 import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.eclipse.ui.editor.model.EditedModel;
+import dev.eventchain.eclipse.ui.editor.model.Icon;
+import dev.eventchain.eclipse.ui.editor.model.MarkerTarget;
+import dev.eventchain.eclipse.ui.editor.model.ModelFile;
 import dev.eventchain.model.eventchain.EventChain;
 import java.util.Optional;
 import org.eclipse.core.resources.IFile;

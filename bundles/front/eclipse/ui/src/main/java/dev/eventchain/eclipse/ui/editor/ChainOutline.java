@@ -1,5 +1,7 @@
 package dev.eventchain.eclipse.ui.editor;
 
+import dev.eventchain.eclipse.ui.editor.model.TreeContent;
+import dev.eventchain.eclipse.ui.editor.model.TreeLabels;
 import java.util.function.Consumer;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.jface.viewers.IStructuredSelection;

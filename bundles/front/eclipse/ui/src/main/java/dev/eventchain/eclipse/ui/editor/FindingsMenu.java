@@ -1,5 +1,7 @@
 package dev.eventchain.eclipse.ui.editor;
 
+import dev.eventchain.eclipse.ui.editor.model.Labels;
+import dev.eventchain.eclipse.ui.editor.validation.ElementFinding;
 import java.util.function.Consumer;
 import org.eclipse.emf.ecore.EObject;
 import org.eclipse.jface.action.Action;

@@ -1,5 +1,16 @@
 package dev.eventchain.eclipse.ui.editor;
 
+import dev.eventchain.eclipse.ui.editor.field.FieldContext;
+import dev.eventchain.eclipse.ui.editor.model.Completions;
+import dev.eventchain.eclipse.ui.editor.model.EditedModel;
+import dev.eventchain.eclipse.ui.editor.model.Labels;
+import dev.eventchain.eclipse.ui.editor.model.ModelFile;
+import dev.eventchain.eclipse.ui.editor.tree.ChainTree;
+import dev.eventchain.eclipse.ui.editor.tree.TreeActions;
+import dev.eventchain.eclipse.ui.editor.validation.EditorValidation;
+import dev.eventchain.eclipse.ui.editor.validation.ElementFinding;
+import dev.eventchain.eclipse.ui.editor.validation.FolderValidation;
+import dev.eventchain.eclipse.ui.editor.validation.ProjectMessages;
 import dev.eventchain.model.eventchain.EventChain;
 import java.util.ArrayList;
 import java.util.EventObject;

@@ -1,6 +1,19 @@
 package dev.eventchain.eclipse.ui.editor;
 
 import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.eclipse.ui.editor.field.BooleanField;
+import dev.eventchain.eclipse.ui.editor.field.EnumField;
+import dev.eventchain.eclipse.ui.editor.field.Field;
+import dev.eventchain.eclipse.ui.editor.field.FieldContext;
+import dev.eventchain.eclipse.ui.editor.field.NumberField;
+import dev.eventchain.eclipse.ui.editor.field.ReadOnlyField;
+import dev.eventchain.eclipse.ui.editor.field.ReferenceField;
+import dev.eventchain.eclipse.ui.editor.field.ReferencesField;
+import dev.eventchain.eclipse.ui.editor.field.TextField;
+import dev.eventchain.eclipse.ui.editor.model.Group;
+import dev.eventchain.eclipse.ui.editor.model.Labels;
+import dev.eventchain.eclipse.ui.editor.model.Words;
+import dev.eventchain.eclipse.ui.editor.validation.ElementFinding;
 import dev.eventchain.model.eventchain.ChainMeasurement;
 import dev.eventchain.model.eventchain.NodeMeasurement;
 import java.util.ArrayList;

@@ -1,6 +1,9 @@
 package dev.eventchain.eclipse.ui.editor;
 
 import dev.eventchain.diagnostics.Severity;
+import dev.eventchain.eclipse.ui.editor.model.TreeContent;
+import dev.eventchain.eclipse.ui.editor.model.TreeLabels;
+import dev.eventchain.eclipse.ui.editor.validation.ElementFinding;
 import dev.eventchain.model.eventchain.EventChain;
 import java.util.HashMap;
 import java.util.List;

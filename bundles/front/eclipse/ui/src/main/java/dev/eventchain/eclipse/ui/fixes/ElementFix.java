@@ -1,8 +1,8 @@
 package dev.eventchain.eclipse.ui.fixes;
 
-import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.diagnostics.SourceText;
 import dev.eventchain.eclipse.EventchainFolders;
+import dev.eventchain.model.WrittenRequirement;
 import dev.eventchain.model.eventchain.Data;
 import dev.eventchain.model.eventchain.EventChain;
 import dev.eventchain.model.eventchain.QosProfile;

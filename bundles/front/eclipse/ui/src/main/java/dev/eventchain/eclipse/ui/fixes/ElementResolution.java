@@ -1,9 +1,9 @@
 package dev.eventchain.eclipse.ui.fixes;
 
-import dev.eventchain.model.EventChainMetamodel;
 import dev.eventchain.diagnostics.DiagnosticException;
 import dev.eventchain.diagnostics.SourceLocation;
 import dev.eventchain.eclipse.FindingMarker;
+import dev.eventchain.model.EventChainMetamodel;
 import dev.eventchain.xmi.LoadedModel;
 import dev.eventchain.xmi.XmiStore;
 import java.nio.charset.StandardCharsets;

@@ -1,9 +1,9 @@
 package dev.eventchain.eclipse.ui.text;
 
-import dev.eventchain.model.EventChainMetamodel;
 import dev.eventchain.diagnostics.DiagnosticException;
-import dev.eventchain.xmi.XmiStore;
+import dev.eventchain.model.EventChainMetamodel;
 import dev.eventchain.model.eventchain.EventchainPackage;
+import dev.eventchain.xmi.XmiStore;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -34,7 +34,8 @@ final class Vocabulary {
     List<EPackage> packages = new ArrayList<>(List.of(EventchainPackage.eINSTANCE));
     if (file != null) {
       List<Path> found = metamodels(file.getProject());
-      XmiStore store = EventChainMetamodel.store(found.stream().map(Path::getParent).distinct().toList());
+      XmiStore store =
+          EventChainMetamodel.store(found.stream().map(Path::getParent).distinct().toList());
       for (Path path : found) {
         try {
           packages.addAll(store.loadMetamodel(path));

@@ -1,0 +1,11 @@
+package dev.eventchain.eclipse.ui.editor.model;
+
+import dev.eventchain.model.eventchain.EventChain;
+import org.eclipse.emf.ecore.EReference;
+
+/**
+ * A heading in the tree, over elements of one kind.
+ *
+ * @param feature where the chain holds them; of the data, those that no component uses
+ */
+public record Group(EventChain chain, EReference feature) {}

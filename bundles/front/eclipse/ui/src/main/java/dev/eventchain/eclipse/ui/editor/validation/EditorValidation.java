@@ -1,0 +1,119 @@
+package dev.eventchain.eclipse.ui.editor.validation;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.model.eventchain.EventChain;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.eclipse.core.resources.IFile;
+import org.eclipse.core.runtime.IProgressMonitor;
+import org.eclipse.core.runtime.Status;
+import org.eclipse.core.runtime.jobs.Job;
+import org.eclipse.emf.ecore.EObject;
+import org.eclipse.emf.ecore.util.EcoreUtil;
+import org.eclipse.swt.widgets.Display;
+
+/** Checks a copy of the chain in the background, a moment after it was changed. */
+public final class EditorValidation {
+
+  private static final int DELAY = 300; // ms
+
+  private final ChainValidation validation;
+  private final EventChain chain;
+  private final Supplier<IFile> file;
+  private final Consumer<List<ElementFinding>> result;
+  private final Display display = Display.getCurrent();
+  private final Runnable start = this::start;
+  private Job running;
+  private boolean disposed;
+
+  /**
+   * @param file where the chain is by now, which decides by which rules it is checked
+   * @param result given what was found, in the user interface's thread
+   */
+  public EditorValidation(
+      ChainValidation validation,
+      EventChain chain,
+      Supplier<IFile> file,
+      Consumer<List<ElementFinding>> result) {
+    this.validation = validation;
+    this.chain = chain;
+    this.file = file;
+    this.result = result;
+  }
+
+  /** The chain has changed. */
+  public void schedule() {
+    if (running != null) {
+      running.cancel(); // what it finds would be about a chain that is no more
+    }
+    display.timerExec(DELAY, start);
+  }
+
+  /** Nobody wants to know any more. */
+  public void dispose() {
+    disposed = true;
+    display.timerExec(-1, start);
+    if (running != null) {
+      running.cancel();
+    }
+  }
+
+  private void start() {
+    if (running != null) {
+      running.cancel();
+    }
+    EcoreUtil.Copier copier = new EcoreUtil.Copier();
+    EventChain copy = (EventChain) copier.copy(chain);
+    copier.copyReferences();
+    Map<EObject, EObject> originals = new HashMap<>();
+    copier.forEach((original, made) -> originals.put(made, original));
+    IFile now = file.get();
+    running =
+        Job.create(
+            "Checking " + now.getName(),
+            monitor -> {
+              List<ElementFinding> found = check(copy, now, monitor);
+              display(() -> show(monitor, originals, found));
+              return monitor.isCanceled() ? Status.CANCEL_STATUS : Status.OK_STATUS;
+            });
+    running.setSystem(true);
+    running.setPriority(Job.DECORATE);
+    running.schedule();
+  }
+
+  private void show(
+      IProgressMonitor monitor, Map<EObject, EObject> originals, List<ElementFinding> found) {
+    if (!disposed && !monitor.isCanceled()) {
+      result.accept(
+          found.stream()
+              .map(finding -> finding.about(originals.getOrDefault(finding.element(), chain)))
+              .toList());
+    }
+  }
+
+  private void display(Runnable work) {
+    if (!display.isDisposed()) {
+      display.asyncExec(work);
+    }
+  }
+
+  /**
+   * What goes wrong with the check is a finding, too: never is a chain shown as sound unchecked.
+   */
+  private List<ElementFinding> check(EventChain copy, IFile place, IProgressMonitor monitor) {
+    try {
+      return validation.validate(copy, place, monitor);
+    } catch (RuntimeException | LinkageError | StackOverflowError e) {
+      Diagnostic finding =
+          Diagnostic.error(
+              "ocl.nothing-evaluated",
+              "The chain was not checked: " + e.getClass().getSimpleName() + " " + e.getMessage(),
+              SourceLocation.NONE);
+      return List.of(new ElementFinding(finding, copy, null));
+    }
+  }
+}

@@ -1,0 +1,51 @@
+package dev.eventchain.eclipse.ui.editor.validation;
+
+import dev.eventchain.diagnostics.Diagnostic;
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.diagnostics.SourceLocation;
+import dev.eventchain.eclipse.ChainFindings;
+import dev.eventchain.eclipse.ChainFindings.Found;
+import dev.eventchain.eclipse.EventchainFolders;
+import dev.eventchain.model.eventchain.EventChain;
+import java.util.List;
+import org.eclipse.core.resources.IFile;
+import org.eclipse.core.runtime.IProgressMonitor;
+
+/**
+ * The checks of the project of Eventchain that a chain is in, as the builder does them; outside
+ * such a project, what holds for any chain.
+ */
+public final class FolderValidation implements ChainValidation {
+
+  private final ProjectMessages messages;
+
+  /**
+   * @param messages read again with each check, for the fields
+   */
+  public FolderValidation(ProjectMessages messages) {
+    this.messages = messages;
+  }
+
+  @Override
+  public List<ElementFinding> validate(EventChain copy, IFile file, IProgressMonitor monitor) {
+    messages.read();
+    try {
+      ChainFindings checked = ChainFindings.of(copy, EventchainFolders.checksFor(file));
+      return checked.evaluations() == 0 && checked.found().isEmpty()
+          ? List.of(new ElementFinding(nothing(), copy, null))
+          : checked.found().stream().map(found -> finding(found, copy)).toList();
+    } catch (DiagnosticException e) { // rules, signals or requirements that cannot be read
+      return e.diagnostics().stream().map(each -> new ElementFinding(each, copy, null)).toList();
+    }
+  }
+
+  private static ElementFinding finding(Found found, EventChain chain) {
+    return new ElementFinding(
+        found.diagnostic(), found.element().orElse(chain), found.feature().orElse(null));
+  }
+
+  private static Diagnostic nothing() {
+    return Diagnostic.error(
+        "ocl.nothing-evaluated", "Nothing of the chain was checked.", SourceLocation.NONE);
+  }
+}

@@ -1,0 +1,60 @@
+package dev.eventchain.eclipse.ui.editor.validation;
+
+import dev.eventchain.diagnostics.DiagnosticException;
+import dev.eventchain.messages.MessageCatalog;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Supplier;
+import org.eclipse.core.resources.IContainer;
+import org.eclipse.core.resources.IFile;
+import org.eclipse.core.resources.IFolder;
+import org.eclipse.core.resources.IResource;
+import org.eclipse.core.runtime.IPath;
+
+/**
+ * The message types that a chain may use: the standard ones, and those of the folder {@code
+ * software-base/msg} of the nearest folder above the chain that has one.
+ */
+public final class ProjectMessages implements Supplier<Optional<MessageCatalog>> {
+
+  private static final IPath FOLDER = IPath.fromPortableString("software-base/msg");
+
+  private final Supplier<IFile> chain;
+  private volatile Optional<MessageCatalog> known = Optional.empty();
+
+  public ProjectMessages(Supplier<IFile> chain) {
+    this.chain = chain;
+  }
+
+  /** Reads what there is now: many files, perhaps, so not in the user interface's thread. */
+  Optional<MessageCatalog> read() {
+    known = Optional.of(catalog());
+    return known;
+  }
+
+  private MessageCatalog catalog() {
+    for (IContainer folder = chain.get().getParent();
+        folder != null && folder.getType() != IResource.ROOT;
+        folder = folder.getParent()) {
+      IFolder messages = folder.getFolder(FOLDER);
+      if (messages.exists() && messages.getLocation() != null) {
+        return of(messages);
+      }
+    }
+    return MessageCatalog.of(List.of());
+  }
+
+  private static MessageCatalog of(IFolder messages) {
+    try {
+      return MessageCatalog.of(List.of(messages.getLocation().toPath()));
+    } catch (DiagnosticException e) { // a folder that went away meanwhile
+      return MessageCatalog.of(List.of());
+    }
+  }
+
+  /** What was read last; empty before. */
+  @Override
+  public Optional<MessageCatalog> get() {
+    return known;
+  }
+}
