@@ -46,6 +46,12 @@ public final class ProjectStart {
 
   private static final String BENCH = "bench.yaml";
 
+  private static final String MODELS =
+      """
+      models:
+        model: direct # made from chain.json without a language model; name one to have it modelled as in the paper
+      """;
+
   /** The files of {@code examples/radar-aeb}, which are in the jar. */
   static final List<String> STARTER =
       List.of(
@@ -159,7 +165,7 @@ public final class ProjectStart {
     MessageCatalog catalog =
         MessageCatalog.of(Files.isDirectory(messages) ? List.of(messages) : List.of());
     String name = name();
-    files.put("eventchain.yaml", "name: " + name + "\n");
+    files.put("eventchain.yaml", "name: " + name + "\n" + MODELS);
     Requirements requirements = requirements(files);
     if (!exists(MODEL) && !base.components().isEmpty()) {
       EventChain chain = chain(name, requirements, base);
