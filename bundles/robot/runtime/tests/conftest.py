@@ -13,18 +13,18 @@ BUNDLE = Path(__file__).parents[1]
 CONFINEMENT = BUNDLE.parent / "sandbox" / "src" / "main" / "resources" / "dev" / "eventchain" / "sandbox"
 sys.path[:0] = [str(BUNDLE / "python"), str(BUNDLE / "tools"), str(CONFINEMENT)]
 
-from eventchain_ros2 import context  # noqa: E402
+from eventchain_ros2 import catalog, context  # noqa: E402
 from eventchain_ros2.dds_entities import Participant  # noqa: E402
 from eventchain_ros2.messages import Messages  # noqa: E402
 from eventchain_ros2.simulation import Simulation  # noqa: E402
 from node_processes import World  # noqa: E402
-from wire import DOMAIN, fresh_tag, loopback_configuration  # noqa: E402
+from wire import DEFINITIONS, DOMAIN, fresh_tag, loopback_configuration  # noqa: E402
 
 
 @pytest.fixture
 def messages() -> Messages:
-    """Importable message classes: the standard ones and those of the fixtures."""
-    messages = Messages([FIXTURES / "msg"])
+    """Importable message classes: the standard ones and those of the conformance files."""
+    messages = Messages(catalog.read([DEFINITIONS]))
     messages.install()
     return messages
 

@@ -11,10 +11,10 @@ from pathlib import Path
 from queue import Empty, Queue
 from time import monotonic, sleep
 
-from eventchain_ros2.catalog import Catalog
+from eventchain_ros2.catalog import Catalog, read
 from eventchain_ros2.dds_entities import Participant, Reader, Writer
 from eventchain_ros2.qos import QoSProfile
-from wire import EVERY, PATIENCE, fresh_tag, loopback_configuration, wait_until
+from wire import DEFINITIONS, EVERY, PATIENCE, fresh_tag, loopback_configuration, wait_until
 
 FIXTURES = Path(__file__).with_name("fixtures")
 SOURCES = Path(__file__).parents[1] / "python"
@@ -84,7 +84,7 @@ class World:
 
     def __init__(self, domain: int, tag: str | None = None) -> None:
         configuration = loopback_configuration(tag or fresh_tag())
-        self.participant = Participant(domain, configuration, Catalog([FIXTURES / "msg"]))
+        self.participant = Participant(domain, configuration, Catalog(read([DEFINITIONS])))
         self.environment = {**os.environ, "PYTHONPATH": str(SOURCES), "CYCLONEDDS_URI": configuration}
         self.environment["ROS_DOMAIN_ID"] = str(domain)
         self._running: list[Running] = []

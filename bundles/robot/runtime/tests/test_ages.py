@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 from protocol import MILLISECOND, HostProcess, float32
 
-GENERATED = Path(__file__).parents[2] / "m2t" / "src" / "test" / "resources" / "cases"
+GENERATED = Path(__file__).parents[3] / "mde" / "m2t" / "src" / "test" / "resources" / "cases"
 PERIOD = 50 * MILLISECOND
 FULL, NONE = float32(1.0), float32(0.0)
 

@@ -13,8 +13,9 @@ PYTHON = BUNDLE / "python"
 RUNTIME = "eventchain_ros2"
 # Each module imports only from the lines above its own, so there are no circles.
 LAYERS = (
-    {"clock", "cyclone", "definitions", "faults", "graph", "logger", "parameters"},
-    {"idl_language", "qos", "type_support", "validation"},
+    {"definitions"},
+    {"clock", "cyclone", "faults", "graph", "logger", "parameters"},
+    {"qos", "type_support", "validation"},
     {"catalog", "codec", "dds_qos", "processes"},
     {"dds_endpoints", "idl", "messages", "simulation"},
     {"context", "discovery"},

@@ -8,10 +8,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from conftest import BUNDLE
-from eventchain_ros2.catalog import Catalog
+from eventchain_ros2.catalog import Catalog, read
 from eventchain_ros2.clock import Duration
-from eventchain_ros2.definitions import Definition, resolved
+from eventchain_ros2.definitions import Definition
 from eventchain_ros2.messages import Message, Messages, from_cdr, to_cdr
 from eventchain_ros2.qos import (
     DurabilityPolicy,
@@ -22,26 +21,56 @@ from eventchain_ros2.qos import (
     incompatible_policies,
 )
 from eventchain_ros2.type_support import type_hash
+from wire import CONFORMANCE, DEFINITIONS
 
-FOLDER = BUNDLE.parent / "messages" / "conformance"
-MESSAGES = [json.loads(line) for line in (FOLDER / "messages.jsonl").read_text(encoding="utf-8").splitlines()]
-DEFINITIONS = json.loads((FOLDER / "definitions.json").read_text(encoding="utf-8"))
-PAIRS = json.loads((FOLDER / "qos.json").read_text(encoding="utf-8"))
+MESSAGES = [json.loads(line) for line in (CONFORMANCE / "messages.jsonl").read_text(encoding="utf-8").splitlines()]
+PAIRS = json.loads((CONFORMANCE / "qos.json").read_text(encoding="utf-8"))
 KINDS = {"reliability": ReliabilityPolicy, "durability": DurabilityPolicy, "liveliness": LivelinessPolicy}
 
 
 @pytest.fixture(scope="module")
 def own() -> Messages:
-    return Messages([FOLDER / "definitions"])
+    return Messages(read([DEFINITIONS]))
 
 
-@pytest.mark.parametrize("name", DEFINITIONS)
-def test_definitions_are_resolved_as_in_java(own: Messages, name: str) -> None:
-    found = own.catalog.find(name)
-    assert found is not None
-    expected = resolved(name, DEFINITIONS[name])
-    assert repr(expected.fields) == repr(found.fields)  # as text, since nan is not equal to nan
-    assert expected.constants == found.constants
+def test_values_are_those_of_the_definitions(own: Messages) -> None:
+    """What `kinds_msgs/msg/Values` and `radar_msgs/msg/Target` write in each way that there is."""
+    values: Any = own.get("kinds_msgs/msg/Values")
+    assert values.EQUAL == "a = b"
+    assert plain(values()) == {
+        "ten": 10,
+        "most": 255,
+        "grouped": 1000,
+        "binary": -5,
+        "nothing": "nan",
+        "endless": ["inf", "-inf", "10.5"],
+        "whole": "7.0",
+        "fits": "a\"b'c",
+        "bare": 'it is "so"',
+        "empty": "",
+        "texts": ["a, b", 'c "d"', "e f"],
+        "off": False,
+        "letter": 65,
+        "largest": 18446744073709551615,
+        "smallest": -9223372036854775808,
+        "bytes": [0, 255],
+        "words": [65535, 16],
+        "numbers": ["0.5", "nan", "1000.0"],
+        "flags": [True, False],
+        "octets": [128],
+    }
+    target: Any = own.get("radar_msgs/msg/Target")
+    assert (target.LIMIT, target.MASK, target.RANGE, target.IS_NEW, target.NAME) == (-7, 31, 150.0, True, "a name\n")
+    assert (target().speed, target().seen, target().name) == (-2.5, True, 'no "name"')
+    assert target().codes == array("h", [1, 2, 3])
+
+
+def test_messages_in_idl_can_be_imported(own: Messages) -> None:
+    own.install()
+    from radar_msgs.msg import Nothing, Scan, Target
+
+    assert isinstance(Scan().nearest, Target)
+    assert Nothing.get_fields_and_field_types() == {}
 
 
 def plain(value: Any) -> Any:

@@ -14,6 +14,7 @@ from eventchain_ros2.simulation import Simulation
 from rclpy.executors import ExternalShutdownException, MultiThreadedExecutor, SingleThreadedExecutor
 from rclpy.node import Node
 from rclpy.qos import QoSProfile
+from wire import DEFINITIONS
 
 MILLISECOND = 1_000_000
 FIXTURES = Path(__file__).with_name("fixtures")
@@ -144,6 +145,6 @@ def test_pytest_runs_tests_of_a_package_with_its_messages(tmp_path: Path) -> Non
         words = [*command, *arguments]
         return subprocess.run(words, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
 
-    done = run("--messages", str(FIXTURES / "msg"))
+    done = run("--messages", str(DEFINITIONS))
     assert (done.returncode, "1 passed" in done.stdout) == (0, True), done.stdout + done.stderr
     assert "No module named 'carla_msgs'" in run().stdout

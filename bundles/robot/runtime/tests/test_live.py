@@ -13,7 +13,7 @@ from conftest import FIXTURES
 from eventchain_ros2 import live
 from eventchain_ros2.dds_entities import Participant
 from node_processes import World, clock, number, numbers
-from wire import MILLISECOND, wait_until
+from wire import DEFINITIONS, MILLISECOND, wait_until
 
 
 def test_a_generated_node_file_runs_unchanged(world: World) -> None:
@@ -187,10 +187,11 @@ def test_own_messages_are_found(world: World, tmp_path: Path) -> None:
         "node.create_subscription(CarlaEgoVehicleStatus, 'status', lambda m: print(m.control.steer, flush=True), 10)\n"
         "rclpy.spin(node)\n"
     )
-    node = world.run("--messages", FIXTURES / "msg", file)
+    node = world.run("--messages", DEFINITIONS, file)
+    from eventchain_ros2.catalog import read
     from eventchain_ros2.messages import Messages, to_cdr
 
-    messages = Messages([FIXTURES / "msg"])
+    messages = Messages(read([DEFINITIONS]))
     status = messages.get("carla_msgs/msg/CarlaEgoVehicleStatus")()
     status.control.steer = 0.5
     world.repeat(world.writer("/status", "carla_msgs/msg/CarlaEgoVehicleStatus"), bytes(to_cdr(status)))

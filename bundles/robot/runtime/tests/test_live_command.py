@@ -103,12 +103,9 @@ def test_without_the_library_it_says_what_to_do(world: World) -> None:
     assert node.said[1].startswith("hint: ")
 
 
-def test_a_wrong_definition_is_named_with_its_line(world: World, tmp_path: Path) -> None:
-    definition = tmp_path / "messages" / "own_msgs" / "msg" / "Own.idl"
-    definition.parent.mkdir(parents=True)
-    definition.write_text("module own_msgs {\n  union Own { };\n};\n")
+def test_a_folder_of_definitions_is_refused_with_what_to_do(world: World, tmp_path: Path) -> None:
     file = tmp_path / "node.py"
     file.write_text("from own_msgs.msg import Own\n")
-    node = world.run("--messages", tmp_path / "messages", file)
+    node = world.run("--messages", tmp_path, file)
     assert node.ends() == 2
-    assert node.said[0].startswith(f"error: {definition}:2: own_msgs/msg/Own: 'union' of IDL is not part")
+    assert node.said[0].startswith(f"error: {tmp_path} is a folder; `eventchain messages {tmp_path} > FILE` writes")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import signal
 from pathlib import Path
 
@@ -47,10 +48,10 @@ def test_missed_deadlines_are_warned_of(world: World) -> None:
 
 
 def test_a_definition_that_differs_is_warned_of(world: World, tmp_path: Path) -> None:
-    file = tmp_path / "std_msgs" / "msg" / "Float32.msg"
-    file.parent.mkdir(parents=True)
-    file.write_text("float32 data\nfloat32 unit\n")
-    node = world.run("--messages", tmp_path, FIXTURES / "live" / "probe.py")
+    file = tmp_path / "messages.json"
+    other = {"fields": [["data", "float32"], ["unit", "float32"]], "constants": []}
+    file.write_text(json.dumps({"std_msgs/msg/Float32": other}))
+    node = world.run("--messages", file, FIXTURES / "live" / "probe.py")
     node.hears("ready")
     world.writer("/room/in")
     warning = node.hears("[WARN] The definition of std_msgs::msg::dds_::Float32_ on topic '/room/in' differs")

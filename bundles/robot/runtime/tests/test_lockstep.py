@@ -8,6 +8,7 @@ from typing import Any
 
 import pytest
 from protocol import MILLISECOND, RESET, Failed, HostProcess, doubler, float32
+from wire import DEFINITIONS
 
 FIXTURES = Path(__file__).with_name("fixtures")
 
@@ -83,7 +84,7 @@ def test_four_nodes_in_a_row_pass_their_samples_on() -> None:
     names = ("Detection", "Collision", "Decision", "Control")
     configuration = {
         "path": [str(FIXTURES)],
-        "messages": [str(FIXTURES / "msg")],
+        "messages": [str(DEFINITIONS)],
         "nodes": [
             {"module": "aeb.nodes", "class": name, "name": name, "component": None, "execution_time_ms": 1.0}
             for name in names

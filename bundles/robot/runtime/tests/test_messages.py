@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import copy
 import importlib
+import json
 import sys
 from array import array
 from pathlib import Path
@@ -11,15 +12,14 @@ from typing import Any
 
 import numpy as np
 import pytest
+from eventchain_ros2 import catalog
 from eventchain_ros2.definitions import MessageDefinitionError
 from eventchain_ros2.messages import Messages, from_cdr, to_cdr
 
 
-def written(tmp_path: Path, text: str, name: str = "Own") -> Messages:
-    file = tmp_path / "own_msgs" / "msg" / f"{name}.msg"
-    file.parent.mkdir(parents=True, exist_ok=True)
-    file.write_text(text)
-    return Messages([tmp_path])
+def own(*fields: list[Any], constants: Any = ()) -> Messages:
+    """The types, and `own_msgs/msg/Own` with these fields: name, type and default."""
+    return Messages({"own_msgs/msg/Own": {"fields": fields, "constants": constants}})
 
 
 def test_standard_and_own_messages_can_be_imported(messages: Messages) -> None:
@@ -64,50 +64,77 @@ def test_fields_start_with_their_defaults(messages: Messages) -> None:
     assert PoseWithCovariance().covariance[0] == 0.0, "each message has an array of its own"
 
 
-def test_own_definitions_have_defaults_constants_and_comments(tmp_path: Path) -> None:
-    own: Any = written(
-        tmp_path,
-        "# a comment\nint32 LIMIT = 7 # seven\nstring NAME='a name'\nbyte OCTET=3\n\nint32 count -2\n"
-        'string unit "m/s"\nfloat64[] weights [0.5, 1]\nstring[2] words ["a b", c]\nbool on true\nbyte[2] raw [1, 2]\n',
+def test_own_definitions_have_defaults_and_constants() -> None:
+    message_class: Any = own(
+        ["count", "int32", -2],
+        ["unit", "string", "m/s"],
+        ["weights", "float64[]", [0.5, 1.0, "inf"]],
+        ["words", "string[2]", ["a b", "c"]],
+        ["on", "bool", True],
+        ["raw", "byte[2]", [1, 2]],
+        ["single", "float32", "-inf"],
+        constants=[["LIMIT", "int32", 7], ["NAME", "string", "a name"], ["OCTET", "byte", 3]],
     ).get("own_msgs/msg/Own")
-    assert (own.LIMIT, own.NAME, own.OCTET) == (7, "a name", b"\3")
-    message = own()
-    assert (message.count, message.unit, message.on) == (-2, "m/s", True)
-    assert message.weights == array("d", [0.5, 1.0])
+    assert (message_class.LIMIT, message_class.NAME, message_class.OCTET) == (7, "a name", b"\3")
+    message = message_class()
+    assert (message.count, message.unit, message.on, message.single) == (-2, "m/s", True, float("-inf"))
+    assert message.weights == array("d", [0.5, 1.0, float("inf")])
     assert message.words == ["a b", "c"]
     assert message.raw == [b"\1", b"\2"]
-    assert from_cdr(own, to_cdr(message)) == message
+    assert from_cdr(message_class, to_cdr(message)) == message
+
+
+def test_own_definitions_hide_standard_ones() -> None:
+    hiding = Messages({"std_msgs/msg/Bool": {"fields": [["other", "int8"]], "constants": []}})
+    assert hiding.get("std_msgs/msg/Bool").__slots__ == ("other",)  # type: ignore[attr-defined]
+
+
+def test_definitions_in_an_earlier_file_hide_those_in_a_later_one(tmp_path: Path) -> None:
+    files = [tmp_path / "first.json", tmp_path / "second.json"]
+    for file in files:
+        stated = {"fields": [[file.stem, "int8"]], "constants": []}
+        file.write_text(json.dumps({"own_msgs/msg/Own": stated, f"own_msgs/msg/{file.stem}": stated}))
+    read = catalog.read(files)
+    assert read["own_msgs/msg/Own"]["fields"] == [["first", "int8"]]
+    assert sorted(read) == ["own_msgs/msg/Own", "own_msgs/msg/first", "own_msgs/msg/second"]
+
+
+@pytest.mark.parametrize("text", ["", "[]", "1", "{"])
+def test_files_without_definitions_are_refused(tmp_path: Path, text: str) -> None:
+    file = tmp_path / "messages.json"
+    file.write_text(text)
+    with pytest.raises(MessageDefinitionError, match="cannot be read") as caught:
+        catalog.read([file])
+    assert caught.value.file == str(file)
+    with pytest.raises(MessageDefinitionError, match="cannot be read"):
+        catalog.read([tmp_path / "nowhere.json"])
 
 
 @pytest.mark.parametrize(
-    ("text", "line", "problem"),
+    "stated",
     [
-        ("int32 a\nint33 b", 2, "'int33' is neither"),
-        ("int32 a\n\nint32 a", 3, "'a' is defined twice"),
-        ("int32", 1, "cannot be the name"),
-        ("int32 class", 1, "'class' cannot be the name"),
-        ("int32 a b", 1, "invalid literal"),
-        ("int32[2] a [1]", 1, "has 1 elements instead of 2"),
-        ("int32[x] a", 1, "is not a type"),
-        ("int32 a;import(1)", 1, "cannot be the name"),
+        {},
+        {"fields": []},
+        {"fields": [["a"]], "constants": []},
+        {"fields": [["a", "int32[x]"]], "constants": []},
+        {"fields": [["a", "float32", "fast"]], "constants": []},
+        {"fields": [], "constants": [["A", "int8"]]},
     ],
 )
-def test_a_wrong_definition_is_refused_with_its_line(tmp_path: Path, text: str, line: int, problem: str) -> None:
-    with pytest.raises(MessageDefinitionError, match=problem) as caught:
-        written(tmp_path, text).get("own_msgs/msg/Own")
-    assert caught.value.line == line
-    assert caught.value.file == str(tmp_path / "own_msgs" / "msg" / "Own.msg")
+def test_what_is_no_definition_is_refused(stated: dict[str, Any]) -> None:
+    with pytest.raises(MessageDefinitionError, match="own_msgs/msg/Own is not defined as"):
+        Messages({"own_msgs/msg/Own": stated}).get("own_msgs/msg/Own")
 
 
-def test_a_definition_that_contains_an_unknown_message_names_it(tmp_path: Path) -> None:
-    written(tmp_path, "Missing thing").install()
+def test_a_definition_that_contains_an_unknown_message_names_it() -> None:
+    own(["thing", "own_msgs/msg/Missing"]).install()
     with pytest.raises(AttributeError, match="contains the unknown message 'own_msgs/msg/Missing'"):
         importlib.import_module("own_msgs.msg").Own  # noqa: B018
 
 
-def test_a_definition_that_contains_itself_is_refused(tmp_path: Path) -> None:
+def test_a_definition_that_contains_itself_is_refused() -> None:
     with pytest.raises(MessageDefinitionError, match="contains itself"):
-        written(tmp_path, "Own[] children").get("own_msgs/msg/Own")
+        own(["children", "own_msgs/msg/Own[]"]).get("own_msgs/msg/Own")
 
 
 def test_the_constructor_takes_known_keywords_only(messages: Messages) -> None:

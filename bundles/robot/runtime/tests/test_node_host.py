@@ -72,6 +72,10 @@ class World:
         self.doubled: Reader = participant.reader("/doubled", "std_msgs/msg/Float32", QoSProfile(depth=10))
         self.clock: Writer = participant.writer("/clock", "rosgraph_msgs/msg/Clock", QoSProfile(depth=1))
 
+    def send(self, data: bytes, time: int) -> None:
+        wait_until(self.number.matched, "the node reads")  # what is written before is lost
+        self.number.write(data, time)
+
     def show(self, time: int) -> None:
         wait_until(self.clock.matched, "the clock is read")
         self.clock.write(b"\0\1\0\0" + struct.pack("<iI", *divmod(time, 1_000_000_000)))
@@ -113,7 +117,7 @@ def test_samples_come_and_go_at_their_simulated_times(host: NodeProcess, world: 
     assert host.connect([[2, 3]]) == []
     world.show(0)
     assert host.let(PUBLISH, 0)["next"] == [PERIOD, True], "its timer"
-    world.number.write(float32(3.0), 7)
+    world.send(float32(3.0), 7)
     assert host.idle() == {"answered": 1, "next": [PERIOD, True], "samples": True, "wrote": [0], "read": [1]}
     assert host.let(RUN, 0)["samples"] is False
     world.show(PERIOD)
@@ -152,7 +156,7 @@ def test_ends_that_are_not_there_are_named(host: NodeProcess) -> None:
 def test_reset_starts_anew_on_the_same_wire(host: NodeProcess, world: World) -> None:
     host.configure(configuration())
     host.connect([[0, 1]])
-    world.number.write(float32(3.0), 7)
+    world.send(float32(3.0), 7)
     assert host.idle()["read"] == [1]
     host.configure(configuration(), kind=RESET)
     assert host.connect([[0, 1]]) == []
@@ -170,9 +174,8 @@ def test_reset_starts_anew_on_the_same_wire(host: NodeProcess, world: World) -> 
 def test_in_real_time_nothing_happens_after_its_end_but_what_comes_is_counted(host: NodeProcess, world: World) -> None:
     host.configure({**configuration(), "real_time": True})
     host.connect([[0, 1]])
-    wait_until(world.number.matched, "the node reads")
     wait_until(world.doubled.matched, "the node writes")
-    world.number.write(float32(3.0), 7)
+    world.send(float32(3.0), 7)
     host.send(START, struct.pack("<q", monotonic_ns()))
     received: list[Any] = []
     wait_until(lambda: received.extend(world.doubled.take()) or received, "a timer fires and a sample arrives")
@@ -180,7 +183,7 @@ def test_in_real_time_nothing_happens_after_its_end_but_what_comes_is_counted(ho
     said = host.idle()
     assert said["answered"] == 1
     assert said["read"] == [1]
-    world.number.write(float32(4.0), 8)
+    world.send(float32(4.0), 8)
     assert host.idle()["read"] == [2], "what was on the way is told of"
     finished = host.finish()
     ((*_, last),) = [node["activations"] for node in finished["nodes"]]
@@ -219,9 +222,8 @@ def test_samples_that_came_before_the_start_are_received_at_the_start(
 ) -> None:
     host.configure({**echo(tmp_path, "pass"), "real_time": True})
     host.connect([[0, 1]])
-    wait_until(world.number.matched, "the node reads")
     wait_until(world.doubled.matched, "the node writes")
-    world.number.write(float32(3.0), 7)
+    world.send(float32(3.0), 7)
     world.number.wait_for_acknowledgments(60_000_000_000)
     host.send(START, struct.pack("<q", monotonic_ns() + PERIOD))
     received: list[Any] = []
@@ -245,7 +247,7 @@ def test_ends_that_come_or_go_later_are_refused_at_their_line(
     host.connect([[0, 1]])
     world.show(0)
     host.let(PUBLISH, 0)
-    world.number.write(float32(3.0), 7)
+    world.send(float32(3.0), 7)
     assert host.idle()["read"] == [1]
     with pytest.raises(Failed, match=f"node.endpoint.late: the node {words} while it runs") as failure:
         host.let(PUBLISH, 0)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from eventchain_ros2 import graph
 from eventchain_ros2.catalog import Catalog
-from eventchain_ros2.definitions import Definition, parse
+from eventchain_ros2.definitions import Definition, resolved
 from eventchain_ros2.graph import GraphNode
 from eventchain_ros2.type_support import dds_type_name, type_hash
 from instances import STORE
@@ -51,7 +51,8 @@ def test_the_hash_is_that_which_ros_publishes() -> None:
 @pytest.mark.parametrize("kind", ["", "[4]", "[]", "[<=4]"])
 def test_a_char_is_hashed_as_the_uint8_that_ros_makes_of_it(kind: str) -> None:
     text = "char{} letter\nstring<=5[2] words\nfloat64[<=3] numbers\nbyte octet"
-    own = parse("own_msgs/msg/Own", text.format(kind), "")
+    fields = [line.split()[::-1] for line in text.format(kind).splitlines()]
+    own = resolved("own_msgs/msg/Own", {"fields": fields, "constants": []})
     store = get_typestore(Stores.ROS2_HUMBLE)
     store.register(get_types_from_msg(text.format(kind).replace("char", "uint8"), "own_msgs/msg/Own"))
     assert type_hash("own_msgs/msg/Own", {"own_msgs/msg/Own": own}.__getitem__) == store.hash_rihs01("own_msgs/msg/Own")

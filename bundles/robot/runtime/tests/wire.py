@@ -23,9 +23,10 @@ EVERY = QoSProfile(history=HistoryPolicy.KEEP_ALL)
 TEXT = b"\0\1\0\0\2\0\0\0x\0"
 
 
-TABLE: dict[str, Any] = json.loads(
-    Path(__file__).parents[2].joinpath("messages", "conformance", "wire.json").read_text(encoding="utf-8")
-)
+CONFORMANCE = Path(__file__).parents[2] / "messages" / "conformance"
+DEFINITIONS = CONFORMANCE / "definitions.json"
+"""Definitions besides the standard ones, as Java resolves them."""
+TABLE: dict[str, Any] = json.loads((CONFORMANCE / "wire.json").read_text(encoding="utf-8"))
 """The facts of DDS that both sides are tested against."""
 
 

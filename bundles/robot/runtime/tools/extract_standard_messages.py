@@ -1,7 +1,7 @@
-"""Write `python/eventchain_ros2/humble.msgs`, the standard message definitions of ROS 2 Humble.
+"""Write `humble.msgs` of `messages`, the standard message definitions of ROS 2 Humble.
 
-The definitions come from the type store of `rosbags`; importing that store at run time would cost 45 ms of every start.
-Run it after raising the pinned version of rosbags: `python tools/extract_standard_messages.py`.
+The definitions come from the type store of `rosbags`. Run it after raising the pinned version of rosbags:
+`python tools/extract_standard_messages.py`. A test of `messages` resolves them to `python/eventchain_ros2/humble.json`.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from pathlib import Path
 
 from rosbags.typesys import Stores, get_typestore
 
-TARGET = Path(__file__).parents[1] / "python" / "eventchain_ros2" / "humble.msgs"
+TARGET = Path(__file__).parents[2] / "messages/src/main/resources/dev/eventchain/messages/humble.msgs"
 SEPARATOR = "=" * 80
 
 # The type store drops the default values of fields. Quaternion has the only ones that are not zero (common_interfaces).

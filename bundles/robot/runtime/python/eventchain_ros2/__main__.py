@@ -1,8 +1,8 @@
 """Runs a node file that is written against rclpy by itself, in real time on DDS.
 
-python -m eventchain_ros2 [--messages FOLDER]... NODE.py [--ros-args -p [NODE:]NAME:=VALUE --params-file FILE ...]
+python -m eventchain_ros2 [--messages FILE]... NODE.py [--ros-args -p [NODE:]NAME:=VALUE --params-file FILE ...]
 
-FOLDER holds message definitions, `<package>/msg/*.msg` or `*.idl`. The domain is that of `ROS_DOMAIN_ID`, and
+FILE holds message definitions, as `eventchain messages` writes them. The domain is that of `ROS_DOMAIN_ID`, and
 `CYCLONEDDS_URI` configures it. `-p use_sim_time:=true` lets the node live in the time of `/clock`.
 """
 
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 SOURCES = str(Path(__file__).resolve().parents[1])
 UNAVAILABLE = 3
-USAGE = """usage: python -m eventchain_ros2 [--messages FOLDER]... NODE.py
+USAGE = """usage: python -m eventchain_ros2 [--messages FILE]... NODE.py
          [--ros-args -p [NODE:]NAME:=VALUE | --params-file FILE ...]"""
 
 
@@ -30,7 +30,7 @@ class UsageError(Exception):
 
 
 class Command(NamedTuple):
-    """What the command line says: folders of messages, the file, its arguments, `(node, name, value)` of parameters.
+    """What the command line says: files with messages, the file, its arguments, `(node, name, value)` of parameters.
 
     A parameter without a node is one of all nodes; the last value counts.
     """
@@ -141,14 +141,14 @@ def domain(asked: int | None) -> int:
 
 def run(command: Command) -> None:
     """Run the file as `python` would, with our `rclpy`."""
-    from eventchain_ros2 import context, cyclone
+    from eventchain_ros2 import catalog, context, cyclone
     from eventchain_ros2.dds_entities import Participant
     from eventchain_ros2.live import Live
     from eventchain_ros2.messages import Messages
 
     cyclone.load()
     domain(None)
-    messages = Messages(command.messages)
+    messages = Messages(catalog.read(command.messages))
     messages.install()
     overrides = [(node, _override(name, value)) for node, name, value in command.parameters]
     worlds: list[Live] = []
@@ -195,7 +195,7 @@ def main() -> int:
         print(f"error: {problem}\n{USAGE}", file=sys.stderr)
         return 2
     except MessageDefinitionError as problem:
-        print(f"error: {problem.file}:{problem.line}: {problem}", file=sys.stderr)
+        print(f"error: {problem}", file=sys.stderr)
         return 2
     except LibraryUnavailableError as problem:
         print(f"error: {problem}\nhint: {problem.hint}", file=sys.stderr)

@@ -2,86 +2,71 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+import json
+from collections.abc import Iterable, Mapping
+from functools import cache
 from pathlib import Path
+from typing import Any
 
-from eventchain_ros2 import definitions, idl_language
-from eventchain_ros2.definitions import FULL_NAME, Definition, Field, MessageDefinitionError
+from eventchain_ros2.definitions import Definition, MessageDefinitionError, resolved
 
-SEPARATOR = "=" * 80 + "\n"
-STANDARD_MESSAGES = Path(__file__).with_name("humble.msgs")
-_LANGUAGES: dict[str, Callable[[str, str, str], Definition]] = {
-    ".msg": definitions.parse,
-    ".idl": idl_language.parse,
-}
+STANDARD_MESSAGES = Path(__file__).with_name("humble.json")
 
 
 class Catalog:
-    """The message types that can be used: the standard ones, and those in folders of the user's.
+    """The message types that can be used: the standard ones, and others.
 
-    A folder holds `<package>/msg/<Name>.msg` or `.idl`, or both, which then have to say the same. A type in a folder
-    hides a standard one of that name, and one in an earlier folder.
+    Args:
+        own: definitions by full names, as JSON holds them (`definitions.resolved`). They hide standard types.
+
     """
 
-    def __init__(self, folders: Iterable[Path] = ()) -> None:
-        self._texts = dict(_standard_texts())
-        self._files: dict[str, list[Path]] = {}
-        for folder in folders:
-            found: dict[str, list[Path]] = {}
-            for suffix in _LANGUAGES:
-                for file in sorted(folder.glob(f"*/msg/*{suffix}")):
-                    name = f"{file.parent.parent.name}/msg/{file.stem}"
-                    if FULL_NAME.fullmatch(name):
-                        found.setdefault(name, []).append(file)
-            self._files.update(found)
-        self.packages = {name.partition("/")[0] for name in (*self._texts, *self._files)}
+    def __init__(self, own: Mapping[str, Any] | None = None) -> None:
+        self._stated = {**_standard(), **(own or {})}
+        self.packages = {name.partition("/")[0] for name in self._stated}
 
     def names(self) -> list[str]:
         """Full names of all types, sorted."""
-        return sorted({*self._texts, *self._files})
+        return sorted(self._stated)
 
     def find(self, name: str) -> Definition | None:
         """The definition of the type with this full name.
 
         Raises:
-            MessageDefinitionError: its file cannot be read or is no message definition, or its files differ.
+            MessageDefinitionError: it is not defined as it has to be.
 
         """
-        if name in self._files:
-            found = [_read(name, file) for file in self._files[name]]
-            for other in found[1:]:
-                _require_same(found[0], other)
-            return found[0]
-        text = self._texts.get(name)
-        return None if text is None else definitions.parse(name, text, str(STANDARD_MESSAGES))
+        stated = self._stated.get(name)
+        return None if stated is None else resolved(name, stated)
 
 
-def _read(name: str, file: Path) -> Definition:
+@cache
+def _standard() -> dict[str, Any]:
+    found: dict[str, Any] = json.loads(STANDARD_MESSAGES.read_text(encoding="utf-8"))
+    return found
+
+
+def read(files: Iterable[Path]) -> dict[str, Any]:
+    """The definitions in files that `eventchain messages` has written; an earlier file hides a later one.
+
+    Raises:
+        MessageDefinitionError: one of them cannot be read, or is no such file.
+
+    """
+    found: dict[str, Any] = {}
+    for file in reversed(list(files)):
+        found.update(_read(file))
+    return found
+
+
+def _read(file: Path) -> dict[str, Any]:
+    if file.is_dir():
+        problem = f"{file} is a folder; `eventchain messages {file} > FILE` writes the file that is needed"
+        raise MessageDefinitionError(problem, str(file))
     try:
-        text = file.read_text(encoding="utf-8-sig")
-    except (OSError, UnicodeDecodeError) as problem:
-        raise MessageDefinitionError(f"{name} cannot be read: {problem}", str(file), 0) from None
-    return _LANGUAGES[file.suffix](name, text, str(file))
-
-
-def _require_same(one: Definition, other: Definition) -> None:
-    if [_in_idl(field) for field in one.fields] != other.fields or {
-        (constant.name, _base_in_idl(constant.base), constant.value) for constant in one.constants
-    } != set(other.constants):
-        problem = f"{one.name}: {Path(one.file).name} beside it says something else"
-        raise MessageDefinitionError(problem, other.file, 0)
-
-
-def _in_idl(field: Field) -> Field:
-    return field._replace(type=field.type._replace(base=_base_in_idl(field.type.base)))
-
-
-def _base_in_idl(base: str) -> str:
-    """IDL has another `char`; that of the message language is written `uint8` there (rosidl)."""
-    return "uint8" if base == "char" else base
-
-
-def _standard_texts() -> Iterator[tuple[str, str]]:
-    for part in STANDARD_MESSAGES.read_text(encoding="utf-8").split(SEPARATOR):
-        heading, _, text = part.partition("\n")
-        yield heading.removeprefix("MSG: "), text
+        stated = json.loads(file.read_text(encoding="utf-8"))
+        if not isinstance(stated, dict):
+            raise ValueError("it is no object")
+    except (OSError, ValueError) as problem:
+        raise MessageDefinitionError(f"{file} cannot be read: {problem}", str(file)) from None
+    return stated

@@ -54,7 +54,7 @@ class Configuration(NamedTuple):
 
 
 class Environment(NamedTuple):
-    """What the processes of components need: folders for `sys.path`, folders with messages, and the limits."""
+    """What the processes of components need: folders for `sys.path`, files of message definitions, and the limits."""
 
     path: list[str]
     sources: list[str]

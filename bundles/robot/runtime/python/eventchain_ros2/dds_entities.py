@@ -24,7 +24,7 @@ from eventchain_ros2.dds_endpoints import (
     in_slices,
 )
 from eventchain_ros2.dds_qos import dds_qos
-from eventchain_ros2.definitions import Definition, parse
+from eventchain_ros2.definitions import Definition
 from eventchain_ros2.discovery import Announcements
 from eventchain_ros2.graph import GraphNode
 from eventchain_ros2.qos import DurabilityPolicy, HistoryPolicy, QoSProfile
@@ -96,8 +96,7 @@ class Participant:
         self._ignore_own = ignore_own
         self._catalog = catalog or Catalog()
         self._gid_size = graph.gid_size()
-        texts = graph.definition_texts(self._gid_size)
-        self._graph_types = {name: parse(name, text, graph.TOPIC) for name, text in texts.items()}
+        self._graph_types = {each.name: each for each in graph.definitions(self._gid_size)}
         self._topics: dict[tuple[str, str], int] = {}
         self._nodes: dict[tuple[str, str], GraphNode] = {}
         self._others: dict[int, list[GraphNode]] = {}

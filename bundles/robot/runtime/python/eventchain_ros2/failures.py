@@ -62,7 +62,7 @@ def _what_and_where(error: BaseException, folders: Iterable[str]) -> tuple[str, 
     if isinstance(error, LimitError):
         return "simulation.limit", str(error), "", 0, 0
     if isinstance(error, MessageDefinitionError):
-        return "message.definition", str(error), error.file, error.line, 0
+        return "message.definition", str(error), error.file, 0, 0
     if isinstance(error, MalformedMessageError):
         return "message.malformed", str(error), "", 0, 0
     if isinstance(error, SyntaxError):

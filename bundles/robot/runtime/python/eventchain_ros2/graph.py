@@ -9,6 +9,8 @@ import os
 import struct
 from typing import NamedTuple
 
+from eventchain_ros2.definitions import Definition, resolved
+
 TOPIC = "ros_discovery_info"
 TYPE = "rmw_dds_common/msg/ParticipantEntitiesInfo"
 GUID_SIZE = 16
@@ -32,16 +34,16 @@ def gid_size() -> int:
     return _HUMBLE_SIZE if os.environ.get("ROS_DISTRO") in _BEFORE_IRON else GUID_SIZE
 
 
-def definition_texts(size: int) -> dict[str, str]:
-    """The definitions of the message by full name, for GUIDs of this size."""
-    return {
-        TYPE: "Gid gid\nNodeEntitiesInfo[] node_entities_info_seq",
-        "rmw_dds_common/msg/Gid": f"char[{size}] data",
-        "rmw_dds_common/msg/NodeEntitiesInfo": (
-            f"string<={_NAME_BOUND} node_namespace\nstring<={_NAME_BOUND} node_name\n"
-            "Gid[] reader_gid_seq\nGid[] writer_gid_seq"
-        ),
+def definitions(size: int) -> list[Definition]:
+    """The definitions of the message and of what it contains, for GUIDs of this size."""
+    gid, node = "rmw_dds_common/msg/Gid", "rmw_dds_common/msg/NodeEntitiesInfo"
+    text, gids = f"string<={_NAME_BOUND}", f"{gid}[]"
+    fields = {
+        gid: [["data", f"char[{size}]"]],
+        node: [["node_namespace", text], ["node_name", text], ["reader_gid_seq", gids], ["writer_gid_seq", gids]],
+        TYPE: [["gid", gid], ["node_entities_info_seq", f"{node}[]"]],
     }
+    return [resolved(name, {"fields": each, "constants": []}) for name, each in fields.items()]
 
 
 def encode(participant: bytes, nodes: list[GraphNode], size: int) -> bytes:

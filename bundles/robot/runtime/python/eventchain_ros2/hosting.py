@@ -20,7 +20,7 @@ from typing import Any
 
 from component_client import ComponentError, Limits
 
-from eventchain_ros2 import context, faults, message_objects
+from eventchain_ros2 import catalog, context, faults, message_objects
 from eventchain_ros2.channel import Channel, Kind
 from eventchain_ros2.clock import NANOSECONDS_PER_SECOND, Duration
 from eventchain_ros2.components import Components, Configuration, Environment
@@ -58,7 +58,7 @@ class HostedNodes:
         self.folders: list[str] = list(configuration.get("path", []))
         self.simulation = simulation or Simulation()
         self.processes: list[Process] = []
-        self._messages = Messages(Path(folder) for folder in configuration.get("messages", []))
+        self._messages = Messages(catalog.read(map(Path, configuration.get("messages", []))))
         self._components = self._make_components()
         self._losses: dict[str, dict[str, Any]] = {}  # of nodes that have failed, by their names
         self.simulation.fault = faults.of(configuration.get("fault"))

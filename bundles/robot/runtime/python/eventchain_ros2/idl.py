@@ -72,7 +72,7 @@ def prepare(data_type: Any) -> None:
     hints = get_type_hints(data_type, include_extras=True)
     fields = [Field(name, _field_type(hints[name], nested), None) for name in data_type.__annotations__]
     message_class: Any = data_type
-    message_class._definition = Definition(message_name(data_type.__idl_typename__), "", fields, [])
+    message_class._definition = Definition(message_name(data_type.__idl_typename__), fields, [])
     functions = codec.generate(message_class._definition, data_type, nested.__getitem__)
     message_class._write = functions.write
     message_class._read = staticmethod(functions.read)

@@ -9,6 +9,7 @@ from typing import Any
 
 from component_values import Objects
 
+from eventchain_ros2 import catalog
 from eventchain_ros2.idl import IdlStruct
 from eventchain_ros2.messages import Message, Messages, type_name
 
@@ -36,9 +37,9 @@ def of(messages: Messages, *, importing: bool) -> Objects:
     return Objects(_describe, make)
 
 
-def serve(folders: list[str]) -> Objects:
+def serve(files: list[str]) -> Objects:
     """The same in the process of a component, which then can import message packages, too."""
-    messages = Messages(Path(folder) for folder in folders)
+    messages = Messages(catalog.read(map(Path, files)))
     messages.install()
     return of(messages, importing=True)
 

@@ -7,10 +7,9 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable
+from collections.abc import Mapping
 from importlib.abc import Loader, MetaPathFinder
 from importlib.machinery import ModuleSpec
-from pathlib import Path
 from struct import error as StructError  # noqa: N812
 from types import ModuleType
 from typing import Any, ClassVar
@@ -112,10 +111,10 @@ def from_cdr(message_class: type, data: bytes | bytearray | memoryview) -> Any:
 
 
 class Messages(MetaPathFinder, Loader):
-    """The classes of a catalogue, and the finder of the modules that hold them."""
+    """The classes of a catalogue, and the finder of the modules that hold them; see `Catalog`."""
 
-    def __init__(self, folders: Iterable[Path] = ()) -> None:
-        self.catalog = Catalog(folders)
+    def __init__(self, own: Mapping[str, Any] | None = None) -> None:
+        self.catalog = Catalog(own)
         self._classes: dict[str, type] = {}
         self._unfinished: list[str] = []
 
@@ -132,7 +131,7 @@ class Messages(MetaPathFinder, Loader):
             if definition is None:
                 raise KeyError(name)
             if name in self._unfinished:
-                raise MessageDefinitionError(f"{name} contains itself", definition.file, 0)
+                raise MessageDefinitionError(f"{name} contains itself")
             self._unfinished.append(name)
             self._classes[name] = self._make(definition)
             self._unfinished.remove(name)

@@ -8,6 +8,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from eventchain_ros2 import catalog
 from eventchain_ros2.dds_entities import Participant
 from eventchain_ros2.messages import Messages
 from eventchain_ros2.wire import Doorbell
@@ -20,9 +21,9 @@ def prepare(settings: dict[str, Any]) -> None:
     """Enter a domain.
 
     Args:
-        settings: `domain`, a number; `configuration`, XML of Cyclone DDS; `messages`, folders with message definitions.
+        settings: `domain`, a number; `configuration`, XML of Cyclone DDS; `messages`, files of definitions.
 
     """
-    messages = Messages(Path(folder) for folder in settings["messages"])
+    messages = Messages(catalog.read(map(Path, settings["messages"])))
     participant = Participant(settings["domain"], settings["configuration"], messages.catalog, ignore_own=True)
     prepared.append((participant, Doorbell(participant)))

@@ -2,9 +2,9 @@
 
     PYTHONPATH=FOLDER python -m pytest -p eventchain_ros2.pytest_plugin [--messages MESSAGES]... test
 
-FOLDER holds this package, and each MESSAGES is a folder with `<package>/msg/*.msg`. The plugin makes the message
-packages importable, and the packages whose tests run, as an installation would; the rest is `rclpy` of this runtime.
-With a sourced ROS 2, leave it out.
+FOLDER holds this package, and each MESSAGES is a file that `eventchain messages` has written. The plugin makes the
+message packages importable, and the packages whose tests run, as an installation would; the rest is `rclpy` of this
+runtime. With a sourced ROS 2, leave it out.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from eventchain_ros2 import catalog
 from eventchain_ros2.messages import Messages
 
 if TYPE_CHECKING:
@@ -20,13 +21,14 @@ if TYPE_CHECKING:
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    """Add the option that names folders of messages."""
-    parser.addoption("--messages", action="append", default=[], help="folder with <package>/msg/*.msg; repeatable")
+    """Add the option that names files of message definitions."""
+    help_text = "file with message definitions, written by `eventchain messages`; repeatable"
+    parser.addoption("--messages", action="append", default=[], help=help_text)
 
 
 def pytest_configure(config: pytest.Config) -> None:
     """Serve the imports of packages, before any test is imported."""
-    Messages(Path(folder) for folder in config.getoption("messages")).install()
+    Messages(catalog.read(map(Path, config.getoption("messages")))).install()
     for argument in config.args:
         place = Path(config.invocation_params.dir, argument.partition("::")[0]).resolve()
         for folder in (place, *place.parents):

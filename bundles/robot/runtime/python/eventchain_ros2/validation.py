@@ -10,12 +10,14 @@ from collections.abc import Sequence, Set
 from math import isfinite
 from typing import TYPE_CHECKING, Any
 
-from eventchain_ros2.definitions import CODES, PRIMITIVES, RANGES, Field
+from eventchain_ros2.definitions import CODES, PRIMITIVES, Field
 
 if TYPE_CHECKING:
     import numpy as np
 
-_RANGES = {base: bounds for base, bounds in RANGES.items() if base != "byte"}
+_RANGES = {f"uint{bits}": (0, 2**bits - 1) for bits in (8, 16, 32, 64)}
+_RANGES.update({f"int{bits}": (-(2 ** (bits - 1)), 2 ** (bits - 1) - 1) for bits in (8, 16, 32, 64)})
+_RANGES["char"] = _RANGES["uint8"]
 _MAXIMAL_FLOAT32 = 3.402823466e38
 _TYPES: dict[str, type] = {"bool": bool, "byte": bytes, "float32": float, "float64": float, "string": str}
 

@@ -14,11 +14,13 @@ from typing import Any
 TESTS = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(TESTS), str(TESTS.parent / "python")]
 
+from eventchain_ros2.catalog import read  # noqa: E402
 from eventchain_ros2.lockstep import Scenario  # noqa: E402
 from eventchain_ros2.messages import Messages, from_cdr, to_cdr  # noqa: E402
 from protocol import MILLISECOND, RESET, HostProcess, step_payload  # noqa: E402
 
 FIXTURES = TESTS / "fixtures"
+DEFINITIONS = TESTS.parents[1] / "messages" / "conformance" / "definitions.json"
 STEPS = 4000
 STEP = 50 * MILLISECOND
 
@@ -29,7 +31,7 @@ def configuration() -> dict[str, Any]:
     times = {"execution_time_ms": 1.0, "phase_ms": 0.0}
     return {
         "path": [str(FIXTURES)],
-        "messages": [str(FIXTURES / "msg")],
+        "messages": [str(DEFINITIONS)],
         "nodes": [{"module": "aeb.nodes", "class": name, "name": name, "component": None, **times} for name in names],
         "world_publishes": [
             {"topic": "/lidar", "type": "sensor_msgs/msg/PointCloud2"},
@@ -103,7 +105,7 @@ def measure_codec(messages: Messages) -> None:
 
 def main() -> None:
     """Print all figures."""
-    messages = Messages([FIXTURES / "msg"])
+    messages = Messages(read([DEFINITIONS]))
     samples = world(messages)
     measure_codec(messages)
     measure_scenario(samples)

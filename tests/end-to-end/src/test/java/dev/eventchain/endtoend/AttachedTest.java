@@ -134,13 +134,16 @@ class AttachedTest {
   }
 
   private Process start(Path python, Path project, Path file) throws IOException {
+    String definitions =
+        new Program().run("messages", project.resolve("software-base/msg")).expect(0).out();
+    Path messages = Files.writeString(project.resolve("out/messages.json"), definitions);
     ProcessBuilder builder =
         new ProcessBuilder(
             python.toString(),
             "-m",
             "eventchain_ros2",
             "--messages",
-            project.resolve("software-base/msg").toString(),
+            messages.toString(),
             file.toString(),
             "--ros-args",
             "-p",

@@ -64,7 +64,10 @@ class GeneratedPackageTest {
         new ArrayList<>(
             List.of(
                 "-m", "pytest", "-p", "no:cacheprovider", "-p", "eventchain_ros2.pytest_plugin"));
-    words.add("--messages=" + project.resolve("software-base/msg"));
+    String definitions =
+        new Program().run("messages", project.resolve("software-base/msg")).expect(0).out();
+    Path messages = Files.writeString(project.resolve("messages.json"), definitions);
+    words.add("--messages=" + messages);
     String output = python(words);
     assertTrue(output.contains("test_object_detection_node.py"), output);
     assertTrue(output.matches("(?s).*\\b51 passed.*"), output);

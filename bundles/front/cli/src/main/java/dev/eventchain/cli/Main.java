@@ -45,6 +45,7 @@ public final class Main {
           EvaluateCommand.class,
           InitCommand.class,
           BenchCommand.class,
+          MessagesCommand.class,
           DiagramCommand.class,
           ExplainCommand.class,
           DoctorCommand.class);

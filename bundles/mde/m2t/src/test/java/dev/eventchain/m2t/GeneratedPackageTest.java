@@ -298,8 +298,8 @@ class GeneratedPackageTest {
         new ArrayList<>(
             List.of(
                 "-m", "pytest", "-p", "no:cacheprovider", "-p", "eventchain_ros2.pytest_plugin"));
-    words.add("--messages=" + ROOT.resolve("examples/aeb/software-base/msg"));
-    words.add("--messages=" + RESOURCES.resolve("packages/long"));
+    words.add("--messages=" + ROOT.resolve("bundles/robot/messages/conformance/definitions.json"));
+    words.add("--messages=" + RESOURCES.resolve("packages/long/messages.json"));
     words.addAll(Arrays.asList(arguments));
     return python(folder, words);
   }

@@ -25,6 +25,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 class ConformanceTest {
 
   private static final Path FOLDER = Path.of("conformance");
+  private static final Path RUNTIME = Path.of("../runtime/python/eventchain_ros2");
   private static final ObjectMapper JSON = new ObjectMapper();
   private static final MessageCatalog CATALOG =
       MessageCatalog.of(List.of(FOLDER.resolve("definitions")));
@@ -33,6 +34,12 @@ class ConformanceTest {
   void definitionsAreResolvedAsExpected() throws IOException {
     assertEquals(List.of(), CATALOG.diagnostics());
     ExpectedFile.check(FOLDER.resolve("definitions.json"), CATALOG.ownDefinitions());
+  }
+
+  @Test
+  void standardTypesOfTheRuntimeAreThoseOfHere() throws IOException {
+    MessageCatalog standard = MessageCatalog.of(List.of());
+    ExpectedFile.check(RUNTIME.resolve("humble.json"), standard.definitions(standard.names()));
   }
 
   static List<JsonNode> messages() throws IOException {

@@ -50,6 +50,18 @@ public final class PythonSources {
     throw new IllegalArgumentException("no resource folder with Python files: " + resourceRoot);
   }
 
+  /**
+   * Keeps files that Python shall read, once for each content.
+   *
+   * @param files what is in them, by relative paths
+   * @return a folder in the user's cache, which must not be changed
+   * @throws dev.eventchain.diagnostics.DiagnosticException {@code python.unavailable}: the cache
+   *     cannot be written
+   */
+  public static Path keep(SortedMap<String, byte[]> files) {
+    return copy(files);
+  }
+
   /** Empty if the folder has no Python files, as that of a test's classes in the same package. */
   private static Optional<Path> unpack(URL root, String resourceRoot) throws IOException {
     if (root.getProtocol().equals("file")) {

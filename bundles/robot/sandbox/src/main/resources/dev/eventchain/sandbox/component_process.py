@@ -44,7 +44,7 @@ class ComponentProcess:
     Args:
         channel: file descriptor to read questions from and to write answers to.
         description: `file`, `module` (its name), `class`, `path` (for `sys.path`), `sources` (folders or files whose
-            lines are places of errors), `messages` (folders with message definitions; absent: no message classes).
+            lines are places of errors), `messages` (files with message definitions; absent: no message classes).
 
     """
 
@@ -159,11 +159,11 @@ def _column(trace: TracebackType) -> int:
     return 0 if column is None else column + 1
 
 
-def _objects(folders: list[str] | None) -> component_values.Objects:
+def _objects(files: list[str] | None) -> component_values.Objects:
     """The message classes of the runtime, if its package is on the path."""
-    if folders is None:
+    if files is None:
         return component_values.NO_OBJECTS
-    objects: component_values.Objects = importlib.import_module(MESSAGE_OBJECTS).serve(folders)
+    objects: component_values.Objects = importlib.import_module(MESSAGE_OBJECTS).serve(files)
     return objects
 
 

@@ -162,9 +162,15 @@ public record SimulationRequest(
     return new UserFiles(packageFolder);
   }
 
-  /** The generated nodes. */
+  /**
+   * The generated nodes, with the user's message definitions in a file.
+   *
+   * @throws dev.eventchain.diagnostics.DiagnosticException a definition is wrong, or the file
+   *     cannot be written ({@code python.unavailable})
+   */
   public NodePackage nodePackage() {
-    return new NodePackage(packageFolder, manifest, messageFolders, generated, limits);
+    return new NodePackage(
+        packageFolder, manifest, MessageFile.of(messageFolders), generated, limits);
   }
 
   /**
@@ -175,7 +181,7 @@ public record SimulationRequest(
    */
   public SimulatedChain simulatedChain() {
     MessageCatalog catalog = MessageCatalog.of(messageFolders);
-    nodePackage().requireNodesOf(chain, SimulatedChain.components(chain));
+    manifest.requireNodesOf(packageFolder, chain, SimulatedChain.components(chain));
     return new SimulatedChain(chain, bench, catalog, isAttached());
   }
 

@@ -39,8 +39,7 @@ public final class NodeConfiguration {
   public ObjectNode of(long seed, List<TypedTopic> published, List<TypedTopic> received) {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     json.putArray("path").add(absolute(generated.folder()));
-    ArrayNode messages = json.putArray("messages");
-    generated.messageFolders().forEach(folder -> messages.add(absolute(folder)));
+    json.putArray("messages").add(absolute(generated.messages()));
     ArrayNode configured = json.putArray("nodes");
     if (!chain.isAttached()) {
       chain.nodes().forEach(node -> configured.add(configuration(node, seed)));

@@ -8,8 +8,6 @@ import dev.eventchain.sandbox.WorkFolder;
 import dev.eventchain.simulation.node.NodePackage;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.ArrayList;
-import java.util.List;
 
 /**
  * The ROS 2 runtime's programs that host nodes.
@@ -37,13 +35,11 @@ public record HostProgram(
    */
   public ConfinedProcess.Builder process(String module, int turn, WorkFolder workFolder) {
     Path runtime = PythonSources.unpack(HostProgram.class.getClassLoader(), RUNTIME);
-    List<Path> readable = new ArrayList<>(generated.messageFolders());
-    readable.add(generated.folder());
     Duration longest = generated.limits().run();
     return ConfinedProcess.on(python)
         .module(module)
         .pythonPath(runtime)
-        .readable(readable.toArray(Path[]::new))
+        .readable(generated.messages(), generated.folder())
         .workFolder(workFolder.path())
         .components(turn)
         .limits(new ConfinedProcess.Limits(longest, longest, MEMORY_MIB))

@@ -142,4 +142,18 @@ public record NodeManifest(SourceLocation location, String packageName, List<Nod
   private Diagnostic problem(String message, String element) {
     return Diagnostic.error(ID, message, location.withElement(element)).withHint(GENERATE_AGAIN);
   }
+
+  /**
+   * Refuses a manifest that is not that of a chain.
+   *
+   * @param folder that of the package
+   * @param components those of the chain that are to be run
+   * @throws DiagnosticException (INPUT) {@code simulation.manifest}
+   */
+  public void requireNodesOf(Path folder, EventChain chain, List<SoftwareNode> components) {
+    List<Diagnostic> problems = problems(chain, folder, components);
+    if (!problems.isEmpty()) {
+      throw new DiagnosticException(DiagnosticException.Reason.INPUT, problems);
+    }
+  }
 }

@@ -87,11 +87,7 @@ public final class DdsHosts implements NodeHosts {
     ObjectNode json = JsonNodeFactory.instance.objectNode();
     json.put("domain", domain.number());
     json.put("configuration", DdsParticipant.loopbackConfiguration(domain.tag()));
-    var messages = json.putArray("messages");
-    program
-        .generated()
-        .messageFolders()
-        .forEach(folder -> messages.add(folder.toAbsolutePath().normalize().toString()));
+    json.putArray("messages").add(program.generated().messages().toString());
     return json;
   }
 
